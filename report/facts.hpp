@@ -27,16 +27,31 @@ struct Names {
   [[nodiscard]] std::string of(PointId bee) const;
 };
 
+// How those who made the input speak of heights: the sky's numbers beside metres.
+struct HeightWords {
+  bool in_feet = false;      // or in flight levels
+  bool by_pressure = false;  // of the standard atmosphere, as flight levels are
+};
+
 struct SwarmFacts {
   std::string title;   // the file's name
   std::string source;  // what it was read as
-  // Where east, north and up are 0, for geographic input; otherwise positions are as given.
+  // Where east and north are 0, for geographic input, whose positions are metres east and north
+  // along the ground, and heights (EarthFrame); otherwise positions are as given.
   std::optional<GeographicPosition> origin = {};
+  HeightWords heights = {};
   double threshold_m = 0.0;
   std::optional<double> vertical_m = {};
   bool inclusive = false;
   Names names = {};
   std::vector<std::string> notes = {};  // what must be said aloud
+};
+
+// How far apart two are horizontally and in height: geographic ones brought to height 0, and in
+// their heights.
+struct Apart {
+  double horizontal_m = 0.0;
+  double height_m = 0.0;
 };
 
 struct SnapshotFacts {
@@ -54,7 +69,9 @@ struct SnapshotFacts {
   // The closest first; all, or as many as can be shown.
   std::vector<Pair> pairs = {};
   std::vector<double> distances_m = {};  // of each of these
-  std::string unknown = {};              // how many are left out; empty: none
+  std::vector<Apart> apart = {};         // of each of these, or none
+  std::optional<Apart> closest_apart = {};
+  std::string unknown = {};  // how many are left out; empty: none
 };
 
 // When a bee is in conflict with another.
@@ -63,15 +80,28 @@ struct AtRisk {
   TimeSpan span;
 };
 
-// How far apart the closest two are at a moment.
+// How far apart the closest two are at a moment; with a vertical threshold, the two that are
+// nearest to a conflict: by how far apart they are as shares of both thresholds, the greater one.
 struct Separation {
   double time_s = 0.0;
   ClosestPair closest;
+  std::optional<Apart> apart = {};  // with a vertical threshold
+};
+
+// The way from the first of a pair to the second around a conflict, at each instant at which one of
+// them turns; in between it changes evenly.
+struct PairWay {
+  std::vector<double> times_s = {};
+  std::vector<Point> ways = {};  // in metres of any axes; without an origin, z is up
+  // With an origin: the same between the places below them at height 0, and up.
+  std::vector<Point> ground_ways = {};
+  std::vector<double> heights_m = {};
 };
 
 struct RecordingFacts {
   SwarmFacts swarm;
   std::vector<Track> tracks;  // to look at
+  double bend_m = 0.0;        // how far from their straight lines bees fly as they are looked at
   bool since_1970 = false;
   std::vector<Gap> gaps = {};            // in ascending order of (track, begins_s)
   std::string unknown = {};              // who is unknown for how long, or left out; empty: none
@@ -82,6 +112,10 @@ struct RecordingFacts {
   std::uint64_t possible_count = 0;      // of these, not certain
   std::uint64_t pair_count = 0;          // in conflict
   std::optional<Conflict> closest = {};  // of the conflicts; where there is none, of all encounters
+  std::vector<Apart> conflicts_apart = {};  // of each of `conflicts`, when they are closest
+  std::optional<Apart> closest_apart = {};
+  // Of the first of `conflicts`, as many as a page can hold; where there is none, of `closest`.
+  std::vector<PairWay> pair_ways = {};
   std::vector<Separation> separation = {};
   std::optional<FleetFacts> fleet = {};  // what its planner said of it, where that is known
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 
 namespace beespace::report {
@@ -54,16 +53,6 @@ Directions directions_of(const Point& ecef) {
   return {direction(ecef.x, ecef.y), latitude_of(std::hypot(ecef.x, ecef.y), ecef.z)};
 }
 
-// Of an origin, which is a place on the Earth; where it is none, there is still something to see.
-Point place_of(const GeographicPosition& origin) {
-  const auto place = to_ecef(origin);
-  return place ? *place : Point{kEquator_m, 0.0, 0.0};
-}
-
-double dot(const Point& a, const Point& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 }  // namespace
 
 LocalAxes local_axes_at(const Point& ecef) {
@@ -91,52 +80,6 @@ GeographicPosition to_geographic(const Point& ecef) {
   const double height_m =
       from_axis_m * latitude.cosine + ecef.z * sine - normal_m * (1.0 - kOfEquator * sine * sine);
   return {longitude.degrees(), latitude.degrees(), height_m};
-}
-
-EarthFrame::EarthFrame(const GeographicPosition& origin)
-    : origin_(place_of(origin)), axes_(local_axes_at(origin_)) {
-}
-
-GeographicPosition EarthFrame::position_of(const Point& place) const {
-  const auto& [east, north, up] = axes_;
-  const auto along = [&place](double e, double n, double u) {
-    return place.x * e + place.y * n + place.z * u;
-  };
-  return to_geographic({origin_.x + along(east.x, north.x, up.x),
-                        origin_.y + along(east.y, north.y, up.y),
-                        origin_.z + along(east.z, north.z, up.z)});
-}
-
-namespace {
-
-// Of those around the whole Earth, whose middle is in no direction: below the first.
-GeographicPosition below_middle(std::span<const Point> ecef) {
-  constexpr double kNoDirection_m = 1.0;
-  Point sum;
-  for (const Point& p : ecef) sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
-  const double count = static_cast<double>(std::max<std::size_t>(1, ecef.size()));
-  Point middle{sum.x / count, sum.y / count, sum.z / count};
-  if (!ecef.empty() && std::hypot(middle.x, middle.y, middle.z) < kNoDirection_m) {
-    middle = ecef.front();
-  }
-  const GeographicPosition above = to_geographic(middle);
-  return {above.longitude_deg, above.latitude_deg, 0.0};
-}
-
-}  // namespace
-
-LocalPlaces around_middle(std::span<const Point> ecef,
-                          const std::optional<GeographicPosition>& origin_wanted) {
-  LocalPlaces local;
-  local.origin = origin_wanted ? *origin_wanted : below_middle(ecef);
-  const Point origin = place_of(local.origin);
-  const LocalAxes axes = local_axes_at(origin);
-  local.places.reserve(ecef.size());
-  for (const Point& p : ecef) {
-    const Point from{p.x - origin.x, p.y - origin.y, p.z - origin.z};
-    local.places.push_back({dot(from, axes.east), dot(from, axes.north), dot(from, axes.up)});
-  }
-  return local;
 }
 
 }  // namespace beespace::report

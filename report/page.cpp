@@ -2,6 +2,10 @@
 
 #include <beespace/version.hpp>
 
+#include <zlib.h>
+
+#include <array>
+#include <charconv>
 #include <cstddef>
 
 namespace beespace::report {
@@ -31,6 +35,16 @@ std::string harmless(std::string_view json) {
   return text;
 }
 
+// Eight digits in base 16.
+std::string checksum_of(std::string_view text) {
+  const uLong sum = adler32(adler32(0, nullptr, 0), reinterpret_cast<const Bytef*>(text.data()),
+                            static_cast<uInt>(text.size()));
+  std::array<char, 8> digits{};
+  const auto [end, _] = std::to_chars(digits.data(), digits.data() + digits.size(), sum, 16);
+  const std::string told(digits.data(), end);
+  return std::string(8 - told.size(), '0') + told;
+}
+
 }  // namespace
 
 std::string page_json(const std::function<void(io::JsonWriter&)>& write_swarms) {
@@ -48,13 +62,17 @@ void write_page(std::string_view page, std::string_view json, const Columns& col
   const std::size_t place = page.find(kPlace);
   sink(page.substr(0, place));
   sink("<script type=\"application/json\" id=\"beespace-page\">");
-  sink(harmless(json));
+  const std::string text = harmless(json);
+  sink(text);
   sink("</script>\n");
   for (std::size_t i = 0; i < columns.elements().size(); ++i) {
     sink("<script type=\"text/plain\" id=\"beespace-" + std::to_string(i) + "\">");
     sink(columns.elements()[i]);
     sink("</script>\n");
   }
+  // Behind all others: a page that was cut off lacks it.
+  sink("<script type=\"text/plain\" id=\"beespace-end\">" + checksum_of(text) + " " +
+       std::to_string(columns.elements().size()) + "</script>\n");
   sink(page.substr(place + kPlace.size()));
 }
 

@@ -104,7 +104,7 @@ void write_fixes(io::JsonWriter& json, const ShownFixes& shown, const Quantised&
 }
 
 void write_conflicts(io::JsonWriter& json, const std::vector<Conflict>& conflicts,
-                     const Clock& clock, Columns& columns) {
+                     const std::vector<Apart>& apart, const Clock& clock, Columns& columns) {
   std::array<std::vector<std::uint32_t>, 5> numbers;
   auto& [firsts, seconds, begins, closest, ends] = numbers;
   std::vector<double> distances_m;
@@ -129,6 +129,72 @@ void write_conflicts(io::JsonWriter& json, const std::vector<Conflict>& conflict
   add_times("ends_s", ends);
   columns.add(json, "distance_m", distances_m);
   columns.add(json, "certain", certain);
+  write_apart(json, apart, columns);
+  json.end();
+}
+
+// Whole numbers of steps, and where they begin.
+class Steps {
+ public:
+  Steps(const std::vector<double>& values, double step) : step_(step) {
+    if (values.empty()) return;
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    low_ = *low;
+    step_ = std::max(step, (*high - *low) / 4e9);
+  }
+  [[nodiscard]] Meaning meaning() const { return {step_, low_}; }
+  [[nodiscard]] std::vector<std::uint32_t> of(const std::vector<double>& values) const {
+    std::vector<std::uint32_t> steps;
+    steps.reserve(values.size());
+    for (const double value : values) {
+      steps.push_back(static_cast<std::uint32_t>(std::round((value - low_) / step_)));
+    }
+    return steps;
+  }
+
+ private:
+  double low_ = 0.0;
+  double step_;
+};
+
+// Lengths of ways, to a hundred-thousandth of the threshold.
+void write_lengths(io::JsonWriter& json, const char* name, const std::vector<double>& lengths_m,
+                   double threshold_m, Columns& columns) {
+  const Steps steps(lengths_m, std::max(1e-9, 1e-5 * threshold_m));
+  columns.add(json, name, steps.of(lengths_m), Differences::kSecond, steps.meaning());
+}
+
+void write_pair_ways(io::JsonWriter& json, const RecordingFacts& facts, double begins_s,
+                     Columns& columns) {
+  std::vector<std::uint32_t> counts;
+  std::vector<double> times_s;
+  std::array<std::vector<double>, 6> along;
+  std::vector<double> heights_m;
+  for (const PairWay& way : facts.pair_ways) {
+    counts.push_back(static_cast<std::uint32_t>(way.times_s.size()));
+    for (const double time_s : way.times_s) times_s.push_back(time_s - begins_s);
+    for (const Point& p : way.ways) {
+      along[0].push_back(p.x);
+      along[1].push_back(p.y);
+      along[2].push_back(p.z);
+    }
+    for (const Point& p : way.ground_ways) {
+      along[3].push_back(p.x);
+      along[4].push_back(p.y);
+      along[5].push_back(p.z);
+    }
+    heights_m.insert(heights_m.end(), way.heights_m.begin(), way.heights_m.end());
+  }
+  json.begin_object("pair_ways");
+  columns.add(json, "counts", counts);
+  columns.add(json, "time_s", times_s);
+  constexpr std::array<const char*, 6> kNames = {"x", "y", "z", "ground_x", "ground_y", "ground_z"};
+  const bool on_earth = facts.swarm.origin.has_value();
+  const double threshold_m = facts.swarm.threshold_m;
+  for (std::size_t i = 0; i < (on_earth ? kNames.size() : 3); ++i) {
+    write_lengths(json, kNames[i], along[i], threshold_m, columns);
+  }
+  if (on_earth) write_lengths(json, "height", heights_m, threshold_m, columns);
   json.end();
 }
 
@@ -154,7 +220,9 @@ void write_separation(io::JsonWriter& json, const std::vector<Separation>& separ
   std::vector<double> distances_m;
   std::vector<std::uint32_t> firsts;
   std::vector<std::uint32_t> seconds;
-  for (const auto& [time_s, closest] : separation) {
+  std::vector<Apart> apart;
+  for (const auto& [time_s, closest, of_pair] : separation) {
+    if (of_pair) apart.push_back(*of_pair);
     times_s.push_back(time_s - begins_s);
     distances_m.push_back(closest.distance_m);
     firsts.push_back(closest.first);
@@ -165,6 +233,7 @@ void write_separation(io::JsonWriter& json, const std::vector<Separation>& separ
   columns.add(json, "distance_m", distances_m);
   columns.add(json, "first", firsts);
   columns.add(json, "second", seconds);
+  write_apart(json, apart, columns);
   json.end();
 }
 
@@ -186,6 +255,7 @@ void write_risk(io::JsonWriter& json, const RecordingFacts& facts, double begins
     json.member("first", facts.closest->first).member("second", facts.closest->second);
     json.member("distance_m", facts.closest->closest_m);
     json.member("time_s", facts.closest->closest_s - begins_s);
+    if (facts.closest_apart) write_apart(json, *facts.closest_apart);
     json.end();
   }
   json.end();
@@ -219,12 +289,13 @@ void write_swarm(io::JsonWriter& json, const RecordingFacts& facts, Columns& col
   json.begin_object().member("kind", "recording");
   write_facts(json, swarm, facts.tracks.size(), columns);
   json.member("position_error_m",
-              positions.error_m + shown.error_m + flown_in_error_m(shown, clock));
+              positions.error_m + shown.error_m + flown_in_error_m(shown, clock) + facts.bend_m);
   write_time(json, facts, time);
   write_fixes(json, shown, positions, clock, columns);
   columns.add(json, "absent_after", shown.absent_after, Differences::kFirst);
-  write_conflicts(json, facts.conflicts, clock, columns);
+  write_conflicts(json, facts.conflicts, facts.conflicts_apart, clock, columns);
   write_at_risk(json, facts.at_risk, clock, columns);
+  write_pair_ways(json, facts, time.begins_s, columns);
   write_separation(json, facts.separation, time.begins_s, columns);
   write_risk(json, facts, time.begins_s);
   if (facts.fleet) write_fleet(json, *facts.fleet, time.begins_s, columns);

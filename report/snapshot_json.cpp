@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace beespace::report {
@@ -48,9 +49,11 @@ void write_nearest(io::JsonWriter& json, const std::vector<Nearest>& nearest, Co
   json.end();
 }
 
-void write_closest(io::JsonWriter& json, const ClosestPair& closest) {
+void write_closest(io::JsonWriter& json, const ClosestPair& closest,
+                   const std::optional<Apart>& apart) {
   json.begin_object("closest").member("first", closest.first).member("second", closest.second);
   json.member("distance_m", closest.distance_m);
+  if (apart) write_apart(json, *apart);
   json.end();
 }
 
@@ -59,7 +62,7 @@ void write_risk(io::JsonWriter& json, const SnapshotFacts& facts) {
   json.member("pairs", facts.pair_count).member("groups", facts.group_count);
   json.member("largest_group", facts.largest_group);
   if (!facts.unknown.empty()) json.member("unknown", facts.unknown);
-  if (facts.closest) write_closest(json, *facts.closest);
+  if (facts.closest) write_closest(json, *facts.closest, facts.closest_apart);
   json.end();
 }
 
@@ -90,6 +93,7 @@ void write_pairs(io::JsonWriter& json, const SnapshotFacts& facts, Columns& colu
   columns.add(json, "first", firsts);
   columns.add(json, "second", seconds);
   write_distances(json, facts.distances_m, columns);
+  write_apart(json, facts.apart, columns);
   json.end();
 }
 

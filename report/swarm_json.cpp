@@ -7,12 +7,18 @@ namespace beespace::report {
 namespace {
 
 constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
-constexpr std::array<const char*, 3> kLocalAxes = {"east", "north", "up"};
+constexpr std::array<const char*, 3> kLocalAxes = {"east", "north", "height"};
 
 void write_origin(io::JsonWriter& json, const GeographicPosition& origin) {
   json.begin_object("origin");
   json.member("longitude_deg", origin.longitude_deg).member("latitude_deg", origin.latitude_deg);
   json.member("height_m", origin.height_m);
+  json.end();
+}
+
+void write_heights(io::JsonWriter& json, const HeightWords& heights) {
+  json.begin_object("heights").member("in_feet", heights.in_feet);
+  json.member("by_pressure", heights.by_pressure);
   json.end();
 }
 
@@ -37,6 +43,7 @@ void write_facts(io::JsonWriter& json, const SwarmFacts& swarm, std::size_t coun
   json.member("title", swarm.title).member("source", swarm.source);
   json.member("count", count).member("axes", swarm.origin ? kLocalAxes : kAxes);
   if (swarm.origin) write_origin(json, *swarm.origin);
+  if (swarm.heights.in_feet || swarm.heights.by_pressure) write_heights(json, swarm.heights);
   json.member("threshold_m", swarm.threshold_m);
   if (swarm.vertical_m) json.member("vertical_m", swarm.vertical_m);
   json.member("inclusive", swarm.inclusive);
@@ -50,6 +57,22 @@ void write_positions(io::JsonWriter& json, const Quantised& positions, Differenc
     columns.add(json, kAxes[axis], positions.codes[axis], differences,
                 {positions.step_m[axis], positions.low_m[axis]});
   }
+}
+
+void write_apart(io::JsonWriter& json, const std::vector<Apart>& apart, Columns& columns) {
+  if (apart.empty()) return;
+  std::vector<double> horizontal_m;
+  std::vector<double> height_m;
+  for (const Apart& of : apart) {
+    horizontal_m.push_back(of.horizontal_m);
+    height_m.push_back(of.height_m);
+  }
+  columns.add(json, "horizontal_m", horizontal_m);
+  columns.add(json, "height_m", height_m);
+}
+
+void write_apart(io::JsonWriter& json, const Apart& apart) {
+  json.member("horizontal_m", apart.horizontal_m).member("height_m", apart.height_m);
 }
 
 }  // namespace beespace::report

@@ -7,6 +7,7 @@
 #include "report/quantised.hpp"
 
 #include <cstddef>
+#include <vector>
 
 namespace beespace::report {
 
@@ -16,5 +17,9 @@ void write_facts(io::JsonWriter& json, const SwarmFacts& swarm, std::size_t coun
 // The columns x, y and z.
 void write_positions(io::JsonWriter& json, const Quantised& positions, Differences differences,
                      Columns& columns);
+
+// How far apart pairs are horizontally and in height: columns, where there are any; or members.
+void write_apart(io::JsonWriter& json, const std::vector<Apart>& apart, Columns& columns);
+void write_apart(io::JsonWriter& json, const Apart& apart);
 
 }  // namespace beespace::report

@@ -6,6 +6,7 @@ import { createHash } from 'node:crypto';
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { basename, dirname } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { deflateSync } from 'node:zlib';
 import { build } from 'esbuild';
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
@@ -52,16 +53,29 @@ function place(page, mark, text) {
   return parts[0] + text + parts[1];
 }
 
-const [template, script, style] = await Promise.all([
+/** What the licences of others want to be said, out of the code: in the page it can be read. */
+function withoutNotices(code) {
+  const notices = [];
+  const rest = code.replace(/\/\*! Bundled license information:[\s\S]*?\*\//g, (notice) => {
+    notices.push(notice.replaceAll('--', '- -').replace(/^\/\*!\s*|\s*\*\/$/g, ''));
+    return '';
+  });
+  if (notices.length !== 1) throw new Error('the notice of three.js is not where it was');
+  return { code: rest.trim(), notices: notices.join('\n') };
+}
+
+const [template, guard, loader, main, style] = await Promise.all([
   readFile(here('src/page.html'), 'utf8'),
-  bundle('src/main.ts').then(inlineScript),
+  bundle('src/guard.ts').then(inlineScript),
+  bundle('src/loader.ts').then(inlineScript),
+  bundle('src/main.ts').then(withoutNotices),
   bundle('src/style/page.css'),
 ]);
 
-// Only this very script and style may run or apply; nothing may be fetched.
+// Only these very scripts and this style may run or apply; nothing may be fetched.
 const policy = [
   "default-src 'none'",
-  `script-src ${hash(script)}`,
+  `script-src ${[guard, loader, main.code].map(hash).join(' ')}`,
   `style-src ${hash(style)}`,
   'img-src data: blob:',
   "base-uri 'none'",
@@ -69,8 +83,11 @@ const policy = [
 ].join('; ');
 
 let page = place(template, '{{policy}}', policy);
+page = place(page, '{{guard}}', guard);
 page = place(page, '{{style}}', style);
-page = place(page, '{{script}}', script);
+page = place(page, '{{notices}}', `<!--\n${main.notices}\n-->`);
+page = place(page, '{{code}}', deflateSync(main.code, { level: 9 }).toString('base64'));
+page = place(page, '{{loader}}', loader);
 if (page.split('\n').filter((line) => line === '<!-- beespace: data -->').length !== 1) {
   throw new Error('src/page.html must hold the line <!-- beespace: data --> exactly once');
 }

@@ -7,7 +7,7 @@ import { chromium } from 'playwright-core';
 
 const [pages, pictures] = process.argv.slice(2);
 const kPictures = [
-  { page: 'bees', name: 'report-bees', theme: 'light' },
+  { page: 'bees', name: 'report-bees', theme: 'light', key: 'r' },
   { page: 'million', name: 'report-million', theme: 'dark', click: 'table tbody button', width: 1000, height: 640 },
   { page: 'flight', name: 'report-flight', theme: 'light', click: 'table tbody button' },
   { page: 'swap', name: 'report-swap', theme: 'light', click: 'table tbody button' },
@@ -19,7 +19,7 @@ const browser = await chromium.launch({
   executablePath: process.env.BEESPACE_CHROMIUM ?? '/usr/bin/chromium',
   args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
 });
-for (const { page: file, name, theme, click, bee, steps = 0, width = 1280, height = 800 } of kPictures) {
+for (const { page: file, name, theme, click, key, bee, steps = 0, width = 1280, height = 800 } of kPictures) {
   const page = await browser.newPage({
     viewport: { width, height },
     colorScheme: theme,
@@ -27,6 +27,7 @@ for (const { page: file, name, theme, click, bee, steps = 0, width = 1280, heigh
   });
   await page.goto(pathToFileURL(resolve(pages, `${file}.html`)).href);
   await page.waitForSelector('html[data-beespace="ready"]');
+  if (key) await page.keyboard.press(key);
   if (click) await page.locator(click).first().click();
   if (bee) {
     // After so many steps from the beginning; then it flies there.

@@ -3,17 +3,22 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/tracks.hpp"
+#include "analysis/scene/height_words.hpp"
+#include "analysis/scene/pair_ways.hpp"
+#include "analysis/scene/separation.hpp"
+#include "analysis/scene/uprights.hpp"
 #include "analysis/snapshot/worst_pairs.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "analysis/text/unit_notes.hpp"
 #include "io/bytes/number_text.hpp"
-#include "report/local_axes.hpp"
+#include "report/earth_frame.hpp"
 
 #include <beespace/find_conflicts.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -80,31 +85,6 @@ void take_conflicts(std::vector<Conflict> conflicts, report::RecordingFacts& fac
   facts.conflicts = std::move(conflicts);
 }
 
-// At some hundred moments, and where the closest encounter was. Those in conflict need not be the
-// closest two of their moment where heights are compared apart.
-std::vector<report::Separation> separation_of(const Findings& findings, bool vertical) {
-  constexpr double kMoments = 600.0;
-  std::vector<report::Separation> separation;
-  const auto time = time_of(findings.tracks);
-  if (!time) return separation;
-  const double lasts_s = time->ends_s - time->begins_s;
-  const double every_s = lasts_s > 0.0 ? lasts_s / kMoments : 1.0;
-  for (const Moment& moment : separation_over_time(findings, every_s)) {
-    if (!std::isfinite(moment.distance_m)) continue;
-    const auto [first, second] = std::minmax(moment.first, moment.second);
-    separation.push_back({moment.time_s, {first, second, moment.distance_m}});
-  }
-  if (findings.closest && (!vertical || findings.recorded.conflicts.empty())) {
-    const Conflict& closest = *findings.closest;
-    const auto after = std::upper_bound(
-        separation.begin(), separation.end(), closest.closest_s,
-        [](double time_s, const report::Separation& at) { return time_s < at.time_s; });
-    separation.insert(after,
-                      {closest.closest_s, {closest.first, closest.second, closest.closest_m}});
-  }
-  return separation;
-}
-
 // The closest of the conflicts; of all encounters where there is none.
 Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
                                            const std::vector<Track>& in_space, double max_gap_s,
@@ -118,11 +98,36 @@ Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
       [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; }));
 }
 
-std::vector<Track> to_look_at(std::vector<Track> tracks, io::Frame frame,
-                              report::SwarmFacts& swarm) {
+// How far apart they are, and the ways between them.
+void take_pairs(const Uprights& uprights, report::RecordingFacts& facts) {
+  for (const Conflict& conflict : facts.conflicts) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    facts.conflicts_apart.push_back(
+        apart_in(conflict, uprights).value_or(report::Apart{kUnknown, kUnknown}));
+  }
+  if (!facts.closest) return;
+  facts.closest_apart = apart_in(*facts.closest, uprights);
+  facts.pair_ways = facts.conflicts.empty() ? pair_ways({*facts.closest}, uprights)
+                                            : pair_ways(facts.conflicts, uprights);
+}
+
+// `gaps` are in ascending order of (track, begins_s).
+bool is_gap_after(const std::vector<Gap>& gaps, std::size_t track, double time_s) {
+  const auto at =
+      std::lower_bound(gaps.begin(), gaps.end(), std::pair(track, time_s),
+                       [](const Gap& gap, const std::pair<std::size_t, double>& from) {
+                         return std::pair<std::size_t, double>(gap.track, gap.begins_s) < from;
+                       });
+  return at != gaps.end() && at->track == track && at->begins_s == time_s;
+}
+
+// In the places in which they are looked at.
+void take_tracks(std::vector<Track> tracks, io::Frame frame, report::RecordingFacts& facts) {
+  report::SwarmFacts& swarm = facts.swarm;
   if (frame != io::Frame::kWgs84) {
     swarm.origin.reset();
-    return tracks;
+    facts.tracks = std::move(tracks);
+    return;
   }
   std::vector<Point> places;
   for (const Track& track : tracks) {
@@ -130,11 +135,18 @@ std::vector<Track> to_look_at(std::vector<Track> tracks, io::Frame frame,
   }
   const report::LocalPlaces local = report::around_middle(places, swarm.origin);
   swarm.origin = local.origin;
+  const report::EarthFrame earth(local.origin);
   auto next = local.places.begin();
-  for (Track& track : tracks) {
-    for (Fix& fix : track.fixes) fix.position = *next++;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    std::vector<Fix>& fixes = tracks[i].fixes;
+    for (std::size_t k = 1; k < fixes.size(); ++k) {
+      if (is_gap_after(facts.gaps, i, fixes[k - 1].time_s)) continue;
+      facts.bend_m =
+          std::max(facts.bend_m, report::bend_m(earth, fixes[k - 1].position, fixes[k].position));
+    }
+    for (Fix& fix : fixes) fix.position = *next++;
   }
-  return tracks;
+  facts.tracks = std::move(tracks);
 }
 
 }  // namespace
@@ -158,6 +170,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   swarm.title = title;
   swarm.origin = request.origin;
   swarm.source = recording.format_description;
+  swarm.heights = height_words(recording.height_unit, recording.heights);
   swarm.threshold_m =
       request.threshold_m.value_or(recording.declared_threshold_m.value_or(kDefaultThreshold_m));
   swarm.vertical_m = request.vertical_m();
@@ -190,9 +203,11 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.closest = *closest;
   facts.gaps = recorded->gaps;
   const Coverage coverage = coverage_of(recording, facts.gaps, max_gap);
+  const auto uprights = Uprights::of(recording, *in_space, max_gap.seconds);
+  if (!uprights) return uprights.error();
   facts.separation = separation_of(
       {recording, tracks, *in_space, *recorded, *closest, coverage, closest->has_value()},
-      request.vertical.has_value());
+      *uprights, swarm);
   facts.unknown = unknown_text(coverage);
   facts.hidden = coverage.may_hide_conflicts();
   if (!coverage.complete()) {
@@ -205,7 +220,8 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
         "; the longest such gap: " + gap_text(coverage.longest.front(), recording));
   }
   take_conflicts(std::move(recorded->conflicts), facts);
-  facts.tracks = to_look_at(*std::move(in_space), recording.frame, swarm);
+  take_pairs(*uprights, facts);
+  take_tracks(*std::move(in_space), recording.frame, facts);
   return facts;
 }
 

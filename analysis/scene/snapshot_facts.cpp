@@ -3,15 +3,19 @@
 #include "analysis/geometry/ground_places.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/last_snapshot.hpp"
+#include "analysis/scene/height_words.hpp"
+#include "analysis/scene/uprights.hpp"
 #include "analysis/snapshot/closest_in_conflict.hpp"
 #include "analysis/snapshot/shown_ids.hpp"
 #include "analysis/snapshot/worst_pairs.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "analysis/text/unit_notes.hpp"
 #include "io/bytes/number_text.hpp"
+#include "report/earth_frame.hpp"
 #include "report/local_axes.hpp"
 
 #include <beespace/engine.hpp>
+#include <beespace/geodesy.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -121,7 +125,30 @@ Status search(const std::vector<Point>& points, const GroundPlaces& apart, const
   return find_closest_pair(engine, points, run, facts);
 }
 
+// Where a point is above the ground, and how high.
+Upright upright(const Point& point, io::Frame frame) {
+  if (frame != io::Frame::kWgs84) return {{point.x, point.y, 0.0}, point.z};
+  GeographicPosition place = report::to_geographic(point);
+  const double height_m = place.height_m;
+  place.height_m = 0.0;
+  const auto ground = to_ecef(place);
+  return {ground ? *ground : point, height_m};
+}
+
+// How far apart pairs are horizontally and in height: of all where heights count by themselves, and
+// otherwise of not too many.
+void take_apart(const std::vector<Point>& points, io::Frame frame, report::SnapshotFacts& facts) {
+  constexpr std::size_t kMany = 10'000;
+  const auto of = [&](PointId first, PointId second) {
+    return apart(upright(points[first], frame), upright(points[second], frame));
+  };
+  if (facts.closest) facts.closest_apart = of(facts.closest->first, facts.closest->second);
+  if (!facts.swarm.vertical_m && facts.pairs.size() > kMany) return;
+  for (const Pair& pair : facts.pairs) facts.apart.push_back(of(pair.first, pair.second));
+}
+
 void place(const std::vector<Point>& points, io::Frame frame, report::SnapshotFacts& facts) {
+  take_apart(points, frame, facts);
   if (frame != io::Frame::kWgs84) {
     facts.swarm.origin.reset();
     facts.positions = points;
@@ -176,6 +203,7 @@ Result<report::SnapshotFacts> snapshot_facts(const io::LoadedPoints& loaded,
   report::SnapshotFacts facts = begun(title, request);
   report::SwarmFacts& swarm = facts.swarm;
   swarm.source = loaded.format_description;
+  swarm.heights = height_words(loaded.height_unit, loaded.heights);
   note_units(loaded.units, request.vertical, loaded.height_unit, swarm.notes);
   swarm.notes.insert(swarm.notes.end(), loaded.notes.begin(), loaded.notes.end());
   if (const io::RepeatedIds repeated = io::find_repeated_ids(loaded); repeated.count > 0) {
@@ -205,6 +233,7 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
   report::SnapshotFacts facts = begun(title, request);
   report::SwarmFacts& swarm = facts.swarm;
   swarm.source = recording.format_description;
+  swarm.heights = height_words(recording.height_unit, recording.heights);
   note_units(recording.units, request.vertical, recording.height_unit, swarm.notes);
   swarm.notes.insert(swarm.notes.end(), recording.notes.begin(), recording.notes.end());
   note_skipped(recording.skipped_count, swarm.notes);

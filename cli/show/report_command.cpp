@@ -73,6 +73,9 @@ Result<ExitCode> run_report(const ReportRequest& request) {
     SceneTimings timings = loaded->timings;
     timings.write_s += written_s;
     append_written(text, moving.output, timings);
+    if (moving.output != "-") {
+      append_worst_link(text, file_address(moving.output), loaded->scenes);
+    }
     say(text);
   }
   const bool risk = std::any_of(loaded->scenes.begin(), loaded->scenes.end(), analysis::is_risky);

@@ -1,11 +1,14 @@
 #include "cli/show/scene_summary.hpp"
 
+#include "analysis/scene/worst_link.hpp"
+#include "cli/command_line/option_values.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/console/terminal.hpp"
 #include "io/bytes/number_text.hpp"
 
 #include <cstdint>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 namespace beespace::cli {
@@ -65,6 +68,31 @@ void append_written(std::string& out, const std::string& output, const SceneTimi
                       "read " + io::duration(timings.read_s) + ", find " +
                           io::duration(timings.find_s) + ", write " +
                           io::duration(timings.write_s));
+}
+
+void append_worst_link(std::string& out, const std::string& address,
+                       const std::vector<analysis::Scene>& scenes) {
+  if (scenes.size() != 1) return;
+  const std::string link = analysis::worst_link(scenes.front());
+  if (!link.empty()) append_summary_line(out, "worst pair", printable(address + link));
+}
+
+std::string file_address(const std::string& path) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::error_code unknown;
+  const std::string whole = std::filesystem::absolute(path, unknown).string();
+  std::string address = "file://";
+  for (const char c : unknown ? path : whole) {
+    if (kPlain.find(c) != std::string_view::npos) {
+      address += c;
+    } else {
+      const auto byte = static_cast<unsigned char>(c);
+      address += {'%', kDigits[byte >> 4u], kDigits[byte & 15u]};
+    }
+  }
+  return address;
 }
 
 }  // namespace beespace::cli

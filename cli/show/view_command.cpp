@@ -58,7 +58,7 @@ struct ViewRequest {
 
 // The whole page, and nothing of what it was made from: that is as large again, and the page is
 // served for long.
-Result<std::string> page_for(const ReportRequest& request) {
+Result<std::string> page_for(const ReportRequest& request, const std::string& address) {
   ProgressBar progress(!request.show.moving.quiet);
   const auto loaded = load_page(kView, request, progress);
   if (!loaded) return loaded.error();
@@ -69,6 +69,7 @@ Result<std::string> page_for(const ReportRequest& request) {
     std::string text;
     for (const analysis::Scene& scene : loaded->scenes)
       append_scene(text, scene, request.show.moving);
+    append_worst_link(text, address, loaded->scenes);
     say(text);
   }
   return page;
@@ -77,9 +78,9 @@ Result<std::string> page_for(const ReportRequest& request) {
 Result<ExitCode> run_view(const ViewRequest& request) {
   auto server = PageServer::open(request.port);
   if (!server) return std::move(server).error();
-  const auto page = page_for(request.page);
-  if (!page) return page.error();
   const std::string address = server->address();
+  const auto page = page_for(request.page, address);
+  if (!page) return page.error();
   if (const ExitCode printed = print(address + "\n"); printed != ExitCode::kFine) return printed;
   const auto tell = [quiet = request.page.show.moving.quiet](bool opened) {
     if (quiet) return;

@@ -8,13 +8,14 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace beespace::report {
 namespace {
 
 constexpr double kDay_s = 86'400.0;
 // Separations over more powers of ten than lines can show are drawn by them.
-constexpr double kWideSpreadOverTime = 100.0;
+constexpr double kWideSpreadOverTime = 12.0;
 
 TimeSpan time_of(const RecordingFacts& facts) {
   TimeSpan time{HUGE_VAL, -HUGE_VAL};
@@ -50,21 +51,31 @@ Axis time_axis(const RecordingFacts& facts, const Box& box) {
           "Time (s)"};
 }
 
-Axis distance_axis(const RecordingFacts& facts, const Box& box) {
-  const double threshold_m = facts.swarm.threshold_m;
-  double least_m = threshold_m;
-  double most_m = threshold_m;
+// A distance of the closest two, its limit, and what it is called.
+struct Measure {
+  std::string heading;
+  std::string title;
+  std::string limit_name;
+  double limit_m;
+  double (*of)(const Separation&);
+};
+
+Axis distance_axis(const RecordingFacts& facts, const Measure& measure, const Box& box) {
+  double least_m = measure.limit_m;
+  double most_m = measure.limit_m;
   for (const Separation& at : facts.separation) {
-    if (at.closest.distance_m > 0.0) least_m = std::min(least_m, at.closest.distance_m);
-    most_m = std::max(most_m, at.closest.distance_m);
+    if (measure.of(at) > 0.0) least_m = std::min(least_m, measure.of(at));
+    most_m = std::max(most_m, measure.of(at));
   }
-  if (most_m > kWideSpreadOverTime * threshold_m) {
-    const Range range{0.8 * std::max(least_m, 1e-9 * most_m), 1.25 * most_m};
+  const auto ticks = static_cast<std::size_t>(box.height / (3.2 * kLabelSize));
+  if (most_m > kWideSpreadOverTime * measure.limit_m) {
+    const double lowest_m = std::max(least_m, 1e-3 * measure.limit_m);
+    const Range range{0.8 * lowest_m, 1.25 * most_m};
     return {Scale(range, box.bottom(), box.top, Scale::Kind::kLogarithmic),
-            logarithmic_ticks(range, 7), "Distance (m), by powers of ten"};
+            logarithmic_ticks(range, ticks + 1), measure.title + ", by powers of ten"};
   }
   const Range range{0.0, 1.1 * most_m};
-  return {Scale(range, box.bottom(), box.top), nice_ticks(range, 5), "Distance (m)"};
+  return {Scale(range, box.bottom(), box.top), nice_ticks(range, ticks), measure.title};
 }
 
 void draw_bands(const RecordingFacts& facts, const Panel& panel, Drawing& drawing) {
@@ -83,7 +94,7 @@ void draw_bands(const RecordingFacts& facts, const Panel& panel, Drawing& drawin
 }
 
 // Broken where there are no two bees for longer than from one moment to the next.
-Lines line_of(const RecordingFacts& facts, const Panel& panel) {
+Lines line_of(const RecordingFacts& facts, const Measure& measure, const Panel& panel) {
   const auto& all = facts.separation;
   double usual_s = 0.0;
   if (all.size() > 2) {
@@ -99,7 +110,7 @@ Lines line_of(const RecordingFacts& facts, const Panel& panel) {
       lines.runs.emplace_back();
     }
     lines.runs.back().push_back(
-        {panel.across.scale(all[i].time_s), panel.upwards.scale(all[i].closest.distance_m)});
+        {panel.across.scale(all[i].time_s), panel.upwards.scale(measure.of(all[i]))});
   }
   return lines;
 }
@@ -123,13 +134,52 @@ std::vector<TimeSpan> times_in_conflict(const std::vector<AtRisk>& at_risk) {
   return merged;
 }
 
+namespace {
+
+// Each of those who are nearest to a conflict, against its own limit.
+void draw_apart(const RecordingFacts& facts, const Box& box, Drawing& drawing) {
+  constexpr double kBetween = 44.0;
+  const double height = 0.5 * (box.height - kBetween);
+  const Box upper{box.left, box.top, box.width, height};
+  const Box lower{box.left, upper.bottom() + kBetween, box.width, height};
+  const SwarmFacts& swarm = facts.swarm;
+  const Measure across{"Nearest to a conflict, horizontally", "Distance (m)", threshold_name(swarm),
+                       swarm.threshold_m,
+                       [](const Separation& at) { return at.apart->horizontal_m; }};
+  const Measure up{"The same two, in height", "Height (m)",
+                   "in height " + length_label(*swarm.vertical_m), *swarm.vertical_m,
+                   [](const Separation& at) { return at.apart->height_m; }};
+  for (const auto& [measure, place] : {std::pair(across, upper), std::pair(up, lower)}) {
+    Axis time = time_axis(facts, place);
+    if (place.top == upper.top) time.title.clear();
+    const Panel panel{place, measure.heading, time, distance_axis(facts, measure, place)};
+    draw_bands(facts, panel, drawing);
+    draw_panel(panel, drawing);
+    const Lines line = line_of(facts, measure, panel);
+    drawing.shapes.emplace_back(line);
+    draw_line_across(panel, measure.limit_m, measure.limit_name, line, drawing);
+  }
+}
+
+bool are_apart(const RecordingFacts& facts) {
+  return facts.swarm.vertical_m && !facts.separation.empty() &&
+         std::all_of(facts.separation.begin(), facts.separation.end(),
+                     [](const Separation& at) { return at.apart.has_value(); });
+}
+
+}  // namespace
+
 void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawing) {
+  if (are_apart(facts)) return draw_apart(facts, box, drawing);
   constexpr std::size_t kRingSpots = 80;
-  const Panel panel{box, "Distance of the closest two", time_axis(facts, box),
-                    distance_axis(facts, box)};
+  const Measure measure{"Distance of the closest two", "Distance (m)", threshold_name(facts.swarm),
+                        facts.swarm.threshold_m,
+                        [](const Separation& at) { return at.closest.distance_m; }};
+  const Panel panel{box, measure.heading, time_axis(facts, box),
+                    distance_axis(facts, measure, box)};
   draw_bands(facts, panel, drawing);
   draw_panel(panel, drawing);
-  Lines line = line_of(facts, panel);
+  Lines line = line_of(facts, measure, panel);
   drawing.shapes.emplace_back(line);
   // Where heights are compared apart, the closest two in conflict need not be on the line.
   if (facts.closest && (!facts.swarm.vertical_m || facts.conflicts.empty())) {
@@ -144,7 +194,7 @@ void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawi
       line.runs.back()[i] = {at.x - 80.0 + 2.0 * static_cast<double>(i), baseline - 4.0};
     }
   }
-  draw_line_across(panel, facts.swarm.threshold_m, threshold_name(facts.swarm), line, drawing);
+  draw_line_across(panel, measure.limit_m, measure.limit_name, line, drawing);
 }
 
 std::string moment_label(double time_s, bool since_1970) {

@@ -97,8 +97,9 @@ std::string as_sentence(std::string note) {
 }
 
 std::string origin_note(const GeographicPosition& origin) {
-  return "East, north and up are counted from " + degrees(origin.latitude_deg, "N", "S") + ", " +
-         degrees(origin.longitude_deg, "E", "W") + ", height 0.";
+  return "East and north are counted along the ground from " +
+         degrees(origin.latitude_deg, "N", "S") + ", " + degrees(origin.longitude_deg, "E", "W") +
+         "; heights are above the ellipsoid.";
 }
 
 }  // namespace

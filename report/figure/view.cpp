@@ -110,7 +110,7 @@ std::vector<View> views_of(const Extent& extent, const SwarmFacts& swarm, Spot c
            {above, "From above", unnamed, axis_upwards(on_earth ? "North" : "y", y)}},
           {View::From::kSide,
            {beside, "From the side" + stretch_label(unit_m / up_unit_m), east,
-            axis_upwards(on_earth ? "Up" : "z", z)}}};
+            axis_upwards(on_earth ? "Height" : "z", z)}}};
 }
 
 }  // namespace beespace::report

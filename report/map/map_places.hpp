@@ -1,8 +1,8 @@
 // Where on the Earth, for map files: longitudes and latitudes of what facts have in metres.
 #pragma once
 
+#include "report/earth_frame.hpp"
 #include "report/facts.hpp"
-#include "report/local_axes.hpp"
 
 #include <beespace/geodesy.hpp>
 

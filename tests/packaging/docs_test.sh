@@ -11,7 +11,7 @@
 #
 # A command must end with 0, unless the next one of its session is `echo $?`. A line "..." stands for
 # any number of lines. A command below which nothing is shown may print what it likes. Times and
-# rates are not compared, nor the size of a page that was written; numbers with more than six
+# rates are not compared, nor the size of a page that was written and its folder; numbers with more than six
 # decimals are compared to six.
 set -uo pipefail
 source=$1 program=$2
@@ -72,6 +72,7 @@ comparable() {
       gsub(/[0-9][0-9.,]* points\/s/, "RATE")
     }
     /^  written  / {gsub(/[0-9][0-9.,]* [kM]?B/, "SIZE")}
+    /^  worst pair / {sub(/file:\/\/[^#]*\//, "file:///FOLDER/")}
     {print short($0)}
   ' "$1"
 }

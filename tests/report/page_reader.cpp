@@ -189,6 +189,8 @@ PageParts parts_of(std::string_view page) {
     take(rest, next(), "an element");
     parts.elements.push_back(take_until(rest, kEnd));
   }
+  take(rest, "<script type=\"text/plain\" id=\"beespace-end\">", "the end");
+  parts.end = take_until(rest, kEnd);
   parts.after = rest;
   return parts;
 }

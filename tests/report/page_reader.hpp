@@ -56,6 +56,7 @@ struct PageParts {
   std::string before;
   std::string json;
   std::vector<std::string> elements;  // in the order of their numbers, from 0
+  std::string end;                    // a checksum, and how many elements there are
   std::string after;
 };
 

@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdint>
+#include <cstdio>
 
 namespace beespace::report {
 namespace {
@@ -67,6 +69,27 @@ const std::vector<std::string>& hostile_texts() {
 
 void expect_nothing_to_end_it(const std::string& json) {
   for (const char c : {'<', '>', '&'}) EXPECT_EQ(json.find(c), std::string::npos) << c;
+}
+
+// As RFC 1950 has it, by sums of all bytes.
+std::uint32_t adler32_of(std::string_view text) {
+  std::uint64_t a = 1;
+  std::uint64_t b = 0;
+  for (const char c : text) {
+    a = (a + static_cast<unsigned char>(c)) % 65'521;
+    b = (b + a) % 65'521;
+  }
+  return static_cast<std::uint32_t>(b << 16u | a);
+}
+
+TEST(Page, EndsWithTheChecksumOfItsJsonAndTheCountOfItsElements) {
+  for (const std::string text : {"a", "\U0001F41D <b>", ""}) {
+    Columns columns;
+    const PageParts parts = parts_of(written(std::array{called(text)}, columns));
+    std::array<char, 9> digits{};
+    std::snprintf(digits.data(), digits.size(), "%08x", adler32_of(parts.json));
+    EXPECT_EQ(parts.end, std::string(digits.data()) + " " + std::to_string(parts.elements.size()));
+  }
 }
 
 TEST(Page, NoTextOfAUserEndsTheElement) {

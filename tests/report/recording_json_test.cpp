@@ -341,6 +341,67 @@ TEST(RecordingJson, TheSeparationIsWrittenExactly) {
   EXPECT_EQ(read.numbers(read["separation"]["second"]), (std::vector<std::uint64_t>{1, 3, 3}));
 }
 
+TEST(RecordingJson, WhatIsHorizontalAndInHeightIsWrittenExactly) {
+  RecordingFacts facts;
+  facts.tracks = {{{{100, {}}, {110, {}}}}};
+  facts.separation = {{100, {0, 1, 5.0}, Apart{3.0, 4.0}}, {104, {0, 1, 0.1}, Apart{0.1, 0.0}}};
+  facts.conflicts = {{0, 1, 104, 104, 104, 0.1, true}};
+  facts.conflicts_apart = {{0.1, 1e-3}};
+  facts.closest = facts.conflicts.front();
+  facts.closest_apart = Apart{0.1, 1e-3};
+  const Read read(facts);
+  EXPECT_EQ(read.values(read["separation"]["horizontal_m"]), (std::vector<double>{3.0, 0.1}));
+  EXPECT_EQ(read.values(read["separation"]["height_m"]), (std::vector<double>{4.0, 0.0}));
+  EXPECT_EQ(read.values(read["conflicts"]["horizontal_m"]), (std::vector<double>{0.1}));
+  EXPECT_EQ(read.values(read["conflicts"]["height_m"]), (std::vector<double>{1e-3}));
+  EXPECT_EQ(double(read["risk"]["closest"]["horizontal_m"]), 0.1);
+  EXPECT_EQ(double(read["risk"]["closest"]["height_m"]), 1e-3);
+}
+
+TEST(RecordingJson, WaysBetweenPairsAreWrittenToAHundredThousandthOfTheThreshold) {
+  RecordingFacts facts;
+  facts.tracks = {{{{100, {}}, {110, {}}}}};
+  facts.swarm.threshold_m = 50.0;
+  facts.swarm.origin = GeographicPosition{8.5, 47.0, 0.0};
+  facts.pair_ways = {{{101, 102.5}, {{1, 2, 3}, {-4'000.7, 5, 6}}, {{7, 8, 9}, {0, 0, 0}}, {1, -2}},
+                     {},
+                     {{103}, {{9e5, 0, 0}}, {{1, 1, 1}}, {0.25}}};
+  const Read read(facts);
+  const Json ways = read["pair_ways"];
+  EXPECT_EQ(read.numbers(ways["counts"]), (std::vector<std::uint64_t>{2, 0, 1}));
+  EXPECT_EQ(read.values(ways["time_s"]), (std::vector<double>{1.0, 2.5, 3.0}));
+  const auto expect_near = [&](const char* name, const std::vector<double>& wanted) {
+    const auto found = read.values(ways[name]);
+    ASSERT_EQ(found.size(), wanted.size()) << name;
+    for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(found[i], wanted[i], 5e-4) << name;
+  };
+  expect_near("x", {1, -4'000.7, 9e5});
+  expect_near("y", {2, 5, 0});
+  expect_near("z", {3, 6, 0});
+  expect_near("ground_x", {7, 0, 1});
+  expect_near("ground_z", {9, 0, 1});
+  expect_near("height", {1, -2, 0.25});
+  facts.swarm.origin.reset();
+  EXPECT_FALSE(has(Read(facts)["pair_ways"], "ground_x"));
+}
+
+TEST(RecordingJson, HowBentFlightIsShownIsPartOfTheError) {
+  RecordingFacts facts;
+  facts.tracks = {{{{0, {}}, {10, {100, 0, 0}}}}};
+  const double straight_m = double(Read(facts)["position_error_m"]);
+  facts.bend_m = 2.5;
+  EXPECT_NEAR(double(Read(facts)["position_error_m"]), straight_m + 2.5, 1e-12);
+}
+
+TEST(RecordingJson, HeightsInFeetOrByPressureAreSaid) {
+  RecordingFacts facts;
+  EXPECT_FALSE(has(Read(facts).json.root(), "heights"));
+  facts.swarm.heights = {true, true};
+  const Read read(facts);
+  EXPECT_TRUE(bool(read["heights"]["in_feet"]));
+  EXPECT_TRUE(bool(read["heights"]["by_pressure"]));
+}
+
 TEST(RecordingJson, NoBeesAndNoConflictsAreWrittenToo) {
   std::vector<RecordingFacts> all(4);
   all[1].tracks = {{}, {}};

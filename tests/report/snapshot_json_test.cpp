@@ -92,7 +92,8 @@ TEST(SnapshotJson, DescribesTheSwarm) {
   EXPECT_EQ(text_of(read["title"]), "a.csv");
   EXPECT_EQ(text_of(read["source"]), "text");
   EXPECT_EQ(std::uint64_t(read["count"]), 3u);
-  EXPECT_EQ(report_test::texts_of(read["axes"]), (std::vector<std::string>{"east", "north", "up"}));
+  EXPECT_EQ(report_test::texts_of(read["axes"]),
+            (std::vector<std::string>{"east", "north", "height"}));
   EXPECT_EQ(double(read["origin"]["longitude_deg"]), -75.5);
   EXPECT_EQ(double(read["origin"]["latitude_deg"]), 6.25);
   EXPECT_EQ(double(read["origin"]["height_m"]), 0.0);

@@ -25,6 +25,12 @@ page hundred-thousand "$data/many.npy" --threshold 12
 quietly generate --points 1000000 --size 5000 --seed 5 --output "$data/million.npy"
 page million "$data/million.npy" --threshold 25
 
+# Aircraft over a wide area, heights in feet: two cross, 300 ft apart, at 900 s; others far away.
+awk 'BEGIN {print "id,time_s,longitude,latitude,height_ft"; for (t = 0; t <= 1800; t += 10) {
+  printf "DLH4AB,%d,%.6f,47.4,36000\nRYR81K,%d,8.5,%.6f,36300\n", t, 8.5 + (t - 900) * 0.003, t, 47.4 - (t - 905) * 0.002
+  printf "WEST,%d,%.6f,43,31000\nEAST,%d,%.6f,54,39000\n", t, -4 + t * 0.001, t, 16 + t * 0.001}}' > "$data/wide.csv"
+page wide "$data/wide.csv" --threshold 5NM --vertical 1000ft
+
 quietly simulate random-swap --bees 200 --method none --output "$data/before.csv"
 quietly simulate random-swap --bees 200 --output "$data/after.csv"
 page recording "$data/before.csv" --threshold 5

@@ -81,15 +81,27 @@ function actionOf(event: KeyboardEvent, act: KeyActions): (() => void) | undefin
   return simple[key.length === 1 ? key.toLowerCase() : key];
 }
 
+/** Whether who moves the focus does it by the keyboard: then the space bar is for what has it. */
+function followFocus(): () => boolean {
+  let byKeyboard = false;
+  addEventListener('keydown', ({ key }) => (byKeyboard ||= key === 'Tab'), { capture: true });
+  addEventListener('pointerdown', () => (byKeyboard = false), { capture: true });
+  return () => byKeyboard;
+}
+
 export function listenToKeys(act: KeyActions): void {
+  const byKeyboard = followFocus();
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
     if (document.querySelector('dialog[open]')) return;
     const { target } = event;
     if (!(target instanceof Element)) return;
-    if (target.matches('input[type="search"], select, textarea')) return;
-    // Buttons and boxes have the space bar for themselves, and regions that scroll their ends.
-    if (event.key === ' ' && target.matches('button, input, summary')) return;
+    if (target.matches('input[type="search"], textarea') || (target.matches('select') && (event.key !== ' ' || byKeyboard()))) return;
+    // Buttons and boxes that were reached by the keyboard have the space bar for themselves, and regions that scroll their ends.
+    if (event.key === ' ' && target.matches('button, input, summary')) {
+      if (byKeyboard() || !act.time) return;
+      (target as HTMLElement).blur();
+    }
     if ((event.key === 'Home' || event.key === 'End') && target.closest('.scroll')) return;
     const action = actionOf(event, act);
     if (!action) return;

@@ -12,7 +12,7 @@ export interface Layout {
   panels: HTMLElement;
 }
 
-export function layout(page: Page, choices: Choices, help: () => void): Layout {
+export function layout(page: Page, choices: Choices, help: () => void, copyLink: () => Promise<boolean>): Layout {
   const title = element('h1', {});
   page.swarms.forEach(({ title: name }, i) => title.append(...(i > 0 ? [' → '] : []), nameElement(name)));
   const theme = button('', { class: 'quiet-button', title: 'Dark or light (d)' }, () => toggleTheme(choices));
@@ -29,6 +29,7 @@ export function layout(page: Page, choices: Choices, help: () => void): Layout {
     { class: 'head' },
     element('span', { class: 'brand' }, 'beespace'),
     title,
+    linkButton(copyLink),
     theme,
     button('?', { class: 'quiet-button', 'aria-label': 'Help', title: 'Help (?)' }, help),
   );
@@ -37,12 +38,25 @@ export function layout(page: Page, choices: Choices, help: () => void): Layout {
   return { page: holder, toolbar, stages, column, panels };
 }
 
+function linkButton(copy: () => Promise<boolean>): HTMLElement {
+  const said = element('span', { role: 'status', class: 'hidden-text' });
+  const made = button('Copy link', { class: 'quiet-button', title: 'Copy a link to this moment, as it is seen' }, () => {
+    void copy().then((copied) => {
+      made.textContent = copied ? 'Copied' : 'See address';
+      said.textContent = copied ? 'The link is copied.' : 'The link is in the address of this page.';
+      setTimeout(() => (made.textContent = 'Copy link'), 2000);
+    });
+  });
+  return element('span', {}, made, said);
+}
+
 export function toggleTheme(choices: Choices): void {
   choices.theme.set(choices.theme.value === 'dark' ? 'light' : 'dark');
 }
 
 /** What the page is at, until it is done. */
 export function progress(text: string | null): Promise<void> {
+  document.getElementById('stuck')?.remove();
   const line = document.getElementById('progress');
   if (line) {
     if (text === null) line.remove();
@@ -53,6 +67,6 @@ export function progress(text: string | null): Promise<void> {
 }
 
 export function fail(text: string): void {
-  document.getElementById('progress')?.remove();
+  for (const id of ['progress', 'stuck']) document.getElementById(id)?.remove();
   document.getElementById('page')?.append(element('p', { class: 'message', role: 'alert' }, text));
 }

@@ -3,10 +3,13 @@ import { readPage, type Page } from './data/page';
 import { boxOfBoth } from './data/positions';
 import { completeSwarm, readSwarm, type Company, type Swarm } from './data/swarm';
 import { fail, layout, progress } from './layout';
+import { aim, linkTo, open, type Opening } from './opening';
 import { helpDialog } from './panels/help';
 import type { Shown } from './panels/shown';
 import { preparePrinting } from './printing';
-import { frameAround, type Frame } from './scene/frame';
+import { frameAround, liftFor, type Frame } from './scene/frame';
+import { Crowding } from './scene/crowding';
+import { earlyRenderer } from './scene/early';
 import { linkViews, makeStage } from './stage';
 import { followPlaces, type Placing } from './scene/following';
 import { RecordingPlacer } from './scene/placement';
@@ -14,13 +17,22 @@ import type { Choices, Filter, Selected } from './state/choices';
 import { Signal } from './state/signal';
 import { followTheme } from './state/theme';
 import { formatCount } from './text/numbers';
-import { linkTimes, showWorstMoment } from './time/linked_times';
+import { linkTimes } from './time/linked_times';
 import { offerTestHook } from './test_hook';
 import { wirePanels } from './wiring';
 
 /** Two swarms that are compared have the same axes with the same zero. */
 function frameOf([one, other = one]: Swarm[]): Frame {
-  return frameAround(boxOfBoth(one.box, other.box), Math.max(one.head.threshold_m, other.head.threshold_m));
+  const box = boxOfBoth(one.box, other.box);
+  const frame = frameAround(box, Math.max(one.head.threshold_m, other.head.threshold_m));
+  // Metres of no place on the Earth are drawn as they are, unless the reader wants it otherwise.
+  if (one.head.origin) frame.lift = liftFor(box, one.head.threshold_m, one.head.vertical_m);
+  return frame;
+}
+
+/** Whether bees have a colour by the distance to the nearest one. */
+function isColoured(head: Page['swarms'][number]): boolean {
+  return head.kind === 'snapshot' ? head.nearest !== undefined : Crowding.for(head.count, head.threshold_m) !== null;
 }
 
 async function show(page: Page): Promise<void> {
@@ -29,38 +41,45 @@ async function show(page: Page): Promise<void> {
     filter: new Signal<Filter>({ atRiskOnly: false, group: null }),
     theme: followTheme(),
     trails: new Signal<boolean>(false),
+    lift: new Signal<number>(1),
   };
 
+  const renderers = page.swarms.map((head) => earlyRenderer(head.count, isColoured(head)));
   const swarms: Swarm[] = [];
   for (const head of page.swarms) {
     await progress(`Reading ${formatCount(head.count)} bees …`);
-    swarms.push(await readSwarm(head));
+    swarms.push(await undamaged(() => readSwarm(head)));
   }
   await progress('Drawing …');
 
   const moving = swarms.some(({ kind }) => kind === 'recording');
   const fleet = swarms.some((swarm) => swarm.kind === 'recording' && swarm.fleet !== null);
   const help = helpDialog({ moving, fleet });
-  const room = layout(page, choices, () => help.showModal());
-  document.body.append(help);
   const frame = frameOf(swarms);
+  const times = linkTimes(swarms);
+  const opening: Opening = { swarms, views: [], choices, times };
+  const link = linkTo(opening, frame.lift);
+  const room = layout(page, choices, () => help.showModal(), () => link.copy());
+  document.body.append(help);
   const labels = swarms.length === 2 ? ['Before', 'After'] : [''];
   const placers = swarms.map((swarm) => (swarm.kind === 'recording' ? new RecordingPlacer(swarm) : null));
-  const stages = swarms.map((swarm, i) => makeStage(swarm, labels[i], frame, placers[i]?.crowding ?? null, choices));
+  const stages = swarms.map((swarm, i) => makeStage(swarm, labels[i], frame, placers[i]?.crowding ?? null, choices, renderers[i]));
   room.stages.append(...stages.map(({ box }) => box));
 
-  const times = linkTimes(swarms);
-  showWorstMoment(swarms, times);
+  opening.views.push(...stages.map(({ view }) => view));
+  const selected = open(opening, frame.lift);
   const placing: Placing = { swarms, stages, companies: null, times, choices, placers };
   followPlaces(placing);
+  aim(opening, selected);
   for (const { view } of stages) view?.drawAndWait();
   performance.mark('beespace: first frame');
   document.documentElement.dataset.beespace = 'drawn';
   await progress('Reading names …');
 
   const companies: Company[] = [];
-  for (const swarm of swarms) companies.push(await completeSwarm(swarm));
+  for (const swarm of swarms) companies.push(await undamaged(() => completeSwarm(swarm)));
   placing.companies = companies;
+  choices.selected.set(selected);
   const shown: Shown[] = swarms.map((swarm, index) => ({
     index,
     swarm,
@@ -74,12 +93,37 @@ async function show(page: Page): Promise<void> {
   wirePanels({ shown, choices, times, room, help, version: page.beespace, notes });
   preparePrinting(views, choices.theme);
   offerTestHook(shown);
+  link.keep();
+  addEventListener('hashchange', () => {
+    const named = open(opening, frame.lift);
+    choices.selected.set(named);
+    aim(opening, named);
+  });
   await progress(null);
   document.documentElement.dataset.beespace = 'ready';
 }
 
+/** What cannot be read was changed on its way. */
+async function undamaged<T>(read: () => T | Promise<T>): Promise<T> {
+  try {
+    return await read();
+  } catch (error) {
+    throw new DamagedPage(error instanceof Error ? error.message : String(error));
+  }
+}
+
+class DamagedPage extends Error {}
+
+/** The program is there before the data are. */
+function whole(): Promise<void> {
+  if (document.readyState !== 'loading') return Promise.resolve();
+  return new Promise((resolve) => document.addEventListener('DOMContentLoaded', () => resolve()));
+}
+
 async function start(): Promise<void> {
-  const page = readPage();
+  await whole();
+  if (document.documentElement.dataset.beespace === 'failed') return;
+  const page = await undamaged(readPage);
   if (!page) {
     followTheme();
     fail('This page holds no swarm yet. The command `beespace report` puts one in.');
@@ -89,8 +133,14 @@ async function start(): Promise<void> {
   await show(page);
 }
 
+document.documentElement.dataset.program = 'runs';
 start().catch((error: unknown) => {
   document.documentElement.dataset.beespace = 'failed';
-  fail(`This page cannot be shown: ${error instanceof Error ? error.message : String(error)}.`);
+  const why = error instanceof Error ? error.message : String(error);
+  fail(
+    error instanceof DamagedPage
+      ? `This page is damaged: ${why}. Copy it again, or make it anew with \`beespace report\`.`
+      : `This page cannot be shown: ${why}.`,
+  );
   throw error;
 });

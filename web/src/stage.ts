@@ -1,4 +1,5 @@
 // The place of one swarm on the page: its view, below what its colours mean, or a word on why there is none.
+import type { WebGLRenderer } from 'three';
 import type { Swarm } from './data/swarm';
 import type { Frame } from './scene/frame';
 import { kPalettes } from './scene/palette';
@@ -38,6 +39,7 @@ export function makeStage(
   frame: Frame,
   crowding: Crowding | null,
   choices: Choices,
+  renderer: WebGLRenderer | null,
 ): Stage {
   const { head } = swarm;
   const box = element('section', { class: 'stage', 'aria-label': label ? `Swarm, ${label.toLowerCase()}` : 'Swarm' });
@@ -48,19 +50,19 @@ export function makeStage(
       ? { risk: 'at risk', line: 'too close to each other', colours, fleet: false }
       : { risk: 'in conflict now', line: 'in conflict with each other', colours, fleet: swarm.fleet !== null };
   const scene = element('div', { class: 'scene' });
-  let view: View | null = null;
-  try {
-    view = new View(scene, frame, {
-      label: label ? `The swarm ${label.toLowerCase()}` : 'The swarm',
-      count: head.count,
-      axes: head.axes,
-      threshold_m: head.threshold_m,
-      vertical_m: head.vertical_m ?? null,
-      nearest,
-      range,
-    });
-  } catch {
-    // Any reason will do: the panels do without.
+  const subject = {
+    label: label ? `The swarm ${label.toLowerCase()}` : 'The swarm',
+    count: head.count,
+    axes: head.axes,
+    inFeet: head.heights?.in_feet ?? false,
+    threshold_m: head.threshold_m,
+    vertical_m: head.vertical_m ?? null,
+    nearest,
+    range,
+  };
+  const view = renderer && new View(scene, frame, subject, renderer);
+  if (!view) {
+    // The panels do without.
     box.append(
       element(
         'p',
@@ -73,6 +75,7 @@ export function makeStage(
   box.append(element('div', { class: 'stage-head' }, title, legend(nearest, range, words, choices.theme)), scene);
   const seen = view;
   choices.theme.watch((theme) => seen.colour(kPalettes[theme]));
+  choices.lift.listen((times) => seen.lift(times));
   return { box, view };
 }
 

@@ -5,15 +5,20 @@ import { toggleTheme, type Layout } from './layout';
 import { contractPanel } from './panels/contracts';
 import { filterControls } from './panels/filter';
 import { histogramPanel } from './panels/histogram';
+import { liftControl } from './panels/lift';
 import { notesPanel } from './panels/notes';
+import { pairPanelOf } from './panels/pair';
 import { pairPanel } from './panels/pair_table';
 import { searchBox } from './panels/search';
 import { selectionPanel } from './panels/selection';
 import type { Actions, Shown } from './panels/shown';
 import { summaryPanel } from './panels/summary';
+import { fileName, pictureOf, saveFile } from './save';
+import { nameUnderCursor } from './scene/hover';
 import { onPick } from './stage';
 import type { Choices } from './state/choices';
 import { button, element } from './text/element';
+import { formatHeight } from './text/heights';
 import type { LinkedTimes } from './time/linked_times';
 import { timeline, type Timeline } from './time/timeline';
 
@@ -39,12 +44,13 @@ export function wirePanels({ shown, choices, times, room, help, version, notes }
       const bees = selected.other === null ? [selected.bee] : [selected.bee, selected.other];
       const { view } = shown[selected.swarm];
       view?.flyTo(bees);
-      // On a phone the swarm may be out of sight.
-      view?.canvas.scrollIntoView({ block: 'nearest' });
+      // On a phone the swarm may be out of sight; nowhere else does anything scroll.
+      if (matchMedia('(max-width: 760px)').matches) view?.canvas.scrollIntoView({ block: 'nearest' });
     },
   };
   const now = { time_s: times.clock.time, within: times.within };
   for (const { view, index } of shown) {
+    if (view) nameUnderCursor(view, (bee) => hoverText(shown[index], bee, now.within(shown[index])));
     if (view) onPick(view, (bee) => actions.select(bee === null ? null : { swarm: index, bee, other: null, place: null }));
   }
 
@@ -55,27 +61,49 @@ export function wirePanels({ shown, choices, times, room, help, version, notes }
   const contracts = contractPanel(shown, actions);
   room.panels.append(
     summaryPanel(shown, actions),
+    pairPanelOf(shown, choices, times),
     selectionPanel(shown, choices, now, actions),
     ...(contracts ? [contracts] : []),
     pairPanel(shown, choices, actions),
     ...(histogram ? [histogram] : []),
     notesPanel(shown, version, notes),
   );
-  room.toolbar.append(searchBox(shown, choices, actions), filterControls(shown, choices), viewButtons(shown));
+  room.toolbar.append(searchBox(shown, choices, actions), filterControls(shown, choices), viewButtons(shown, choices));
   wireKeys(shown, choices, times, line, actions, help);
+  choices.filter.listen(({ group }) => {
+    if (!group) return;
+    const { view, company } = shown[group.swarm];
+    view?.flyTo(Array.from(company.groups.list[group.place]?.bees ?? []));
+  });
 }
 
-function viewButtons(shown: Shown[]): HTMLElement {
+/** What is said of the bee under the cursor: whether it is at risk, and how high it is. */
+function hoverText({ swarm, view }: Shown, bee: number, within_s: number): { name: string; more: string } {
+  const place = swarm.kind === 'recording' ? swarm.spans.bees.indexOf(bee) : -1;
+  const risky = swarm.kind === 'snapshot' ? swarm.isAtRisk(bee) : place >= 0 && swarm.spans.covers(place, within_s);
+  const state = risky ? (swarm.kind === 'snapshot' ? 'at risk' : 'in conflict') : '';
+  const height_m = swarm.head.origin ? view?.placeOf(bee)?.[2] : undefined;
+  const height = height_m === undefined ? '' : formatHeight(height_m, swarm.head.position_error_m, swarm.head.heights);
+  return { name: swarm.names.of(bee), more: [state, height].filter((text) => text !== '').join(', ') };
+}
+
+function viewButtons(shown: Shown[], choices: Choices): HTMLElement {
   // Linked views follow the first one.
   const orbit = shown[0].view?.orbit;
   const box = element('div', { class: 'view-buttons', role: 'group', 'aria-label': 'View' });
   if (!orbit) return box;
   box.append(
+    liftControl(choices),
     button('Reset view', { title: 'All of the swarm again (r)' }, () => orbit.home()),
     button('Top', { title: 'From the top (t)' }, () => orbit.lookFromAbove()),
     button('Side', { title: 'From the side (s)' }, () => orbit.lookFromSide()),
+    button('PNG', { title: 'Save what is seen as a picture', 'aria-label': 'PNG: save as a picture' }, () => void savePictures(shown)),
   );
   return box;
+}
+
+async function savePictures(shown: Shown[]): Promise<void> {
+  for (const { view, swarm } of shown) if (view) saveFile(fileName(swarm.head.title, 'png'), await pictureOf(view));
 }
 
 function wireKeys(

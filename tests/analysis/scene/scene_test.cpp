@@ -2,6 +2,7 @@
 // command.
 #include "analysis/scene/build_page.hpp"
 #include "analysis/scene/load_scene.hpp"
+#include "analysis/scene/worst_link.hpp"
 #include "io/bytes/atomic_output.hpp"
 #include "io/bytes/byte_source.hpp"
 #include "report/drawing/svg.hpp"
@@ -153,6 +154,18 @@ TEST_F(SceneTest, ScenesThatAreComparedHaveOneOrigin) {
   ASSERT_TRUE(first && second);
   EXPECT_EQ(first->longitude_deg, second->longitude_deg);
   EXPECT_EQ(first->latitude_deg, second->latitude_deg);
+}
+
+TEST_F(SceneTest, TheLinkToTheWorstPairNamesItsMoment) {
+  EXPECT_EQ(worst_link(loaded(file("bees.csv", kSnapshot))), "#bees=0,1");
+  EXPECT_EQ(worst_link(loaded(file("flight.csv", kRecording))), "#t=5&bees=0,1");
+  EXPECT_EQ(worst_link(loaded(file("calm.csv", "id,x,y,z\nana,0,0,0\nbea,100,0,0\n"))), "");
+  // From the beginning on, whatever the clock says.
+  EXPECT_EQ(worst_link(loaded(file("later.csv",
+                                   "id,time_s,x,y,z\nana,1000,-50,0,0\n"
+                                   "ana,1010,50,0,0\nbea,1000,0,-50,2\n"
+                                   "bea,1010,0,50,2\n"))),
+            "#t=5&bees=0,1");
 }
 
 TEST_F(SceneTest, APictureIsDrawn) {

@@ -109,7 +109,15 @@ TEST_F(ReportRefusals, QuietSaysNothing) {
   const Finished plain = run({"report", "-o", folder_.path("page.html")}, kTwo);
   expect_parts(plain.err,
                {"input      standard input (", "bees       2\n", "at risk    2 of 2: 1 pair",
-                "written    ", "page.html", "time       read ", ", find ", ", write "});
+                "written    ", "page.html", "time       read ", ", find ", ", write ",
+                "worst pair file:///", "page.html#bees=0,1\n"});
+}
+
+TEST_F(ReportRefusals, TheLinkToTheWorstPairIsAnAddress) {
+  const Finished finished = run({"report", "-o", folder_.path("what's new? 50%.html")}, kTwo);
+  expect_parts(finished.err, {"worst pair file:///", "what%27s%20new%3F%2050%25.html#bees=0,1\n"});
+  const Finished calm = run({"report", "--threshold", "0.001", "-o", folder_.path("p.html")}, kTwo);
+  EXPECT_EQ(calm.err.find("worst pair"), std::string::npos) << calm.err;
 }
 
 double seconds_in(const std::string& text, const std::string& label) {

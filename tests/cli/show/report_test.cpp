@@ -324,12 +324,12 @@ TEST_F(Report, AircraftOfOneInstantAreASnapshot) {
   EXPECT_NEAR(double(page.risk()["closest"]["distance_m"]), 1'852.0, 1.0);
 }
 
-TEST_F(Report, DegreesAreShownEastNorthAndUp) {
+TEST_F(Report, DegreesAreShownEastNorthAndHeight) {
   const Page page = reported({"--threshold", "20"},
                              "lon,lat,height\n-75.5,6.25,1500\n-75.4999,6.25,1500\n"
                              "-75.5,6.2501,1500\n-75.5,6.25,1510\n");
   EXPECT_EQ(report_test::texts_of(page.swarm()["axes"]),
-            (std::vector<std::string>{"east", "north", "up"}));
+            (std::vector<std::string>{"east", "north", "height"}));
   const auto origin = page.swarm()["origin"].value();
   EXPECT_NEAR(double(origin["longitude_deg"]), -75.5, 1e-3);
   EXPECT_NEAR(double(origin["latitude_deg"]), 6.25, 1e-3);

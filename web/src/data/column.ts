@@ -1,5 +1,6 @@
 // Columns: lists of numbers or texts, each kept compressed in an element of its own.
 // The format is described in docs/page-format.md.
+import { bytesOfBase64 } from './base64';
 import { inflate } from './inflate';
 
 export type Unsigned = Uint8Array | Uint16Array | Uint32Array;
@@ -22,15 +23,6 @@ export interface Column {
 }
 
 const kBytes = { u8: 1, u16: 2, u32: 4, f64: 8 } as const;
-
-export function bytesOfBase64(text: string): Uint8Array {
-  const modern = Uint8Array as unknown as { fromBase64?: (text: string) => Uint8Array };
-  if (modern.fromBase64) return modern.fromBase64(text);
-  const binary = atob(text);
-  const bytes = new Uint8Array(binary.length);
-  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
-  return bytes;
-}
 
 /** All lowest bytes, then all second ones, ... → numbers. */
 export function joinPlanes(bytes: Uint8Array, type: keyof typeof kBytes, count: number): Numbers {

@@ -1,56 +1,35 @@
-// Where on the Earth (WGS84) a place is that the page has as metres east, north and up of an origin.
+// Where on the Earth (WGS84) a place is that the page has as metres east and north along the ground, and a height.
+// The map is described in docs/page-format.md.
 import type { Origin } from './page';
 
 const kEquator_m = 6378137;
 const kFlattening = 1 / 298.257223563;
-const kPole_m = kEquator_m * (1 - kFlattening);
 const kOfEquator = kFlattening * (2 - kFlattening);
-const kOfPole = kOfEquator / (1 - kOfEquator);
 const kDegree = Math.PI / 180;
 
 type Place = [number, number, number];
 
-interface Sky {
-  longitude: { cosine: number; sine: number };
-  latitude: { cosine: number; sine: number };
+/** Radii of curvature at a latitude: across the meridian and along it. */
+function radiiAt(sine: number): { east_m: number; north_m: number } {
+  const flattened = 1 - kOfEquator * sine * sine;
+  const east_m = kEquator_m / Math.sqrt(flattened);
+  return { east_m, north_m: (east_m * (1 - kOfEquator)) / flattened };
 }
 
-function skyAt({ longitude_deg, latitude_deg }: Origin): Sky {
-  const direction = (degrees: number) => ({ cosine: Math.cos(degrees * kDegree), sine: Math.sin(degrees * kDegree) });
-  return { longitude: direction(longitude_deg), latitude: direction(latitude_deg) };
-}
-
-/** From the axis to the surface, along the vertical. */
-function normalAt(sine: number): number {
-  return kEquator_m / Math.sqrt(1 - kOfEquator * sine * sine);
-}
-
-function toEarthCentred(origin: Origin, [east, north, up]: Place): Place {
-  const { longitude, latitude } = skyAt(origin);
-  const normal = normalAt(latitude.sine);
-  const fromAxis = (normal + origin.height_m + up) * latitude.cosine - north * latitude.sine;
-  const along = ((1 - kOfEquator) * normal + origin.height_m + up) * latitude.sine + north * latitude.cosine;
-  return [
-    fromAxis * longitude.cosine - east * longitude.sine,
-    fromAxis * longitude.sine + east * longitude.cosine,
-    along,
-  ];
-}
-
-/** Bowring, Survey Review 23 (1976): one step, right far below a millimetre wherever bees fly. */
-export function geographicOf(origin: Origin, place: Place): Origin {
-  const [x, y, z] = toEarthCentred(origin, place);
-  const fromAxis = Math.hypot(x, y);
-  const reduced = Math.atan2(z * kEquator_m, fromAxis * kPole_m);
-  const latitude = Math.atan2(
-    z + kOfPole * kPole_m * Math.sin(reduced) ** 3,
-    fromAxis - kOfEquator * kEquator_m * Math.cos(reduced) ** 3,
-  );
-  const [sine, cosine] = [Math.sin(latitude), Math.cos(latitude)];
-  const surface = kEquator_m * Math.sqrt(1 - kOfEquator * sine * sine);
+export function geographicOf(origin: Origin, [east, north, height_m]: Place): Origin {
+  const [sine, cosine] = [Math.sin(origin.latitude_deg * kDegree), Math.cos(origin.latitude_deg * kDegree)];
+  const radii = radiiAt(sine);
+  const [eastwards, northwards] = [east / radii.east_m, north / radii.north_m];
+  const angle = Math.hypot(eastwards, northwards);
+  const shrink = angle > 0 ? Math.sin(angle) / angle : 1;
+  // The vertical of the place, by the axes at the origin; then by those of the Earth, with the origin on its meridian 0.
+  const [e, n, u] = [shrink * eastwards, shrink * northwards, Math.cos(angle)];
+  const outward = u * cosine - n * sine;
+  const along = u * sine + n * cosine;
+  const longitude_deg = origin.longitude_deg + Math.atan2(e, outward) / kDegree;
   return {
-    longitude_deg: Math.atan2(y, x) / kDegree,
-    latitude_deg: latitude / kDegree,
-    height_m: fromAxis * cosine + z * sine - surface,
+    longitude_deg: longitude_deg > 180 ? longitude_deg - 360 : longitude_deg < -180 ? longitude_deg + 360 : longitude_deg,
+    latitude_deg: Math.atan2(along, Math.hypot(e, outward)) / kDegree,
+    height_m,
   };
 }

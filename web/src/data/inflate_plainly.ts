@@ -1,4 +1,5 @@
 // Inflate (RFC 1950 and 1951) for browsers that do not offer it.
+import { adler32 } from './checksum';
 
 const kLengthBase = [3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 15, 17, 19, 23, 27, 31, 35, 43, 51, 59, 67, 83, 99, 115, 131, 163, 195, 227, 258];
 const kLengthExtra = [0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5, 0];
@@ -149,5 +150,8 @@ export function inflatePlainly(stream: Uint8Array): Uint8Array {
       compressedBlock(bits, out, kind === 1 ? fixedCodes() : writtenCodes(bits));
     }
   }
-  return out.bytes.subarray(0, out.length);
+  const bytes = out.bytes.subarray(0, out.length);
+  const told = stream.subarray(stream.length - 4).reduce((sum, byte) => sum * 256 + byte, 0);
+  if (told !== adler32(bytes)) throw new Error('a damaged column: its checksum is another');
+  return bytes;
 }

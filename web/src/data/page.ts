@@ -1,4 +1,5 @@
 // The page's own data: one JSON object that says where the columns are.
+import { adler32 } from './checksum';
 import type { ColumnPlace } from './column';
 
 export interface Origin {
@@ -7,7 +8,19 @@ export interface Origin {
   height_m: number;
 }
 
-export interface ClosestPair {
+/** How those who made the input speak of heights; absent: in metres, not by pressure. */
+export interface HeightWords {
+  in_feet: boolean;
+  by_pressure: boolean;
+}
+
+/** How far apart two are horizontally and in height. */
+export interface ApartHead {
+  horizontal_m?: number;
+  height_m?: number;
+}
+
+export interface ClosestPair extends ApartHead {
   first: number;
   second: number;
   distance_m: number;
@@ -34,12 +47,19 @@ export interface RecordingRisk {
 
 type Places<Names extends string> = Record<Names, ColumnPlace>;
 
+/** Both or none. */
+export type ApartPlaces = Partial<Places<'horizontal_m' | 'height_m'>>;
+
+export type PairWaysHead = Places<'counts' | 'time_s' | 'x' | 'y' | 'z'> &
+  Partial<Places<'ground_x' | 'ground_y' | 'ground_z' | 'height'>>;
+
 interface SwarmHead {
   title: string;
   source: string;
   count: number;
   axes: [string, string, string];
   origin?: Origin;
+  heights?: HeightWords;
   threshold_m: number;
   vertical_m?: number;
   inclusive: boolean;
@@ -54,7 +74,7 @@ export interface SnapshotHead extends SwarmHead {
   positions: Places<'x' | 'y' | 'z'>;
   at_risk: ColumnPlace;
   nearest?: { code: ColumnPlace; least_m: number; ratio: number };
-  pairs: Places<'first' | 'second' | 'distance_m'>;
+  pairs: Places<'first' | 'second' | 'distance_m'> & ApartPlaces;
 }
 
 /** What the planner of the fleet said of each bee. */
@@ -86,9 +106,11 @@ export interface RecordingHead extends SwarmHead {
   absent_after: ColumnPlace;
   conflicts: Places<
     'first' | 'second' | 'begins_s' | 'closest_s' | 'ends_s' | 'distance_m' | 'certain'
-  >;
+  > &
+    ApartPlaces;
+  pair_ways: PairWaysHead;
   at_risk: Places<'bee' | 'begins_s' | 'ends_s'>;
-  separation: Places<'time_s' | 'distance_m' | 'first' | 'second'>;
+  separation: Places<'time_s' | 'distance_m' | 'first' | 'second'> & ApartPlaces;
   fleet?: FleetHead;
 }
 
@@ -103,7 +125,15 @@ export interface Page {
 export function readPage(): Page | null {
   const holder = document.getElementById('beespace-page');
   if (!holder) return null;
-  const page = JSON.parse(holder.textContent ?? '') as Page & { format: number };
+  const end = document.getElementById('beespace-end');
+  if (!end) throw new Error('it is cut off');
+  const text = holder.textContent ?? '';
+  const [sum, columns] = (end.textContent ?? '').split(' ');
+  if (parseInt(sum, 16) !== adler32(new TextEncoder().encode(text))) throw new Error('what it says of the swarm was changed');
+  if (document.querySelectorAll('script[id^="beespace-"][type="text/plain"]').length !== Number(columns) + 2) {
+    throw new Error('columns of it are missing');
+  }
+  const page = JSON.parse(text) as Page & { format: number };
   if (page.format !== 1) throw new Error(`format ${page.format} of the data is not known to this page`);
   return page;
 }

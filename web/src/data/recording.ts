@@ -1,9 +1,12 @@
 // A swarm that moves.
+import { agree, agreeOnPairs } from './agreement';
 import { readColumn, readCounts, readMeasures } from './column';
 import { Fixes } from './fixes';
 import { readFleet, type Fleet } from './fleet';
+import { readApart, type Apart } from './apart';
 import { Names } from './names';
 import type { RecordingHead } from './page';
+import { readPairWays, type PairWays } from './pair_ways';
 import { boxAround, readPositions, type Box } from './positions';
 import { Spans } from './spans';
 
@@ -15,6 +18,7 @@ export interface Conflicts {
   ends_s: Float64Array;
   distance_m: Float64Array;
   certain: Uint32Array;
+  apart: Apart | null;
 }
 
 export interface Separation {
@@ -22,6 +26,8 @@ export interface Separation {
   distance_m: Float64Array;
   first: Uint32Array;
   second: Uint32Array;
+  /** With a vertical threshold: of those who are nearest to a conflict. */
+  apart: Apart | null;
 }
 
 export interface Recording {
@@ -33,6 +39,7 @@ export interface Recording {
   conflicts: Conflicts;
   spans: Spans;
   separation: Separation;
+  pairWays: PairWays;
   fleet: Fleet | null;
 }
 
@@ -45,6 +52,7 @@ async function readConflicts(places: RecordingHead['conflicts']): Promise<Confli
     ends_s: await readMeasures(places.ends_s),
     distance_m: await readMeasures(places.distance_m),
     certain: await readCounts(places.certain),
+    apart: await readApart(places),
   };
 }
 
@@ -53,6 +61,10 @@ export async function readRecording(head: RecordingHead): Promise<Recording> {
   const time = await readColumn(head.fixes.time_s);
   const counts = await readCounts(head.fixes.counts);
   const conflicts = await readConflicts(head.conflicts);
+  const fixes = counts.reduce((sum, count) => sum + count, 0);
+  agree(counts.length === head.count, 'bees');
+  agree([time.raw, positions.x, positions.y, positions.z].every(({ length }) => length === fixes), 'fixes');
+  agreeOnPairs(conflicts, head.count);
   return {
     kind: 'recording',
     head,
@@ -70,7 +82,9 @@ export async function readRecording(head: RecordingHead): Promise<Recording> {
       distance_m: await readMeasures(head.separation.distance_m),
       first: await readCounts(head.separation.first),
       second: await readCounts(head.separation.second),
+      apart: await readApart(head.separation),
     },
+    pairWays: await readPairWays(head.pair_ways, head.vertical_m !== undefined),
     fleet: head.fleet ? await readFleet(head.fleet) : null,
   };
 }

@@ -1,5 +1,7 @@
 // A swarm at one moment.
+import { agree, agreeOnPairs } from './agreement';
 import { readColumn, readCounts, readMeasures } from './column';
+import { readApart, type Apart } from './apart';
 import { readNearest, type Nearest } from './nearest';
 import { Names } from './names';
 import type { SnapshotHead } from './page';
@@ -9,6 +11,7 @@ export interface Pairs {
   first: Uint32Array;
   second: Uint32Array;
   distance_m: Float64Array;
+  apart: Apart | null;
 }
 
 export interface Snapshot {
@@ -44,7 +47,11 @@ export async function readSnapshot(head: SnapshotHead): Promise<Snapshot> {
     first: await readCounts(head.pairs.first),
     second: await readCounts(head.pairs.second),
     distance_m: await readMeasures(head.pairs.distance_m),
+    apart: await readApart(head.pairs),
   };
+  agree([positions.x, positions.y, positions.z].every(({ length }) => length === head.count), 'positions');
+  agree(bits.length === (head.count + 7) >> 3 && (!nearest || nearest.codes.length === head.count), 'bees');
+  agreeOnPairs(pairs, head.count);
   return {
     kind: 'snapshot',
     head,

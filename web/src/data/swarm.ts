@@ -4,7 +4,7 @@ import { readNames } from './names';
 import { Neighbours } from './neighbours';
 import type { Head } from './page';
 import { readRecording, type Recording } from './recording';
-import { readSnapshot, type Snapshot } from './snapshot';
+import { readSnapshot, type Pairs, type Snapshot } from './snapshot';
 
 export type Swarm = Snapshot | Recording;
 
@@ -29,8 +29,25 @@ export async function completeSwarm(swarm: Swarm): Promise<Company> {
 }
 
 /** The pairs that are too close at any time, the closest first. */
-export function pairsOf(swarm: Swarm): { first: Uint32Array; second: Uint32Array; distance_m: Float64Array } {
+export function pairsOf(swarm: Swarm): Pairs {
   return swarm.kind === 'snapshot' ? swarm.pairs : swarm.conflicts;
+}
+
+/** Where a pair stands in the list; of several conflicts the one that covers the time, or is nearest to it. −1: nowhere. */
+export function placeOfPair(swarm: Swarm, one: number, other: number, within_s: number): number {
+  const { first, second } = pairsOf(swarm);
+  const [low, high] = [Math.min(one, other), Math.max(one, other)];
+  let best = -1;
+  let least = Infinity;
+  for (let place = 0; place < first.length; ++place) {
+    if (first[place] !== low || second[place] !== high) continue;
+    const away =
+      swarm.kind === 'snapshot'
+        ? 0
+        : Math.max(0, swarm.conflicts.begins_s[place] - within_s, within_s - swarm.conflicts.ends_s[place]);
+    if (away < least) [best, least] = [place, away];
+  }
+  return best;
 }
 
 /** Bees at risk; of a recording, at any time of it. */

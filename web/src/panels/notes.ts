@@ -5,10 +5,10 @@ import { formatDigits, formatError, formatTime } from '../text/numbers';
 import { tooClose } from '../text/threshold';
 import type { Shown } from './shown';
 
-function originText(origin: { longitude_deg: number; latitude_deg: number; height_m: number }): string {
+function originText(origin: { longitude_deg: number; latitude_deg: number }): string {
   const degrees = (value: number, positive: string, negative: string): string =>
     `${formatDigits(Math.abs(value), 8)}° ${value < 0 ? negative : positive}`;
-  return `${degrees(origin.latitude_deg, 'N', 'S')}, ${degrees(origin.longitude_deg, 'E', 'W')}, height ${formatDigits(origin.height_m, 6)} m`;
+  return `${degrees(origin.latitude_deg, 'N', 'S')}, ${degrees(origin.longitude_deg, 'E', 'W')}`;
 }
 
 function factsOf({ swarm }: Shown): [string, Node | string][] {
@@ -19,7 +19,10 @@ function factsOf({ swarm }: Shown): [string, Node | string][] {
     ['Too close', tooClose(head)],
     ['Positions', `shown to within ${formatError(head.position_error_m)}; who is at risk was decided on the exact ones`],
   ];
-  if (head.origin) facts.push([`Zero of ${head.axes.join(', ')}`, originText(head.origin)]);
+  if (head.origin) {
+    facts.push(['Zero of east and north', originText(head.origin)]);
+    facts.push(['Heights', 'above the WGS84 ellipsoid, or as the notes say; east and north are along the ground']);
+  }
   if (head.kind === 'recording') {
     const { begins_s, ends_s, since_1970 } = head.time;
     facts.push(['Time', `${formatTime(begins_s, since_1970)} to ${formatTime(ends_s, since_1970)}`]);

@@ -75,6 +75,11 @@ export class PagedTable {
     this.#fill();
   }
 
+  /** Places of the rows that are kept, in their order. */
+  get places(): Uint32Array {
+    return this.#kept;
+  }
+
   filter(keep: ((place: number) => boolean) | null): void {
     this.#keep = keep;
     this.#page = 0;

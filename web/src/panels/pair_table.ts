@@ -1,7 +1,8 @@
 // The bees that are too close to each other: pairs of a snapshot, conflicts of a recording.
 import { pairsOf } from '../data/swarm';
 import type { Choices } from '../state/choices';
-import { element, panel } from '../text/element';
+import { csvOf, fileName, saveFile } from '../save';
+import { button, element, panel } from '../text/element';
 import { nameElement } from '../text/names';
 import { decimalsWithin, formatBelow, formatCount, formatDuration, formatTime } from '../text/numbers';
 import { PagedTable, type TableColumn } from './paged_table';
@@ -84,6 +85,31 @@ function leftOut(shown: Shown): HTMLElement | null {
   return element('p', { class: 'left-out' }, text);
 }
 
+/** In metres and seconds, with every digit that the page has. */
+function csvRows({ swarm }: Shown, places: Uint32Array): (string | number)[][] {
+  const { first, second, distance_m, apart } = pairsOf(swarm);
+  const names = (place: number): string[] => [swarm.names.of(first[place]), swarm.names.of(second[place])];
+  const both = (place: number): number[] => (apart ? [apart.horizontal_m[place], apart.height_m[place]] : []);
+  const apartNames = apart ? ['horizontal_m', 'height_m'] : [];
+  if (swarm.kind === 'snapshot') {
+    return [['first', 'second', 'distance_m', ...apartNames], ...Array.from(places, (at) => [...names(at), distance_m[at], ...both(at)])];
+  }
+  const { conflicts, head } = swarm;
+  const time = (within_s: number): number => Number((head.time.begins_s + within_s).toFixed(6));
+  return [
+    ['first', 'second', 'begins_s', 'closest_s', 'ends_s', 'closest_m', ...apartNames, 'certain'],
+    ...Array.from(places, (at) => [
+      ...names(at),
+      time(conflicts.begins_s[at]),
+      time(conflicts.closest_s[at]),
+      time(conflicts.ends_s[at]),
+      distance_m[at],
+      ...both(at),
+      conflicts.certain[at],
+    ]),
+  ];
+}
+
 function tableOf(shown: Shown, choices: Choices, actions: Actions): HTMLElement {
   const { swarm, company, index } = shown;
   const { first, second } = pairsOf(swarm);
@@ -105,6 +131,10 @@ function tableOf(shown: Shown, choices: Choices, actions: Actions): HTMLElement 
       group && group.swarm === index ? (place) => company.groups.of[first[place]] === group.place : null,
     );
   });
+  const save = button('Save as CSV', { class: 'quiet-button', title: 'The rows of this table, as they are sorted and filtered' }, () =>
+    saveFile(fileName(swarm.head.title, 'csv'), new Blob([csvOf(csvRows(shown, table.places))], { type: 'text/csv' })),
+  );
+  table.box.lastElementChild?.prepend(save);
   return element('div', { class: 'table-of-one' }, shown.label ? element('h3', {}, shown.label) : null, leftOut(shown), table.box);
 }
 

@@ -6,6 +6,7 @@ import { counterpart, pairsOf } from '../data/swarm';
 import type { Choices, Selected } from '../state/choices';
 import type { Signal } from '../state/signal';
 import { button, element, panel } from '../text/element';
+import { formatHeight } from '../text/heights';
 import { isolate, nameElement, shorten } from '../text/names';
 import {
   decimalsWithin,
@@ -34,15 +35,17 @@ type Fact = [label: string, value: string, kind?: string];
 function positionFacts(shown: Shown, place: [number, number, number] | null): Fact[] {
   const { head } = shown.swarm;
   if (!place) return [['Position', 'not there now']];
-  const facts = head.axes.map((axis, i): Fact => [axis, formatCoordinate(place[i], head.position_error_m)]);
+  const facts = head.axes.map((axis, i): Fact => [
+    axis,
+    i < 2 ? formatCoordinate(place[i], head.position_error_m) : formatHeight(place[i], head.position_error_m, head.heights),
+  ]);
   const error: Fact = ['shown to within', formatError(head.position_error_m)];
   if (!head.origin) return [...facts, error];
-  const { longitude_deg, latitude_deg, height_m } = geographicOf(head.origin, place);
+  const { longitude_deg, latitude_deg } = geographicOf(head.origin, place);
   return [
     ...facts,
     ['latitude', formatDegrees(latitude_deg, head.position_error_m)],
     ['longitude', formatDegrees(longitude_deg, head.position_error_m)],
-    ['height', formatCoordinate(height_m, head.position_error_m)],
     error,
   ];
 }

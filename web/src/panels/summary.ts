@@ -123,7 +123,10 @@ function change(before: Row, after: Row): string {
 
 function single(shown: Shown, actions: Actions): Node[] {
   const list = element('dl', { class: 'facts' });
-  for (const { label, value } of rowsOf(shown).filter(({ label }) => !kInHeadline.includes(label))) {
+  const rows = rowsOf(shown).filter(({ label }) => !kInHeadline.includes(label));
+  // How close, and who, comes first.
+  const isClosest = ({ label }: Row): boolean => label.startsWith('Closest');
+  for (const { label, value } of [...rows.filter(isClosest), ...rows.filter((row) => !isClosest(row))]) {
     const link = label.startsWith('Closest') ? closestButton(shown, actions) : null;
     const fact = element('dd', {}, element('span', { class: 'figure' }, value));
     if (link) fact.append(element('span', { class: 'who' }, link));

@@ -3,8 +3,9 @@ import { BufferAttribute, BufferGeometry, Group, LineSegments, Vector3 } from 't
 import type { Camera, RawShaderMaterial } from 'three';
 import type { Triple } from '../data/positions';
 import { element } from '../text/element';
+import { kFoot_m } from '../text/heights';
 import { niceTicks } from '../text/nice_steps';
-import { formatTick } from '../text/numbers';
+import { formatCount, formatTick } from '../text/numbers';
 import type { Frame } from './frame';
 import { shapeMaterial, vectorOf } from './materials';
 import type { Palette } from './palette';
@@ -13,6 +14,12 @@ interface Tick {
   axis: number;
   metres: number;
   label: HTMLElement;
+}
+
+/** Heights in feet have their ticks at whole ones. */
+function ticksOf(axis: number, least: number, most: number, inFeet: boolean): { metres: number; text: string }[] {
+  if (axis < 2 || !inFeet) return niceTicks(least, most, 5).map((metres) => ({ metres, text: formatTick(metres) }));
+  return niceTicks(least / kFoot_m, most / kFoot_m, 5).map((feet) => ({ metres: feet * kFoot_m, text: `${formatCount(feet)}\u202fft` }));
 }
 
 const kClear_px = 34;
@@ -32,24 +39,25 @@ export class Axes {
   constructor(
     readonly frame: Frame,
     axes: readonly string[],
+    inFeet: boolean,
   ) {
     const { least, most } = frame.box;
     const grid: number[] = [];
     const box: number[] = [];
     for (const axis of [0, 1, 2]) {
       this.#names.push(element('span', { class: 'axis-name' }, axes[axis]));
-      for (const metres of niceTicks(least[axis], most[axis], 5)) {
-        const label = element('span', { class: 'axis-tick' }, formatTick(metres));
+      for (const { metres, text } of ticksOf(axis, least[axis], most[axis], inFeet)) {
+        const label = element('span', { class: 'axis-tick' }, text);
         this.#ticks.push({ axis, metres, label });
         if (axis === 2) continue;
         const from: Triple = [...least];
         const to: Triple = [most[0], most[1], least[2]];
         from[axis] = to[axis] = metres;
-        grid.push(...this.#inScene(from), ...this.#inScene(to));
+        grid.push(...this.#fromCentre(from), ...this.#fromCentre(to));
       }
       for (let corner = 0; corner < 8; ++corner) {
         if ((corner >> axis) & 1) continue;
-        box.push(...this.#inScene(this.#corner(corner)), ...this.#inScene(this.#corner(corner | (1 << axis))));
+        box.push(...this.#fromCentre(this.#corner(corner)), ...this.#fromCentre(this.#corner(corner | (1 << axis))));
       }
     }
     this.labels.append(...this.#ticks.map((tick) => tick.label), ...this.#names);
@@ -66,7 +74,7 @@ export class Axes {
   letter(camera: Camera, width: number, height: number): void {
     const at = new Vector3();
     const toPixels = (place: Triple): [number, number, boolean] => {
-      at.fromArray(this.#inScene(place)).project(camera);
+      at.fromArray(this.frame.toScene(place)).project(camera);
       return [((at.x + 1) * width) / 2, ((1 - at.y) * height) / 2, Math.abs(at.z) <= 1];
     };
     const middle = toPixels([0, 1, 2].map((axis) => this.frame.centre[axis]) as Triple);
@@ -129,7 +137,8 @@ export class Axes {
     return [0, 1, 2].map((axis) => ((bits >> axis) & 1 ? most : least)[axis]) as Triple;
   }
 
-  #inScene(place: Triple): Triple {
+  /** For what the group of all that is lifted lifts. */
+  #fromCentre(place: Triple): Triple {
     return place.map((metres, axis) => metres - this.frame.centre[axis]) as Triple;
   }
 

@@ -20,6 +20,10 @@ export interface Placement {
   lines: Uint32Array;
 }
 
+export function placeIn({ x, y, z, start, step }: Placement, bee: number): Triple {
+  return [start[0] + step[0] * x[bee], start[1] + step[1] * y[bee], start[2] + step[2] * z[bee]];
+}
+
 export interface Wanted {
   atRiskOnly: boolean;
   group: number | null;

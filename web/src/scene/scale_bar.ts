@@ -15,10 +15,11 @@ export class ScaleBar {
     this.#text,
   );
 
-  show(metresPerPixel: number, viewWidth: number): void {
+  show(metresPerPixel: number, viewWidth: number, lift: number): void {
     const metres = niceBelow(kLongest_px * metresPerPixel);
     // As a share of the view, it stays right on paper too.
     this.#bar.style.width = `${((100 * metres) / metresPerPixel / viewWidth).toFixed(3)}cqw`;
-    this.#text.textContent = formatTick(Number(metres.toPrecision(6)));
+    const length = formatTick(Number(metres.toPrecision(6)));
+    this.#text.textContent = lift === 1 ? length : `${length}, heights ×${lift}`;
   }
 }

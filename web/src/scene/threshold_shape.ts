@@ -59,6 +59,10 @@ export class ThresholdShape {
     this.#body.material.uniforms.colour.value = vectorOf(palette.focus);
   }
 
+  lift(times: number): void {
+    this.group.scale.z = times;
+  }
+
   place(at: Vector3 | null): void {
     this.group.visible = at !== null;
     if (at) this.group.position.copy(at);

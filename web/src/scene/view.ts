@@ -1,19 +1,20 @@
 // One swarm in three dimensions. It draws when something changed, and rests otherwise.
-import { Color, Scene, Vector3, WebGLRenderer } from 'three';
+import { Color, Group, Scene, Vector3, type WebGLRenderer } from 'three';
 import type { Fixes } from '../data/fixes';
 import type { Nearest } from '../data/nearest';
-import { element } from '../text/element';
+import type { Triple } from '../data/positions';
 import { Axes } from './axes';
 import { Orbit } from './camera';
 import { Cloud } from './cloud';
 import { Compass } from './compass';
 import type { Frame } from './frame';
 import { Guidance, type Guided } from './guidance';
+import { surviveLoss } from './lost_card';
 import { Markers } from './markers';
 import { Outcasts } from './outcasts';
 import type { Palette } from './palette';
 import { pickBee } from './picking';
-import type { Placement } from './placement';
+import { placeIn, type Placement } from './placement';
 import { ScaleBar } from './scale_bar';
 import { ThresholdShape } from './threshold_shape';
 import { Trails } from './trails';
@@ -28,6 +29,8 @@ export interface ViewSubject {
   label: string;
   count: number;
   axes: readonly string[];
+  /** Whether heights are read in feet. */
+  inFeet: boolean;
   threshold_m: number;
   vertical_m: number | null;
   nearest: Nearest | null;
@@ -40,6 +43,8 @@ export class View {
   readonly canvas: HTMLCanvasElement;
   readonly #renderer: WebGLRenderer;
   readonly #scene = new Scene();
+  /** What is in the swarm's own metres. */
+  readonly #lifted = new Group();
   readonly #cloud: Cloud;
   readonly #axes: Axes;
   readonly #threshold: ThresholdShape;
@@ -50,6 +55,7 @@ export class View {
   readonly #scale = new ScaleBar();
   readonly #compass: Compass;
   readonly #drawn: (() => void)[] = [];
+  #lift = 1;
   #placement: Placement | null = null;
   #marked: number[] = [];
   #width = 1;
@@ -59,35 +65,30 @@ export class View {
   /** Whether the last frame of the whole crowd was. */
   #slow = false;
 
-  /** Throws where the browser has no WebGL. */
   constructor(
     readonly holder: HTMLElement,
     readonly frame: Frame,
     readonly subject: ViewSubject,
+    renderer: WebGLRenderer,
   ) {
     const { count } = subject;
-    this.canvas = element('canvas', {
-      tabindex: '0',
-      role: 'img',
-      'aria-label': `${subject.label} in three dimensions. Arrow keys turn, + and − zoom.`,
-    });
-    this.#renderer = new WebGLRenderer({
-      canvas: this.canvas,
-      antialias: count <= 20000,
-      alpha: false,
-      stencil: false,
-      powerPreference: 'high-performance',
-    });
+    this.#renderer = renderer;
+    this.canvas = renderer.domElement;
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute('role', 'img');
+    this.canvas.setAttribute('aria-label', `${subject.label} in three dimensions. Arrow keys turn, + and − zoom.`);
     this.orbit = new Orbit(this.canvas, frame);
     this.#cloud = new Cloud(count, frame, subject.nearest, subject.range);
-    this.#axes = new Axes(frame, subject.axes);
+    this.#axes = new Axes(frame, subject.axes, subject.inFeet);
     this.#threshold = new ThresholdShape(subject.threshold_m, subject.vertical_m);
     this.#trails = new Trails(frame);
     this.#trails.hide();
     this.#guidance = new Guidance(frame);
     this.#compass = new Compass(subject.axes);
-    this.#scene.add(this.#axes.group, this.#trails.lines, this.#cloud.group, this.#threshold.group);
-    this.#scene.add(this.#guidance.group, this.#outcasts.rings);
+    this.#lifted.add(this.#axes.group, this.#trails.lines, this.#cloud.group, this.#guidance.group);
+    this.#scene.add(this.#lifted, this.#threshold.group, this.#outcasts.rings);
+    this.#lift = frame.lift;
+    this.#setLift();
     holder.prepend(this.canvas, this.#axes.labels, this.#markers.layer);
     holder.append(this.#scale.box, this.#compass.box);
     this.orbit.onChange(() => this.#moved());
@@ -95,7 +96,7 @@ export class View {
     // The pixel ratio changes with the zoom of the browser.
     addEventListener('resize', () => this.#resize());
     this.#resize();
-    this.#survive();
+    surviveLoss(this.canvas, holder, () => this.invalidate());
   }
 
   colour(palette: Palette): void {
@@ -104,6 +105,22 @@ export class View {
       part.colour(palette);
     }
     this.invalidate();
+  }
+
+  /** Heights are drawn so many times larger than they are. */
+  lift(times: number): void {
+    const by = times / this.#lift;
+    // Two views have one frame.
+    this.#lift = this.frame.lift = times;
+    this.#setLift();
+    this.orbit.lifted(by);
+    this.#threshold.place(this.#marked.length > 0 ? this.sceneOf(this.#marked[0]) : null);
+    this.invalidate();
+  }
+
+  #setLift(): void {
+    this.#lifted.scale.z = this.frame.lift;
+    this.#threshold.lift(this.frame.lift);
   }
 
   place(placement: Placement): void {
@@ -149,23 +166,36 @@ export class View {
     if (!placed) return null;
     // A bee of a recording is nowhere at times; one of a snapshot is where it is even if filtered out.
     if (placed.x instanceof Float32Array && placed.shown && !placed.shown.includes(bee)) return null;
-    const { centre } = this.frame;
-    return new Vector3(
-      placed.start[0] + placed.step[0] * placed.x[bee] - centre[0],
-      placed.start[1] + placed.step[1] * placed.y[bee] - centre[1],
-      placed.start[2] + placed.step[2] * placed.z[bee] - centre[2],
-    );
+    return new Vector3(...this.frame.toScene(placeIn(placed, bee)));
+  }
+
+  /** Where the bee is as it is drawn, in metres of the axes. */
+  placeOf(bee: number): Triple | null {
+    return this.#placement && placeIn(this.#placement, bee);
   }
 
   /** Goes to where these bees fill a part of the view. */
-  flyTo(bees: number[]): void {
+  flyTo(bees: number[], atOnce = false): void {
     const places = bees.map((bee) => this.sceneOf(bee)).filter((place) => place !== null);
     if (places.length === 0) return;
     const middle = new Vector3();
     for (const place of places) middle.addScaledVector(place, 1 / places.length);
     const apart = Math.max(...places.map((place) => place.distanceTo(middle)));
-    const reach = Math.max(4 * apart, 3.2 * this.subject.threshold_m, this.frame.radius * 2e-4);
-    this.orbit.flyTo(middle, Math.min(reach * 1.6, this.orbit.homeDistance));
+    const { threshold_m, vertical_m } = this.subject;
+    const shape = Math.max(threshold_m, (vertical_m ?? 0) * this.frame.lift);
+    const reach = Math.max(4 * apart, 3.2 * shape, this.frame.radius * 2e-4);
+    this.orbit.flyTo(middle, Math.min(reach * 1.6, this.orbit.homeDistance), atOnce);
+  }
+
+  /** The camera in metres of the axes: its place, what it looks at, and how wide it sees. */
+  get camera(): number[] {
+    const { position, target, fov_deg } = this.orbit.pose;
+    return [...this.frame.fromScene(position.toArray()), ...this.frame.fromScene(target.toArray()), fov_deg];
+  }
+
+  set camera([x, y, z, tx, ty, tz, fov_deg]: number[]) {
+    const [position, target] = [[x, y, z], [tx, ty, tz]].map((place) => new Vector3(...this.frame.toScene(place as Triple)));
+    if (position.distanceTo(target) > 0 && fov_deg >= 1 && fov_deg <= 90) this.orbit.goTo({ position, target, fov_deg });
   }
 
   /** Where on the canvas a bee is seen. */
@@ -178,6 +208,7 @@ export class View {
     if (!this.#placement) return null;
     const { camera } = this.orbit;
     const toScreen = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse);
+    toScreen.scale(new Vector3(1, 1, this.frame.lift));
     const cursor = { x, y, width: this.#width, height: this.#height };
     return pickBee(cursor, this.#placement, this.frame, toScreen);
   }
@@ -202,12 +233,14 @@ export class View {
     cancelAnimationFrame(this.#due);
     this.#due = 0;
     const { camera, distance } = this.orbit;
-    this.#cloud.setNearness(this.orbit.homeDistance / distance);
+    const { flatness, homeDistance } = this.orbit;
+    this.#cloud.setNearness((homeDistance * flatness) / distance);
+    this.#cloud.setSizes(homeDistance * flatness, this.#renderer.getPixelRatio());
     this.#renderer.render(this.#scene, camera);
     this.#axes.letter(camera, this.#width, this.#height);
     this.#markers.move(this.#marked.map((bee) => this.sceneOf(bee)), camera, this.#width, this.#height);
     this.#compass.turn(camera);
-    this.#scale.show((2 * distance * Math.tan((camera.fov * Math.PI) / 360)) / this.#height, this.#width);
+    this.#scale.show((2 * distance * Math.tan((camera.fov * Math.PI) / 360)) / this.#height, this.#width, this.frame.lift);
     for (const listener of this.#drawn) listener();
   }
 
@@ -231,29 +264,20 @@ export class View {
   }
 
   #resize(): void {
+    // The new canvas is empty until it is drawn on.
+    if (this.measure() && this.#placement) this.draw();
+  }
+
+  /** Takes the size that there is room for; says whether it is another one. */
+  measure(): boolean {
     const [width, height] = [Math.max(1, this.holder.clientWidth), Math.max(1, this.holder.clientHeight)];
     const ratio = this.subject.count > 50000 ? 1 : Math.min(devicePixelRatio, 2);
-    if (width === this.#width && height === this.#height && ratio === this.#renderer.getPixelRatio()) return;
+    if (width === this.#width && height === this.#height && ratio === this.#renderer.getPixelRatio()) return false;
     [this.#width, this.#height] = [width, height];
     this.#renderer.setPixelRatio(ratio);
     this.#renderer.setSize(this.#width, this.#height, false);
     this.orbit.resize(this.#width, this.#height);
-    this.#cloud.setSizes(this.orbit.homeDistance, this.#renderer.getPixelRatio());
     for (const part of [this.#guidance, this.#outcasts]) part.setPixelRatio(this.#renderer.getPixelRatio());
-    // The new canvas is empty until it is drawn on.
-    if (this.#placement) this.draw();
-  }
-
-  /** A graphics card that is lost, asleep or taken away comes back, mostly. */
-  #survive(): void {
-    const word = element('p', { class: 'lost', role: 'status' }, 'The graphics card is gone for a moment …');
-    this.canvas.addEventListener('webglcontextlost', (event) => {
-      event.preventDefault();
-      this.holder.append(word);
-    });
-    this.canvas.addEventListener('webglcontextrestored', () => {
-      word.remove();
-      this.invalidate();
-    });
+    return true;
   }
 }

@@ -22,4 +22,6 @@ export interface Choices {
   filter: Signal<Filter>;
   theme: Signal<Theme>;
   trails: Signal<boolean>;
+  /** How many times larger than they are heights are drawn. */
+  lift: Signal<number>;
 }

@@ -8,12 +8,25 @@ export function speedFor(duration_s: number): number {
   return kSpeeds.find((speed) => duration_s / speed <= 40) ?? kSpeeds[kSpeeds.length - 1];
 }
 
+/** From one time to another, and slower near the middle. */
+interface Replay {
+  middle_s: number;
+  ends_s: number;
+  slow_s: number;
+  speed: number;
+}
+
+/** So long a replay takes, without what is slow of it. */
+const kReplay_s = 10;
+const kSlower = 4;
+
 export class Clock {
   readonly time: Signal<number>;
   readonly playing = new Signal(false);
   readonly speed: Signal<number>;
   #frame = 0;
   #poster_s: number | null = null;
+  #replay: Replay | null = null;
 
   constructor(
     readonly begins_s: number,
@@ -55,14 +68,30 @@ export class Clock {
       // A page that was asleep goes on where it was.
       const elapsed = Math.min(0.5, Math.max(0, (now - before) / 1000));
       before = now;
-      this.go(this.time.value + elapsed * this.speed.value);
-      if (this.time.value >= this.ends_s) this.pause();
+      const ends_s = this.#replay?.ends_s ?? this.ends_s;
+      this.go(Math.min(ends_s, this.time.value + elapsed * this.#speedNow()));
+      if (this.time.value >= ends_s) this.pause();
       else this.#frame = requestAnimationFrame(tick);
     };
     this.#frame = requestAnimationFrame(tick);
   }
 
+  /** Plays from one time to another, slowly for so long around the middle; then it rests. */
+  replay(begins_s: number, ends_s: number, slow_s: number): void {
+    this.pause();
+    this.go(begins_s);
+    this.#replay = { middle_s: (begins_s + ends_s) / 2, ends_s: Math.min(ends_s, this.ends_s), slow_s, speed: (ends_s - begins_s) / kReplay_s };
+    this.play();
+  }
+
+  #speedNow(): number {
+    if (!this.#replay) return this.speed.value;
+    const { middle_s, slow_s, speed } = this.#replay;
+    return Math.abs(this.time.value - middle_s) < slow_s ? speed / kSlower : speed;
+  }
+
   pause(): void {
+    this.#replay = null;
     cancelAnimationFrame(this.#frame);
     this.playing.set(false);
   }

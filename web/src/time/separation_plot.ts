@@ -1,54 +1,32 @@
 // How far apart the closest two are, moment by moment, and below it when any bee is in conflict.
 // The plot is the time line too: it says where one is, and takes one elsewhere.
-import type { Recording } from '../data/recording';
+import { sampleAt } from '../data/recording';
 import type { Shown } from '../panels/shown';
 import { drawing, element } from '../text/element';
 import { niceTicks } from '../text/nice_steps';
-import { decimalsFor, formatExactly, formatTick, formatTime } from '../text/numbers';
+import { isolate } from '../text/names';
+import { decimalsFor, decimalsWithin, formatCount, formatTick, formatTime } from '../text/numbers';
 import type { LinkedTimes } from './linked_times';
+import { measuresOf, type Measure, type Recorded } from './measures';
+import { conflictColumns, plotTop } from './plot_scales';
 
-const kLeft = 52;
+const kLeft = 66;
 const kRight = 12;
 const kTop = 8;
-const kCurve = 64;
-const kStrip = 11;
+/** How high a curve is: alone, or one of two. */
+const kCurve = { alone: 64, ofTwo: 46 };
+const kStrip = 16;
 const kBottom = 18;
 const kGap = 9;
-
-type Recorded = Shown & { swarm: Recording };
-
-/** How many bees are in conflict, for each of `columns` equal parts of the clock's time. */
-export function conflictColumns(
-  begins_s: Float64Array,
-  ends_s: Float64Array,
-  shift_s: number,
-  duration_s: number,
-  columns: number,
-): number[] {
-  const changes = new Array<number>(columns + 1).fill(0);
-  const columnOf = (time: number): number =>
-    Math.min(columns - 1, Math.max(0, Math.floor(((time + shift_s) / duration_s) * columns)));
-  for (let i = 0; i < begins_s.length; ++i) {
-    changes[columnOf(begins_s[i])]++;
-    changes[columnOf(ends_s[i]) + 1]--;
-  }
-  let now = 0;
-  return changes.slice(0, columns).map((change) => (now += change));
-}
-
-/** Height of the plot: the threshold is well seen, and rare great distances do not flatten the rest. */
-export function plotTop(distances: number[], threshold_m: number): number {
-  if (distances.length === 0) return 2 * threshold_m || 1;
-  const sorted = distances.slice().sort((a, b) => a - b);
-  const usual = sorted[Math.floor(0.9 * (sorted.length - 1))];
-  return Math.max(1.6 * threshold_m, Math.min(1.15 * usual, 12 * threshold_m || Infinity)) || 1;
-}
 
 export class SeparationPlot {
   readonly box: HTMLElement;
   readonly #svg = drawing('svg', { 'aria-hidden': 'true' });
   readonly #cursor = drawing('line', { class: 'cursor' });
+  readonly #tip = element('div', { class: 'plot-tip', 'aria-hidden': 'true', hidden: '' });
   readonly #recorded: Recorded[];
+  readonly #measures: Measure[];
+  readonly #curve_px: number;
   #width = 0;
 
   constructor(
@@ -56,6 +34,8 @@ export class SeparationPlot {
     readonly times: LinkedTimes,
   ) {
     this.#recorded = all.filter((shown): shown is Recorded => shown.swarm.kind === 'recording');
+    this.#measures = measuresOf(this.#recorded);
+    this.#curve_px = this.#measures.length > 1 ? kCurve.ofTwo : kCurve.alone;
     const { clock } = times;
     this.box = element(
       'div',
@@ -68,7 +48,7 @@ export class SeparationPlot {
         'aria-valuemax': String(clock.ends_s),
       },
     );
-    this.box.append(this.#svg);
+    this.box.append(this.#svg, this.#tip);
     this.#listen();
     new ResizeObserver(() => this.#draw()).observe(this.box);
     clock.time.watch(() => this.#follow());
@@ -77,18 +57,25 @@ export class SeparationPlot {
   #listen(): void {
     const { clock } = this.times;
     let held = false;
-    const seek = (event: PointerEvent): void => {
+    const timeUnder = (event: PointerEvent): number => {
       const { left } = this.box.getBoundingClientRect();
       const share = (event.clientX - left - kLeft) / Math.max(1, this.#width - kLeft - kRight);
+      return clock.begins_s + Math.min(1, Math.max(0, share)) * (clock.ends_s - clock.begins_s);
+    };
+    const seek = (event: PointerEvent): void => {
       clock.pause();
-      clock.go(clock.begins_s + share * (clock.ends_s - clock.begins_s));
+      clock.go(timeUnder(event));
     };
     this.box.addEventListener('pointerdown', (event) => {
       held = true;
       this.box.setPointerCapture(event.pointerId);
       seek(event);
     });
-    this.box.addEventListener('pointermove', (event) => held && seek(event));
+    this.box.addEventListener('pointermove', (event) => {
+      if (held) seek(event);
+      if (event.pointerType === 'mouse') this.#tell(timeUnder(event));
+    });
+    this.box.addEventListener('pointerleave', () => (this.#tip.hidden = true));
     for (const end of ['pointerup', 'pointercancel'] as const) {
       this.box.addEventListener(end, () => (held = false));
     }
@@ -99,6 +86,28 @@ export class SeparationPlot {
       event.stopPropagation();
       clock.step(steps);
     });
+  }
+
+  /** What there is to say of a time that is pointed at. */
+  #tell(time: number): void {
+    const { zero_s, since1970, clock } = this.times;
+    const lines = this.#recorded.flatMap((shown) => {
+      const { separation, spans, names } = shown.swarm;
+      const within_s = time - this.times.clockTime(shown, 0);
+      const sample = sampleAt(separation.time_s, within_s);
+      const start = shown.label ? `${shown.label}: ` : '';
+      const risk = `${start}${formatCount(spans.beesAt(within_s).length)} in conflict`;
+      if (sample < 0) return [risk];
+      const apart = this.#measures.map(({ of, text }) => text(of(shown.swarm)[sample], shown.swarm)).join(', ');
+      const pair = [separation.first[sample], separation.second[sample]].map((bee) => isolate(names.of(bee), 20)).join(' and ');
+      return [risk, `${apart}: ${pair}`];
+    });
+    const when = formatTime(zero_s + time, since1970, decimalsWithin(clock.ends_s - clock.begins_s));
+    this.#tip.replaceChildren(...[when, ...lines].map((line) => element('div', {}, line)));
+    this.#tip.hidden = false;
+    const x = this.#xOf(time);
+    const room = this.#tip.offsetWidth + 12;
+    this.#tip.style.left = `${Math.max(0, x + room > this.#width ? x - room : x + 12).toFixed(0)}px`;
   }
 
   #follow(): void {
@@ -120,20 +129,14 @@ export class SeparationPlot {
   #draw(): void {
     if (this.box.clientWidth === this.#width || this.box.clientWidth === 0) return;
     this.#width = this.box.clientWidth;
-    const height = kTop + kCurve + kGap + this.#recorded.length * (kStrip + 3) + kBottom;
+    const floor = this.#floor(this.#measures.length - 1);
+    const height = floor + kGap + this.#recorded.length * (kStrip + 3) + kBottom;
     this.#svg.setAttribute('viewBox', `0 0 ${this.#width} ${height}`);
     this.#svg.setAttribute('height', String(height));
-    const threshold = Math.max(...this.#recorded.map(({ swarm }) => swarm.head.threshold_m));
-    const distances = this.#recorded.flatMap(({ swarm }) => Array.from(swarm.separation.distance_m));
-    const top = plotTop(distances, threshold);
-    // Whatever is farther apart leaves the plot at its top.
-    const yOf = (metres: number): number => kTop + kCurve * (1 - Math.min(4, metres / top));
-    const frame = drawing('svg', { x: 0, y: kTop, width: this.#width, height: kCurve + 1, viewBox: `0 ${kTop} ${this.#width} ${kCurve + 1}` });
-    frame.append(...this.#recorded.map((shown, row) => this.#curve(shown, yOf, row)));
     this.#svg.replaceChildren(
-      ...this.#scales(top, yOf, threshold, height),
-      frame,
-      ...this.#recorded.flatMap((shown, row) => this.#strip(shown, row)),
+      ...this.#measures.flatMap((measure, i) => this.#panel(measure, this.#floor(i))),
+      ...this.#moments(height),
+      ...this.#recorded.flatMap((shown, row) => this.#strip(shown, row, floor)),
       this.#cursor,
     );
     this.#cursor.setAttribute('y1', String(kTop - 4));
@@ -141,17 +144,42 @@ export class SeparationPlot {
     this.#follow();
   }
 
-  #scales(top: number, yOf: (metres: number) => number, threshold: number, height: number): SVGElement[] {
+  /** Where the panel of a measure has its 0. */
+  #floor(place: number): number {
+    return kTop + (place + 1) * this.#curve_px + place * kGap;
+  }
+
+  #panel(measure: Measure, floor: number): SVGElement[] {
+    const distances = this.#recorded.flatMap(({ swarm }) => Array.from(measure.of(swarm)));
+    const top = plotTop(distances, measure.limit_m);
+    // Whatever is farther apart leaves the plot at its top.
+    const yOf = (metres: number): number => floor - this.#curve_px * Math.min(4, metres / top);
+    const from = floor - this.#curve_px;
+    const frame = drawing('svg', { x: 0, y: from, width: this.#width, height: this.#curve_px + 1, viewBox: `0 ${from} ${this.#width} ${this.#curve_px + 1}` });
+    frame.append(...this.#recorded.map((shown, row) => this.#curve(shown, measure, yOf, row)));
+    const name = drawing('text', { class: 'measure', x: this.#width - kRight, y: from + 8, 'text-anchor': 'end' }, measure.name);
+    return [...this.#levels(top, yOf, measure.limit_m, from), frame, name];
+  }
+
+  #levels(top: number, yOf: (metres: number) => number, limit_m: number, from: number): SVGElement[] {
     const right = this.#width - kRight;
-    const { clock, zero_s, since1970 } = this.times;
-    const level = (metres: number, kind: string): SVGElement[] => [
-      drawing('line', { class: kind, x1: kLeft, x2: right, y1: yOf(metres), y2: yOf(metres) }),
-    ];
+    const level = (metres: number, kind: string): SVGElement =>
+      drawing('line', { class: kind, x1: kLeft, x2: right, y1: yOf(metres), y2: yOf(metres) });
     const label = (metres: number, text: string, kind: string): SVGElement =>
       drawing('text', { class: kind, x: kLeft - 6, y: yOf(metres) + 3.5, 'text-anchor': 'end' }, text);
     const levels = niceTicks(0, top, 2).filter(
-      (metres) => Math.abs(yOf(metres) - yOf(threshold)) > 11 && yOf(metres) > kTop + 2,
+      (metres) => Math.abs(yOf(metres) - yOf(limit_m)) > 11 && yOf(metres) > from + 2,
     );
+    return [
+      ...levels.flatMap((metres) => [level(metres, 'level'), label(metres, formatTick(metres), 'level-text')]),
+      level(limit_m, 'limit'),
+      label(limit_m, formatTick(limit_m), 'limit-text'),
+    ];
+  }
+
+  #moments(height: number): SVGElement[] {
+    const { clock, zero_s, since1970 } = this.times;
+    const right = this.#width - kRight;
     const textOf = (moment: number, decimals: number): string => {
       const full = formatTime(moment, since1970, decimals);
       return since1970 ? full.slice(11, 19) : full;
@@ -159,23 +187,27 @@ export class SeparationPlot {
     const widest = 6.3 * textOf(zero_s + clock.ends_s, 1).length;
     const most = Math.max(1, Math.min(this.#width / 130, (right - kLeft) / (1.8 * widest)));
     const moments = niceTicks(zero_s + clock.begins_s, zero_s + clock.ends_s, most);
+    // Of long numbers only as many as have room.
+    let taken = 0;
     const decimals = moments.length > 1 ? decimalsFor(moments[1] - moments[0]) : 1;
+    const unit = drawing('text', { class: 'level-text', x: kLeft - 6, y: height - 4, 'text-anchor': 'end' }, since1970 ? 'UTC' : 'time');
     return [
-      ...levels.flatMap((metres) => [...level(metres, 'level'), label(metres, formatTick(metres), 'level-text')]),
-      ...level(threshold, 'limit'),
-      label(threshold, formatExactly(threshold), 'limit-text'),
-      ...moments.map((moment) => {
+      unit,
+      ...moments.flatMap((moment) => {
         const text = textOf(moment, decimals);
         const half = 3.15 * text.length;
-        const x = Math.max(half, Math.min(this.#width - half, this.#xOf(moment - zero_s)));
-        return drawing('text', { class: 'level-text', x, y: height - 4, 'text-anchor': 'middle' }, text);
+        const x = Math.max(kLeft + half, Math.min(this.#width - half, this.#xOf(moment - zero_s)));
+        if (x - half < taken) return [];
+        taken = x + half + 8;
+        return [drawing('text', { class: 'level-text', x, y: height - 4, 'text-anchor': 'middle' }, text)];
       }),
     ];
   }
 
   /** One point a pixel where there are more: the least of them, for that is what matters. */
-  #curve(shown: Recorded, yOf: (metres: number) => number, row: number): SVGElement {
-    const { time_s, distance_m } = shown.swarm.separation;
+  #curve(shown: Recorded, measure: Measure, yOf: (metres: number) => number, row: number): SVGElement {
+    const { time_s } = shown.swarm.separation;
+    const metres = measure.of(shown.swarm);
     const gap = 4 * ((time_s[time_s.length - 1] - time_s[0]) / Math.max(1, time_s.length - 1));
     let path = '';
     let column = -1;
@@ -192,27 +224,29 @@ export class SeparationPlot {
       if (x !== column || broken) flush();
       if (broken) path += ' ';
       column = x;
-      least = Math.min(least, distance_m[i]);
+      least = Math.min(least, metres[i]);
       before = time_s[i];
     }
     flush();
     return drawing('path', { class: `curve curve-${this.#recorded.length > 1 ? row : 'alone'}`, d: path || 'M0 0' });
   }
 
-  #strip(shown: Recorded, row: number): SVGElement[] {
+  #strip(shown: Recorded, row: number, floor: number): SVGElement[] {
     const { clock } = this.times;
-    const from = kTop + kCurve + kGap + row * (kStrip + 3);
+    const from = floor + kGap + row * (kStrip + 3);
     const columns = Math.max(1, Math.floor(this.#width - kLeft - kRight));
     const { begins_s, ends_s } = shown.swarm.spans;
     const shift = this.times.clockTime(shown, 0);
     const counts = conflictColumns(begins_s, ends_s, shift, Math.max(1e-9, clock.ends_s), columns);
+    const most = Math.max(1, ...counts);
     let path = '';
     counts.forEach((count, column) => {
       if (count === 0) return;
-      const tall = Math.min(kStrip, 4 + 1.6 * Math.log2(count));
+      // One bee is seen, and as many as there ever are fill the strip.
+      const tall = Math.max(3, (kStrip * count) / most);
       path += `M${kLeft + column} ${from + kStrip}h1v${-tall.toFixed(1)}h-1z`;
     });
-    const words = shown.label || 'conflicts';
+    const words = shown.label || 'in conflict';
     return [
       drawing('rect', { class: 'strip', x: kLeft, y: from, width: columns, height: kStrip }),
       ...(path ? [drawing('path', { class: 'strip-mark', d: path })] : []),

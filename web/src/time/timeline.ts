@@ -4,6 +4,7 @@ import { sampleAt } from '../data/recording';
 import type { Shown } from '../panels/shown';
 import type { Choices } from '../state/choices';
 import { button, element } from '../text/element';
+import { formatHorizontal, formatVertical } from '../text/apart';
 import { isolate } from '../text/names';
 import { decimalsWithin, formatBelow, formatCount, formatTime } from '../text/numbers';
 import { kSpeeds } from './clock';
@@ -36,7 +37,7 @@ function statement(shown: Shown & { swarm: Recording }, within_s: number, inConf
   const exact = closestAt(shown.swarm, within_s);
   const sample = sampleAt(separation.time_s, within_s);
   // Others may be closer to each other in that moment.
-  const closest = exact >= 0 && (sample < 0 || conflicts.distance_m[exact] <= separation.distance_m[sample]);
+  const closest = exact >= 0 && (separation.apart !== null || sample < 0 || conflicts.distance_m[exact] <= separation.distance_m[sample]);
   const [of, place] = closest ? [conflicts, exact] : [separation, sample];
   if (place < 0) return start + risk;
   // Between two samples the earlier one is shown, with its time; nothing of bees that have gone since.
@@ -47,6 +48,10 @@ function statement(shown: Shown & { swarm: Recording }, within_s: number, inConf
   const told_s = begins_s + within_s - since_s;
   const when = since_s > kMoment_s ? ` at ${formatTime(told_s, since_1970, decimalsWithin(ends_s - begins_s))}` : '';
   const pair = bees.map((bee) => isolate(names.of(bee), 20)).join(' and ');
+  if (of.apart && head.vertical_m !== undefined) {
+    const apart = `${formatHorizontal(of.apart.horizontal_m[place], head)} horizontally, ${formatVertical(of.apart.height_m[place], head)} in height`;
+    return `${start}${risk} · nearest to a conflict: ${apart}${when} (${pair})`;
+  }
   return `${start}${risk} · closest two ${formatBelow(of.distance_m[place], head.threshold_m, 3)}${when} (${pair})`;
 }
 

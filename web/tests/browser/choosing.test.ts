@@ -105,6 +105,7 @@ pageTest('keys do what the help says', 'snapshot', {}, async ({ page }) => {
   await page.keyboard.press('Escape');
   assert.ok(!(await page.locator('dialog.help').isVisible()));
   const { risk } = await headOf(page);
+  await page.keyboard.press('Escape');
   await page.keyboard.press('n');
   assert.equal(await selectedBee(page), String(risk.closest?.first));
   await page.keyboard.press('Escape');

@@ -51,7 +51,7 @@ function illegible(): string[] {
   return faults;
 }
 
-for (const name of ['snapshot', 'cylinder', 'recording', 'epoch', 'fleet', 'compared-snapshots', 'compared-recordings']) {
+for (const name of ['snapshot', 'cylinder', 'recording', 'epoch', 'wide', 'fleet', 'compared-snapshots', 'compared-recordings']) {
   pageTest('fits windows large and small', name, {}, async ({ page }) => {
     for (const [width, height] of kSizes) {
       await page.setViewportSize({ width, height });

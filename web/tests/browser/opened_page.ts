@@ -20,7 +20,7 @@ after(async () => {
   await browser?.close();
 });
 
-async function launched(): Promise<Browser> {
+export async function launched(): Promise<Browser> {
   browser ??= await chromium.launch({
     executablePath: process.env.BEESPACE_CHROMIUM ?? '/usr/bin/chromium',
     args: [

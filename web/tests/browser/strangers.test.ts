@@ -12,9 +12,9 @@ pageTest('hostile names are shown and never run', 'hostile', {}, async ({ page }
   await page.keyboard.press('Enter');
   assert.match((await page.locator('.who-it-is').innerText()).toLowerCase(), /<img src=x onerror/);
   assert.equal(await page.evaluate(() => (window as { __pwned?: unknown }).__pwned), undefined);
-  // Nothing but our own elements: no images, no links, one script that runs.
+  // Nothing but our own elements: no images, no links, two scripts that run: the guard and the loader.
   assert.equal(await page.locator('img, iframe, a, object, embed').count(), 0);
-  assert.equal(await page.locator('script:not([type])').count(), 1);
+  assert.equal(await page.locator('script:not([type])').count(), 2);
 });
 
 pageTest('a long name neither clips nor widens the page', 'hostile', { width: 390, height: 844 }, async ({ page }) => {

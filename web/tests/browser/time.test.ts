@@ -88,6 +88,7 @@ pageTest('keys go through all conflicts of a pair', 'again', {}, async ({ page }
   const count = await rows.count();
   const ofAB = await rows.filter({ hasText: 'a' }).count();
   assert.ok(ofAB > 2 && count > ofAB, `${ofAB} of ${count} conflicts`);
+  await page.keyboard.press('Escape');
   for (let place = 0; place < count; ++place) {
     await page.keyboard.press('n');
     const marked = await page.locator('.pairs tbody tr[aria-current]').evaluateAll((all) => all.map((one) => (one as HTMLElement).dataset.place));

@@ -1,7 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateSync } from 'node:zlib';
-import { bytesOfBase64, joinPlanes, undoDifferences } from '../../src/data/column';
+import { bytesOfBase64 } from '../../src/data/base64';
+import { joinPlanes, undoDifferences } from '../../src/data/column';
 import { inflate } from '../../src/data/inflate';
 import { inflatePlainly } from '../../src/data/inflate_plainly';
 import { differences, splitPlanes } from './encode';

@@ -5,7 +5,7 @@ import { Fixes } from '../../src/data/fixes';
 import { sampleAt } from '../../src/data/recording';
 import { Spans } from '../../src/data/spans';
 import { speedFor } from '../../src/time/clock';
-import { conflictColumns, plotTop } from '../../src/time/separation_plot';
+import { conflictColumns, plotTop } from '../../src/time/plot_scales';
 
 function fixesOf(counts: number[], times: number[], xs: number[], gaps: number[]): Fixes {
   const time: Column = { raw: Uint32Array.from(times), scale: 0.5, offset: 0 };

@@ -1,0 +1,141 @@
+#include "analysis/scene/separation.hpp"
+
+#include <beespace/engine.hpp>
+#include <beespace/nearest.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <tuple>
+
+namespace beespace::analysis {
+namespace {
+
+constexpr double kMoments = 600.0;
+
+double every_s(const TimeSpan& time) {
+  const double lasts_s = time.ends_s - time.begins_s;
+  return lasts_s > 0.0 ? lasts_s / kMoments : 1.0;
+}
+
+// Into its place in time.
+void insert(const report::Separation& at, std::vector<report::Separation>& separation) {
+  const auto after = std::upper_bound(
+      separation.begin(), separation.end(), at.time_s,
+      [](double time_s, const report::Separation& other) { return time_s < other.time_s; });
+  separation.insert(after, at);
+}
+
+// Those who are there at a moment.
+struct There {
+  std::vector<PointId> bees;
+  std::vector<Point> ground;
+  std::vector<double> heights_m;
+};
+
+There there_at(const Uprights& uprights, std::size_t bees, double time_s) {
+  There now;
+  for (PointId bee = 0; bee < bees; ++bee) {
+    const auto at = uprights.at(bee, time_s);
+    if (!at) continue;
+    now.bees.push_back(bee);
+    now.ground.push_back(at->ground);
+    now.heights_m.push_back(at->height_m);
+  }
+  return now;
+}
+
+// Who is nearest to a conflict: a pair by the greater of its shares of both thresholds, and of
+// equal ones the first. `share` is where to begin, and becomes what was found.
+class NearestToConflict {
+ public:
+  explicit NearestToConflict(const report::SwarmFacts& swarm) : swarm_(swarm) {}
+
+  std::optional<Pair> find(const There& now, double& share) {
+    constexpr int kMostTries = 60;
+    constexpr double kLeastShare = 1e-6;
+    double within = std::max(kLeastShare, 1.25 * share);
+    for (int k = 0; k < kMostTries; ++k, within *= 2.0) {
+      SearchOptions options;
+      options.threshold_m = within * swarm_.threshold_m;
+      options.vertical_m = within * *swarm_.vertical_m;
+      options.inclusive = true;
+      const auto found =
+          engine_.find_pairs(PointsView(now.ground).with_heights(now.heights_m), options, pairs_);
+      if (!found) return std::nullopt;
+      if (!pairs_.empty()) return least(now, share);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<Pair> least(const There& now, double& share) const {
+    const auto share_of = [&](const Pair& pair) {
+      const double across = distance(now.ground[pair.first], now.ground[pair.second]);
+      const double up = std::abs(now.heights_m[pair.first] - now.heights_m[pair.second]);
+      return std::max(across / swarm_.threshold_m, up / *swarm_.vertical_m);
+    };
+    const auto nearest =
+        std::min_element(pairs_.begin(), pairs_.end(), [&](const Pair& a, const Pair& b) {
+          return std::tuple(share_of(a), a) < std::tuple(share_of(b), b);
+        });
+    share = share_of(*nearest);
+    return *nearest;
+  }
+
+  const report::SwarmFacts& swarm_;
+  Engine engine_;
+  std::vector<Pair> pairs_;
+};
+
+std::vector<report::Separation> nearest_to_conflict(const Findings& findings,
+                                                    const Uprights& uprights,
+                                                    const report::SwarmFacts& swarm,
+                                                    const TimeSpan& time) {
+  std::vector<report::Separation> separation;
+  NearestToConflict search(swarm);
+  double share = 1.0;
+  const double step_s = every_s(time);
+  for (std::uint64_t i = 0; static_cast<double>(i) * step_s <= time.ends_s - time.begins_s; ++i) {
+    const double now_s = time.begins_s + static_cast<double>(i) * step_s;
+    const There now = there_at(uprights, findings.tracks.size(), now_s);
+    if (now.bees.size() < 2) continue;
+    const auto pair = search.find(now, share);
+    if (!pair) continue;
+    const PointId first = now.bees[pair->first];
+    const PointId second = now.bees[pair->second];
+    const report::Apart of = apart({now.ground[pair->first], now.heights_m[pair->first]},
+                                   {now.ground[pair->second], now.heights_m[pair->second]});
+    // Where heights are apart from positions, that is the straight line.
+    separation.push_back({now_s, {first, second, std::hypot(of.horizontal_m, of.height_m)}, of});
+  }
+  return separation;
+}
+
+std::vector<report::Separation> closest_two(const Findings& findings, const TimeSpan& time) {
+  std::vector<report::Separation> separation;
+  for (const Moment& moment : separation_over_time(findings, every_s(time))) {
+    if (!std::isfinite(moment.distance_m)) continue;
+    const auto [first, second] = std::minmax(moment.first, moment.second);
+    separation.push_back({moment.time_s, {first, second, moment.distance_m}});
+  }
+  if (findings.closest) {
+    const Conflict& closest = *findings.closest;
+    insert({closest.closest_s, {closest.first, closest.second, closest.closest_m}}, separation);
+  }
+  return separation;
+}
+
+}  // namespace
+
+std::vector<report::Separation> separation_of(const Findings& findings, const Uprights& uprights,
+                                              const report::SwarmFacts& swarm) {
+  const auto time = time_of(findings.tracks);
+  if (!time) return {};
+  if (!swarm.vertical_m) return closest_two(findings, *time);
+  return nearest_to_conflict(findings, uprights, swarm, *time);
+}
+
+}  // namespace beespace::analysis

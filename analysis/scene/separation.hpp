@@ -1,0 +1,17 @@
+// How far apart those are that are closest, over time.
+#pragma once
+
+#include "analysis/recorded/findings.hpp"
+#include "analysis/scene/uprights.hpp"
+#include "report/facts.hpp"
+
+#include <vector>
+
+namespace beespace::analysis {
+
+// At some hundred moments, and where the closest encounter was. With a vertical threshold
+// (`vertical_m` of `swarm`), of those who are nearest to a conflict.
+std::vector<report::Separation> separation_of(const Findings& findings, const Uprights& uprights,
+                                              const report::SwarmFacts& swarm);
+
+}  // namespace beespace::analysis

@@ -1,0 +1,162 @@
+// The selected pair: how far apart the two are now and over time, how fast they close, and a look at it in slow motion.
+import { pairsOf } from '../data/swarm';
+import type { Choices, Selected } from '../state/choices';
+import { formatHorizontal, formatVertical } from '../text/apart';
+import { button, element, panel } from '../text/element';
+import { isolate, nameElement } from '../text/names';
+import { decimalsWithin, formatBelow, formatDigits, formatDuration, formatTime } from '../text/numbers';
+import type { Recording } from '../data/recording';
+import type { LinkedTimes } from '../time/linked_times';
+import { pairChart, type PairChart } from '../time/pair_chart';
+import type { Shown } from './shown';
+
+type Fact = [label: string, value: string, risky?: boolean];
+
+/** So long before and after the closest moment one looks: longer for what lasts longer. */
+const kAround_s = [5, 30, 60];
+
+/** Where the way of the pair stands in the list of ways; null where there is none. */
+function wayOf(swarm: Recording, { place }: Selected): number | null {
+  // Where there is no conflict, the only way is that of the closest encounter.
+  const way = place ?? (swarm.conflicts.first.length === 0 ? 0 : null);
+  return way !== null && swarm.pairWays.span(way) ? way : null;
+}
+
+function aroundOf(swarm: Recording, place: number | null): number {
+  const lasts_s = place === null ? 0 : swarm.conflicts.ends_s[place] - swarm.conflicts.begins_s[place];
+  return kAround_s.find((around_s) => lasts_s <= 4 * around_s) ?? kAround_s[kAround_s.length - 1];
+}
+
+function limitFacts(shown: Shown, apart: { distance_m: number; horizontal_m: number; height_m: number }): Fact[] {
+  const { head } = shown.swarm;
+  if (head.vertical_m === undefined) {
+    return [
+      ['Apart', formatBelow(apart.distance_m, head.threshold_m), apart.distance_m < head.threshold_m],
+      ['Horizontally', formatHorizontal(apart.horizontal_m, head)],
+      ['In height', formatVertical(apart.height_m, head)],
+    ];
+  }
+  const [across, up] = [apart.horizontal_m < head.threshold_m, apart.height_m < head.vertical_m];
+  return [
+    ['Horizontally', formatHorizontal(apart.horizontal_m, head), across && up],
+    ['In height', formatVertical(apart.height_m, head), across && up],
+    ['In a straight line', formatBelow(apart.distance_m, head.threshold_m)],
+  ];
+}
+
+/** What is known of a pair of a snapshot, or of the closest moment of a conflict. */
+function stillFacts(shown: Shown, { bee, other, place }: Selected): Fact[] {
+  const { swarm } = shown;
+  const pairs = pairsOf(swarm);
+  const closest = swarm.head.risk.closest;
+  const isClosest = closest && Math.min(bee, other ?? bee) === closest.first && Math.max(bee, other ?? bee) === closest.second;
+  const distance_m = place !== null ? pairs.distance_m[place] : isClosest ? closest.distance_m : null;
+  if (distance_m === null) return [];
+  const horizontal_m = place !== null ? pairs.apart?.horizontal_m[place] : closest?.horizontal_m;
+  const height_m = place !== null ? pairs.apart?.height_m[place] : closest?.height_m;
+  if (horizontal_m === undefined || height_m === undefined) return [['Apart', formatBelow(distance_m, swarm.head.threshold_m)]];
+  return limitFacts(shown, { distance_m, horizontal_m, height_m });
+}
+
+function closestText(swarm: Recording, place: number): string {
+  const { conflicts, head } = swarm;
+  const when = formatTime(head.time.begins_s + conflicts.closest_s[place], head.time.since_1970, decimalsWithin(head.time.ends_s - head.time.begins_s));
+  return `${formatBelow(conflicts.distance_m[place], head.threshold_m)} at ${when}`;
+}
+
+function nowFacts(shown: Shown, swarm: Recording, way: number, within_s: number): Fact[] {
+  const apart = swarm.pairWays.at(way, within_s);
+  if (!apart) return [['Now', 'beyond the time that is kept of this pair']];
+  // In the closest moment, which is told to a tick, it is as close as its row says.
+  if (swarm.conflicts.closest_s[way] === within_s) apart.distance_m = swarm.conflicts.distance_m[way];
+  const closing = apart.closing_mps;
+  const speed = `${formatDigits(Math.abs(closing), 3)}\u202fm/s`;
+  return [
+    ...limitFacts(shown, apart),
+    [closing >= 0 ? 'Closing' : 'Parting', swarm.head.heights?.in_feet ? `${speed} · ${formatDigits(Math.abs(closing) / 0.514444, 3)}\u202fkt` : speed],
+  ];
+}
+
+function factRows(facts: Fact[]): HTMLElement[] {
+  return facts.map(([label, value, risky]) =>
+    element('div', {}, element('dt', {}, label), element('dd', risky ? { class: 'risky' } : {}, value)),
+  );
+}
+
+export function pairPanelOf(all: Shown[], choices: Choices, times: LinkedTimes): HTMLElement {
+  const body = element('div');
+  const box = panel('pair', 'Selected pair', body);
+  const facts = element('dl', { class: 'facts compact' });
+  let chart: PairChart | null = null;
+
+  const follow = (): void => {
+    const selected = choices.selected.value;
+    if (!selected || selected.other === null) return;
+    const shown = all[selected.swarm];
+    const { swarm } = shown;
+    if (swarm.kind !== 'recording') return facts.replaceChildren(...factRows(stillFacts(shown, selected)));
+    const within_s = times.within(shown);
+    const way = wayOf(swarm, selected);
+    const closest: Fact[] = selected.place === null ? [] : [['Closest', closestText(swarm, selected.place)]];
+    const rows = way === null ? stillFacts(shown, selected) : [...nowFacts(shown, swarm, way, within_s), ...closest];
+    if (selected.place !== null) rows.push(['In conflict for', formatDuration(swarm.conflicts.ends_s[selected.place] - swarm.conflicts.begins_s[selected.place])]);
+    facts.replaceChildren(...factRows(rows));
+    chart?.follow(within_s);
+  };
+
+  choices.selected.watch((selected) => {
+    chart = null;
+    box.hidden = !selected || selected.other === null;
+    if (!selected || selected.other === null) return;
+    const shown = all[selected.swarm];
+    const { swarm } = shown;
+    const names = [selected.bee, selected.other].map((bee) => swarm.names.of(bee));
+    const title = element('p', { class: 'who-they-are' }, nameElement(names[0]), ' and ', nameElement(names[1]));
+    const parts: Node[] = [title];
+    if (swarm.kind === 'recording') {
+      const way = wayOf(swarm, selected);
+      if (way !== null) {
+        chart = pairChart(swarm, way, `How far apart ${isolate(names[0])} and ${isolate(names[1])} are over time`);
+        parts.push(replayButton(shown, swarm, selected, way, times));
+      }
+    }
+    parts.push(facts);
+    if (chart) parts.push(seekable(chart, shown, times));
+    body.replaceChildren(...parts);
+    follow();
+  });
+  if (all.some(({ swarm }) => swarm.kind === 'recording')) times.clock.time.listen(follow);
+  return box;
+}
+
+/** A press or a drag on the chart goes to that time. */
+function seekable(chart: PairChart, shown: Shown, times: LinkedTimes): SVGSVGElement {
+  const { svg } = chart;
+  const seek = (event: PointerEvent): void => {
+    if (event.buttons === 0) return;
+    const { left, width } = svg.getBoundingClientRect();
+    times.clock.pause();
+    times.clock.go(times.clockTime(shown, chart.timeAt((event.clientX - left) / width)));
+  };
+  svg.addEventListener('pointerdown', seek);
+  svg.addEventListener('pointermove', seek);
+  return svg;
+}
+
+function replayButton(shown: Shown, swarm: Recording, { place }: Selected, way: number, times: LinkedTimes): HTMLElement {
+  const around_s = aroundOf(swarm, place);
+  const closest_s = swarm.conflicts.closest_s[way] ?? swarm.head.risk.closest?.time_s ?? 0;
+  const middle = times.clockTime(shown, closest_s);
+  const text = `Replay ±${around_s}\u202fs`;
+  return element(
+    'p',
+    { class: 'tools' },
+    button(text, { title: 'From before they are closest to after it, in slow motion around it' }, () =>
+      times.clock.replay(middle - around_s, middle + around_s, around_s / 5),
+    ),
+    button('To the closest moment', {}, () => {
+      times.clock.pause();
+      times.clock.go(middle);
+    }),
+  );
+}

@@ -1,0 +1,111 @@
+// How far apart a pair is around its conflict: in a straight line, or horizontally and in height, each with its limit.
+import type { ApartNow } from '../data/pair_ways';
+import type { Recording } from '../data/recording';
+import { drawing } from '../text/element';
+import { niceTicks } from '../text/nice_steps';
+import { formatExactly, formatTick } from '../text/numbers';
+
+const kWidth = 360;
+const kLeft = 58;
+const kRight = 8;
+const kRow = 78;
+const kTop = 15;
+const kBottom = 18;
+const kPieces = 120;
+/** Whatever is farther apart than so many limits leaves the chart at its top. */
+const kShown = 4;
+
+interface Row {
+  name: string;
+  limit_m: number;
+  of: (apart: ApartNow) => number;
+}
+
+function rowsOf({ head }: Recording): Row[] {
+  if (head.vertical_m === undefined) return [{ name: 'Apart', limit_m: head.threshold_m, of: ({ distance_m }) => distance_m }];
+  return [
+    { name: 'Horizontally', limit_m: head.threshold_m, of: ({ horizontal_m }) => horizontal_m },
+    { name: 'In height', limit_m: head.vertical_m, of: ({ height_m }) => height_m },
+  ];
+}
+
+export interface PairChart {
+  svg: SVGSVGElement;
+  /** Puts the line of the time shown there. */
+  follow: (within_s: number) => void;
+  /** The time at a place of the picture, as a share of its width. */
+  timeAt: (share: number) => number;
+}
+
+/** Null where the way of the pair is not kept. `place` is that of the conflict. */
+export function pairChart(swarm: Recording, place: number, name: string): PairChart | null {
+  const span = swarm.pairWays.span(place);
+  if (!span || !(span[1] > span[0])) return null;
+  const { conflicts } = swarm;
+  const middle_s = conflicts.closest_s[place] ?? swarm.head.risk.closest?.time_s ?? span[0];
+  const rows = rowsOf(swarm);
+  const xOf = (time_s: number): number => kLeft + ((time_s - span[0]) / (span[1] - span[0])) * (kWidth - kLeft - kRight);
+  const height = rows.length * kRow + kBottom;
+  const svg = drawing('svg', { viewBox: `0 0 ${kWidth} ${height}`, class: 'pair-chart', role: 'img', 'aria-label': name });
+  const instants = swarm.pairWays.instants(place, kPieces);
+  if (place < conflicts.begins_s.length) {
+    const [from, to] = [xOf(Math.max(span[0], conflicts.begins_s[place])), xOf(Math.min(span[1], conflicts.ends_s[place]))];
+    svg.append(drawing('rect', { class: 'band', x: from, y: kTop - 4, width: Math.max(1, to - from), height: height - kBottom - kTop + 4 }));
+  }
+  rows.forEach((row, i) => svg.append(...drawRow(row, i * kRow, swarm, place, instants, xOf)));
+  for (const after_s of niceTicks(span[0] - middle_s, span[1] - middle_s, 5)) {
+    const text = after_s === 0 ? 'closest' : `${after_s > 0 ? '+' : '\u2212'}${Math.abs(after_s)}\u202fs`;
+    const x = Math.min(kWidth - 3.2 * text.length, xOf(middle_s + after_s));
+    svg.append(drawing('text', { class: 'level-text', x, y: height - 4, 'text-anchor': 'middle' }, text));
+  }
+  const cursor = drawing('line', { class: 'cursor', y1: kTop - 6, y2: height - kBottom + 3 });
+  svg.append(cursor);
+  return {
+    svg: svg as SVGSVGElement,
+    follow: (within_s) => {
+      const seen = within_s >= span[0] && within_s <= span[1];
+      cursor.setAttribute('visibility', seen ? 'visible' : 'hidden');
+      if (!seen) return;
+      for (const end of ['x1', 'x2']) cursor.setAttribute(end, xOf(within_s).toFixed(1));
+    },
+    timeAt: (share) => span[0] + ((share * kWidth - kLeft) / (kWidth - kLeft - kRight)) * (span[1] - span[0]),
+  };
+}
+
+function drawRow(
+  row: Row,
+  top: number,
+  swarm: Recording,
+  place: number,
+  instants: number[],
+  xOf: (time_s: number) => number,
+): SVGElement[] {
+  const values = instants.map((time_s) => {
+    const apart = swarm.pairWays.at(place, time_s);
+    return apart ? row.of(apart) : NaN;
+  });
+  const most = Math.max(1.25 * row.limit_m, ...values.filter((value) => value < kShown * row.limit_m));
+  const floor = top + kRow;
+  const yOf = (metres: number): number => floor - (Math.min(metres, 3 * most) / most) * (kRow - kTop);
+  let path = '';
+  values.forEach((value, i) => {
+    if (Number.isFinite(value)) path += `${path === '' ? 'M' : 'L'}${xOf(instants[i]).toFixed(1)} ${yOf(value).toFixed(1)}`;
+  });
+  const clear = (metres: number): boolean => Math.abs(yOf(metres) - yOf(row.limit_m)) > 11;
+  const levels = niceTicks(0, most, 2).filter((metres) => clear(metres) && yOf(metres) > top + kTop - 2);
+  const line = (metres: number, kind: string): SVGElement =>
+    drawing('line', { class: kind, x1: kLeft, x2: kWidth - kRight, y1: yOf(metres), y2: yOf(metres) });
+  const label = (metres: number, text: string, kind: string): SVGElement =>
+    drawing('text', { class: kind, x: kLeft - 5, y: yOf(metres) + 3.5, 'text-anchor': 'end' }, text);
+  return [
+    ...levels.flatMap((metres) => [line(metres, 'level'), label(metres, formatTick(metres), 'level-text')]),
+    line(row.limit_m, 'limit'),
+    label(row.limit_m, formatExactly(row.limit_m), 'limit-text'),
+    drawing('text', { class: 'row-name', x: kWidth - kRight, y: top + kTop - 5, 'text-anchor': 'end' }, row.name),
+    drawing(
+      'svg',
+      { x: 0, y: top + kTop - 6, width: kWidth, height: kRow - kTop + 7, viewBox: `0 ${top + kTop - 6} ${kWidth} ${kRow - kTop + 7}` },
+      drawing('path', { class: 'curve curve-alone', d: path || 'M0 0' }),
+    ),
+  ];
+}
