@@ -13,10 +13,11 @@ from beespace import _library
 from beespace._advice_answers import Advice, advice_of
 from beespace._calls import check, length, number_of, run_of, whole
 from beespace._errors import invalid
+from beespace._frames import Described, Known, check_upright
 from beespace._fixes import flags_of, integers_of, numbers_of
 from beespace._library import at_once, library
 from beespace._motion import movers_of, rows_of, spread
-from beespace._obstacles import Obstacles, handle_of_obstacles
+from beespace._obstacles import Obstacles, check_frame_of_obstacles, handle_of_obstacles
 from beespace._points import Points, PointsLike
 from beespace._turns import InTurn
 from beespace._units import ACCELERATIONS, METRES, NO_UNIT, SECONDS, SPEEDS
@@ -211,7 +212,7 @@ class Adviser(InTurn):
                 f"there are {wanted.count:,} preferred velocities for {places.count:,} agents",
                 "preferred",
             )
-        wanted.check_axes(places.axes, "preferred", "positions")
+        wanted.check_alike(places, "preferred", "positions")
         limits = Limits(max_speed, max_acceleration, places.count)
         flat = places.count > 0 and places.struct.z is None
         options = _c.CAdviseOptions(
@@ -230,7 +231,7 @@ class Adviser(InTurn):
         options.uncertainty_m = number_of(uncertainty, "uncertainty", METRES)
         options.clearance_m = 0.0 if clearance is None else above_zero(clearance, "clearance", METRES)
         options.obstacles = handle_of_obstacles(obstacles)
-        read = ArrayReader(copy, places.axes)
+        read = ArrayReader(copy, places)
         options.fence_directions = read.points(fence_directions, "fence_directions")
         count = read.count
         options.fence_offsets_m = read.numbers(fence_offsets, "fence_offsets", count, METRES)
@@ -254,6 +255,8 @@ class Adviser(InTurn):
         options.claim_places = read.points(claim_places, "claim_places")
         options.claim_offsets = read.integers(claim_indptr, "claim_indptr", places.count + 1)
         options.holds = read.flags(holds, "holds", places.count)
+        check_shape(read.known, vertical, vertical_factor, planar)
+        check_frame_of_obstacles(obstacles, read.known)
         into = _new_advice()
         error = _library.new_error()
         run = run_of(threads, places.count)
@@ -324,7 +327,7 @@ def velocity_to_goal(
     """
     places = Points(rows_of(positions), "positions")
     ends = Points(rows_of(goals), "goals")
-    ends.check_axes(places.axes, "goals", "positions")
+    ends.check_alike(places, "goals", "positions")
     count = spread([(places, "positions"), (ends, "goals")])
     limits = Limits(max_speed, max_acceleration, count)
     velocities = np.empty((count, 3))
@@ -372,6 +375,13 @@ def shape_of(vertical: Any, vertical_factor: Any) -> tuple[int, float, float]:
     return _c.FREE_SPHERE, 0.0, 0.0
 
 
+def check_shape(given: Described, vertical: Any, vertical_factor: Any, planar: bool) -> None:
+    """Refuses what stays free upright around an agent, or in a plane, of positions without heights."""
+    check_upright(given, vertical, "vertical")
+    check_upright(given, vertical_factor, "vertical_factor")
+    check_upright(given, planar, "planar")
+
+
 def above_zero(number: Any, place: str, units: tuple[str, ...]) -> float:
     """A number that must not be zero, which stands for a default in C."""
     value = number_of(number, place, units)
@@ -382,14 +392,14 @@ def above_zero(number: Any, place: str, units: tuple[str, ...]) -> float:
 
 class ArrayReader:
     """Reads arrays of options, and keeps them alive as long as itself. Positions among them have as
-    many axes as those of agents."""
+    many axes as those of agents, and are in their frame."""
 
-    __slots__ = ("_axes", "_copy", "_kept", "count")
+    __slots__ = ("_copy", "_kept", "count", "known")
 
-    def __init__(self, copy: bool, axes: int | None) -> None:
+    def __init__(self, copy: bool, like: Described) -> None:
         self._kept: list[object] = []
         self._copy = copy
-        self._axes = axes
+        self.known = Known(like.axes, like.frame)  # of all positions
         self.count = 0
 
     def points(self, given: Any, place: str) -> Any:
@@ -397,7 +407,8 @@ class ArrayReader:
         if given is None:
             return None
         points = Points(given, place, self._copy)
-        points.check_axes(self._axes, place, "positions")
+        points.check_alike(self.known, place, "positions")
+        self.known.take(points)
         self.count = points.count
         self._kept.append(points)
         return ctypes.pointer(points.struct)

@@ -12,7 +12,7 @@ from beespace._answers import Nearest
 from beespace._calls import check, run_of
 from beespace._columns import Result
 from beespace._errors import invalid
-from beespace._frames import check_frames
+from beespace._frames import check_upright
 from beespace._points import Points
 
 
@@ -70,12 +70,13 @@ def nearest_of(result: Result, rows: int, k: int) -> Nearest:
 def sets_of(
     points: Any, others: Any, copy: bool, vertical: Any = None
 ) -> tuple[Points, Points | None]:
-    check_frames(points, others, vertical)
     first = Points(points, "points", copy)
+    check_upright(first, vertical, "vertical")
     if others is None:
         return first, None
     second = Points(others, "others", copy)
-    second.check_axes(first.axes, "others", "points")
+    check_upright(second, vertical, "vertical")
+    second.check_alike(first, "others", "points")
     return first, second
 
 

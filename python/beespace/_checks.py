@@ -14,8 +14,9 @@ from beespace import _verify_library as _c
 from beespace._calls import check, length, number_of, run_of, seconds
 from beespace._columns import Columns
 from beespace._errors import invalid
+from beespace._frames import Described, Known
 from beespace._library import at_once, library
-from beespace._obstacles import handle_of_obstacles
+from beespace._obstacles import check_frame_of_obstacles, handle_of_obstacles
 from beespace._points import Points
 from beespace._turns import InTurn
 from beespace._units import ACCELERATIONS, METRES, SPEEDS
@@ -28,7 +29,7 @@ _loss, _clearance = 0, 1
 class Check(InTurn):
     """The C verifier, which serves one call at a time."""
 
-    __slots__ = ("_axes", "_straight", "_threads")
+    __slots__ = ("_known", "_obstacles", "_straight", "_threads")
 
     def __init__(
         self,
@@ -59,7 +60,8 @@ class Check(InTurn):
             options.clearance_m = number_of(clearance, "clearance", METRES)
         self._threads = threads
         self._straight = straight
-        self._axes: int | None = None  # of all moments
+        self._known = Known()  # of all moments
+        self._obstacles = obstacles
         self._take_turns(_c.CVerifier(), threaded=threads != 1)
         error = _library.new_error()
         code = library.beespace_verifier_create(
@@ -73,11 +75,12 @@ class Check(InTurn):
         if speeds is None and not self._straight:
             raise invalid("give these: only with straight=True they are not needed", "velocities")
         if speeds is not None:
-            speeds.check_axes(places.axes, "velocities", "positions")
+            speeds.check_alike(places, "velocities", "positions")
+        check_frame_of_obstacles(self._obstacles, places)
         error = _library.new_error()
         run = run_of(self._threads, places.count)
         with self._lock:
-            places.check_axes(self._axes, "positions", "moments before")
+            places.check_alike(self._known, "positions", "moments before")
             code = library.beespace_verifier_add(
                 self._handle,
                 moment,
@@ -87,11 +90,14 @@ class Check(InTurn):
                 ctypes.byref(error),
             )
             if code == _library.OK:
-                self._axes = self._axes or places.axes
+                self._known.take(places)
         check(code, error)
 
-    def add_recording(self, recording: ctypes.c_void_p, fixes: int, max_gap: float) -> None:
+    def add_recording(
+        self, recording: ctypes.c_void_p, fixes: int, known: Described, max_gap: float
+    ) -> None:
         """Takes a recording of the library."""
+        check_frame_of_obstacles(self._obstacles, known)
         error = _library.new_error()
         run = run_of(self._threads, fixes)
         with self._lock:

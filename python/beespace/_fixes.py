@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from beespace._calls import number_of
 from beespace._errors import BeespaceError, invalid
 from beespace._library import CFixes
-from beespace._units import NO_DATES, SECONDS, is_date, plain
+from beespace._units import METRES, NO_DATES, SECONDS, is_date, plain
 
 
 class Fixes:
@@ -97,6 +98,19 @@ def numbers_of(
     if given.dtype.kind not in "iuf" or (given.dtype.kind == "f" and given.dtype.itemsize > 8):
         raise invalid(f"{place} are numbers, not {given.dtype}", place)
     return np.ascontiguousarray(given, np.float64)
+
+
+def unit_of_heights(height_unit: Any, apart: bool) -> float:
+    """The length of one unit of heights that are apart from positions; of z there is no other."""
+    unit = number_of(height_unit, "height_unit", METRES)
+    if not apart and unit != 1.0:
+        raise invalid("there are no heights apart from the positions, and z is in metres", "height_unit")
+    if not 2.0**-100 <= unit <= 2.0**100:
+        raise invalid(
+            f"the unit is {unit:g} m; give how many metres one is, above zero: 0.3048 for feet",
+            "height_unit",
+        )
+    return unit
 
 
 def flags_of(flags: Any, count: int, place: str) -> NDArray[np.bool_]:

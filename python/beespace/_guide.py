@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from beespace import _fleet_library as _c
 from beespace import _library
-from beespace._advice import ArrayReader, shape_of
+from beespace._advice import ArrayReader, check_shape
 from beespace._calls import number_of, run_of
 from beespace._errors import invalid
 from beespace._fleet import FleetFigures, LinkFigures, Tube, check_fleet, integer, tube_from
@@ -28,7 +28,7 @@ from beespace._messages import (
     three,
 )
 from beespace._motion import movers_of
-from beespace._obstacles import Obstacles
+from beespace._obstacles import Obstacles, check_frame_of_obstacles
 from beespace._points import PointsLike
 from beespace._units import ACCELERATIONS, METRES, SPEEDS
 
@@ -121,7 +121,7 @@ class Guide(GuideCalls):
             ),
             figures or FleetFigures(),
             link or LinkFigures(),
-            shape_of(vertical, vertical_factor),
+            (vertical, vertical_factor),
             planar,
             clearance,
             obstacles,
@@ -370,8 +370,10 @@ class Guide(GuideCalls):
         array([False])
         """
         places, speeds = movers_of(positions, velocities, "positions", "velocities", False)
-        places.check_axes(3, "positions", "fleet")
-        read = ArrayReader(False, 3)
+        places.check_alike(self._known, "positions", "fleet")
+        check_shape(places, *self._shape)
+        check_frame_of_obstacles(self._obstacles, places)
+        read = ArrayReader(False, places)
         self._tell(
             at_once.beespace_guide_set_intruders,
             ctypes.byref(places.struct),
@@ -380,6 +382,7 @@ class Guide(GuideCalls):
             read.numbers(position_errors, "position_errors", places.count, METRES),
             read.numbers(speed_errors, "speed_errors", places.count, SPEEDS),
         )
+        self._known.take(places)
 
     def step(self, now: int) -> Guidance:
         """Guides the fleet for one tick: at its begin, after the messages that came until then.

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from beespace import _fleet_library as _c
 from beespace import _library
-from beespace._advice import PLANAR, ArrayReader, above_zero
+from beespace._advice import PLANAR, ArrayReader, above_zero, shape_of
 from beespace._calls import length, number_of, threads_of
 from beespace._errors import invalid
+from beespace._frames import Known
 from beespace._fleet import FleetFigures, LinkFigures, c_figures, c_link, check_fleet, integer
 from beespace._guidance import JoinAnswer
 from beespace._library import at_once
@@ -27,7 +28,7 @@ from beespace._units import ACCELERATIONS, METRES, SECONDS, SPEEDS
 class GuideCalls(InTurn):
     """The handle of a guide, for one call at a time."""
 
-    __slots__ = ("_limits", "_shows", "_threshold")
+    __slots__ = ("_known", "_limits", "_obstacles", "_shape", "_shows", "_threshold")
 
     def __init__(
         self,
@@ -35,7 +36,7 @@ class GuideCalls(InTurn):
         limits: tuple[float, float],
         figures: FleetFigures,
         link: LinkFigures,
-        shape: tuple[int, float, float],
+        shape: tuple[Any, Any],
         planar: bool,
         clearance: Any,
         obstacles: Any,
@@ -54,7 +55,7 @@ class GuideCalls(InTurn):
             threads_of(threads),
             self._threshold,
         )
-        options.shape, options.vertical_factor, options.vertical_m = shape
+        options.shape, options.vertical_factor, options.vertical_m = shape_of(*shape)
         options.figures = ctypes.pointer(c_figures(figures))
         options.link = ctypes.pointer(c_link(link))
         options.max_speed_mps, options.max_acceleration_mps2 = self._limits
@@ -62,7 +63,7 @@ class GuideCalls(InTurn):
             0.0 if clearance is None else above_zero(clearance, "clearance", METRES)
         )
         options.obstacles = handle_of_obstacles(obstacles)
-        read = ArrayReader(False, 3)
+        read = ArrayReader(False, Known(axes=3))
         options.fence_directions = read.points(fences[0], "fence_directions")
         options.fence_offsets_m = read.numbers(
             fences[1], "fence_offsets", read.count, METRES
@@ -70,6 +71,9 @@ class GuideCalls(InTurn):
         options.intruder_horizon_s = above_zero(intruder_horizon, "intruder_horizon", SECONDS)
         self._take_turns(_c.CGuide(), threaded=threads != 1)
         self._shows = False
+        self._known = Known(axes=3)  # of intruders
+        self._shape = (*shape, planar)
+        self._obstacles = obstacles
         error = _library.new_error()
         code = at_once.beespace_guide_create(
             ctypes.byref(options), ctypes.byref(self._handle), ctypes.byref(error)

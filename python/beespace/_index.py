@@ -14,6 +14,7 @@ from beespace._asking import nearest_of
 from beespace._calls import check, run_of, search_of, whole
 from beespace._columns import Result
 from beespace._errors import invalid
+from beespace._frames import Known, frame_of
 from beespace._library import library
 from beespace._points import Points, PointsLike, position
 from beespace._units import METRES, plain
@@ -47,12 +48,12 @@ class Index:
     <beespace.Index: 4 points>
     """
 
-    __slots__ = ("_axes", "_handle")
+    __slots__ = ("_handle", "_known")
 
     def __init__(self, points: PointsLike, *, threads: int = 1) -> None:
         self._handle = _library.CIndex()
         given = Points(points, "points")
-        self._axes = given.axes
+        self._known = Known(given.axes, given.frame)
         error = _library.new_error()
         run = run_of(threads, given.count)
         check(
@@ -215,11 +216,12 @@ class Index:
         """
         id = ctypes.c_int64()
         error = _library.new_error()
+        where = position(point, self._known)
         code = library.beespace_index_insert(
-            self._handle, position(point, self._axes), ctypes.byref(id), ctypes.byref(error)
+            self._handle, where, ctypes.byref(id), ctypes.byref(error)
         )
         check(code, error)
-        self._axes = self._axes or np.size(point)
+        self._known.take(Known(np.size(point), frame_of(point)))
         return id.value
 
     def move(self, id: int, point: ArrayLike) -> None:
@@ -247,7 +249,7 @@ class Index:
         """
         error = _library.new_error()
         code = library.beespace_index_move(
-            self._handle, whole(id, "id"), position(point, self._axes), ctypes.byref(error)
+            self._handle, whole(id, "id"), position(point, self._known), ctypes.byref(error)
         )
         check(code, error)
 
@@ -288,7 +290,7 @@ class Index:
         shape: tuple[int, ...] | None = None,
     ) -> tuple[Points, Result]:
         given = Points(places, "places")
-        given.check_axes(self._axes, "places", "points")
+        given.check_alike(self._known, "places", "points")
         if shape is not None and shape != (given.count,):
             raise invalid(f"{given.count} places need as many radii, not {shape}", "radii")
         error = _library.new_error()

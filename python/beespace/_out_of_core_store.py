@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 
 from beespace import _library
 from beespace import _out_of_core_library as _c
-from beespace._calls import check, number_of, run_of, search_of, threads_of, whole
+from beespace._calls import check, run_of, search_of, threads_of, whole
 from beespace._columns import column
 from beespace._errors import invalid
-from beespace._fixes import numbers_of
-from beespace._frames import check_frames
+from beespace._fixes import numbers_of, unit_of_heights
+from beespace._frames import Known, check_upright
 from beespace._library import CRun, CSearch, library
 from beespace._points import Points
 from beespace._units import METRES
@@ -32,7 +32,7 @@ _phases = ("distributing", "searching")
 class Store:
     """The C search, its options, and what it refers to."""
 
-    __slots__ = ("_handle", "_kept", "_like", "_lock", "_memory", "_progress", "_threads", "_upright")
+    __slots__ = ("_handle", "_kept", "_known", "_lock", "_memory", "_progress", "_threads", "_unit", "_upright")
 
     def __init__(
         self,
@@ -44,7 +44,7 @@ class Store:
     ) -> None:
         self._handle = _c.COutOfCore()
         self._kept: list[object] = []
-        self._like = _Like()
+        self._known = Known()  # of all points
         self._lock = threading.Lock()
         self._memory = _bytes_of(memory)
         self._threads = threads_of(threads)
@@ -53,9 +53,10 @@ class Store:
         path: str = os.fspath(folder) if folder is not None else os.environ.get("TMPDIR") or "/var/tmp"
         if not os.path.isdir(path):
             raise invalid(f"there is no folder {path!r} for a temporary file", "folder")
-        unit = number_of(height_unit, "height_unit", METRES)
+        unit = unit_of_heights(height_unit, apart=True)
         if not 1e-6 <= unit <= 1e6:
             raise invalid("this is a length in metres, such as 0.3048 for feet", "height_unit")
+        self._unit = unit
         options = _c.COptions(
             ctypes.sizeof(_c.COptions), self._memory, os.fsencode(path), unit, self._progress.called
         )
@@ -69,8 +70,8 @@ class Store:
         return int(library.beespace_out_of_core_size(self._handle))
 
     def _take(self, function: Any, points: Any, heights: Any) -> object:
-        check_frames(points, self._like if len(self) else None, None)
         given = Points(points, "points")
+        given.check_alike(self._known, "points", "points before")
         each = None if heights is None else numbers_of(heights, given.count, "heights", METRES)
         error = _library.new_error()
         with self._alone():
@@ -82,14 +83,17 @@ class Store:
             )
         check(code, error)
         if given.count:
-            self._like.frame = getattr(points, "frame", None)
+            self._known.take(given)
             self._upright = each is not None
         return (given.keep, each)
 
     def _search_of(
         self, threshold: Any, vertical: Any, inclusive: bool, distances: bool
     ) -> CSearch:
-        check_frames(self._like, None, None if self._upright else vertical)
+        if not self._upright:
+            check_upright(self._known, vertical, "vertical")
+            if vertical is not None:
+                unit_of_heights(self._unit, apart=False)
         return search_of(threshold, vertical, inclusive, distances=distances)
 
     def _at_risk(self, threshold: Any, vertical: Any, inclusive: bool) -> list[NDArray[np.int64]]:
@@ -150,13 +154,6 @@ class Store:
     @staticmethod
     def _new_problem(stop: Any) -> Problem:
         return Problem(stop)
-
-
-class _Like:
-    """Stands for the points that came before, where frames are compared."""
-
-    def __init__(self) -> None:
-        self.frame: str | None = None
 
 
 class Problem:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from beespace._errors import invalid
+from beespace._frames import Described, Known, check_alike, frame_of
 from beespace._library import FLOAT32, FLOAT64, CPoints
 from beespace._units import METRES, NO_UNIT, SPEEDS, plain
 
@@ -23,12 +24,14 @@ _size = ctypes.sizeof(CPoints)
 class Points:
     """The C structure of points, and what must stay alive as long as it."""
 
-    __slots__ = ("count", "keep", "struct")
+    __slots__ = ("count", "frame", "keep", "struct")
 
     def __init__(self, points: Any, place: str, copy: bool = False) -> None:
+        self.frame: str | None = None
         if not copy and _is_readable(points):
             self._of_rows(points)
             return
+        self.frame = frame_of(points)
         axes = _axes_of(points, place)
         if axes is None:
             rows = _numbers(_array_of(points, place), place, copy)
@@ -49,14 +52,9 @@ class Points:
         """How many there are; None where there are no points, which then go with any."""
         return None if not self.count else 2 if self.struct.z is None else 3
 
-    def check_axes(self, axes: int | None, place: str, of: str) -> None:
-        """Refuses points that have another number of axes than those that they are compared with: heights
-        of 0 would be made up."""
-        if None not in (axes, self.axes) and axes != self.axes:
-            raise invalid(
-                f"these have {self.axes} axes, and the {of} {axes}: give all of them heights, or none",
-                place,
-            )
+    def check_alike(self, others: Described, place: str, of: str) -> None:
+        """Refuses points that cannot be compared with those others."""
+        check_alike(self, others, place, of)
 
     def rows(self) -> NDArray[np.float64]:
         """The same as an array of shape (n, 3)."""
@@ -103,9 +101,10 @@ class Points:
         self.struct = CPoints(_size, _types[axes[0].dtype], 0, self.count, *addresses, *strides)
 
 
-def position(point: Any, axes: int | None) -> ctypes.Array[ctypes.c_double]:
+def position(point: Any, others: Known) -> ctypes.Array[ctypes.c_double]:
     """One position of as many coordinates as others have axes; beside those in a plane z may be 0."""
-    place = "position"
+    place, axes = "point", others.axes
+    check_alike(Known(frame=frame_of(point)), others, place, "points")
     numbers = _numbers(_array_of(point, place), place, False)
     if numbers.shape not in ((2,), (3,)):
         raise invalid("a position has two or three coordinates", place)
@@ -194,7 +193,10 @@ def _hint(points: Any) -> str | None:
     if isinstance(points, (str, bytes, os.PathLike)):
         return "this is a text: points of a file are given by beespace.read"
     if hasattr(points, "times") and hasattr(points, "agents"):
-        return "this is a recording: choose fixes of one moment, as in r.positions[r.times == 10]"
+        return (
+            "this is a recording: all of it is for Recording.from_file; or choose fixes of one moment, "
+            "as in r.positions[r.times == 10]"
+        )
     if hasattr(points, "collect"):
         return "this is a query that is not answered yet: give its .collect()"
     if isinstance(points, Mapping) or getattr(getattr(points, "dtype", None), "names", None):

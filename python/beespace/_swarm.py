@@ -14,7 +14,8 @@ from beespace._calls import length, number_of, seconds, threads_of, whole
 from beespace._columns import Columns
 from beespace._errors import BeespaceError, invalid
 from beespace._events import Events, KnownAgents, SwarmCounts
-from beespace._fixes import Fixes, ids_of, integers_of, numbers_of, seconds_of
+from beespace._frames import Known, check_upright
+from beespace._fixes import Fixes, ids_of, integers_of, numbers_of, seconds_of, unit_of_heights
 from beespace._library import at_once, library
 from beespace._points import Points, PointsLike
 from beespace._turns import InTurn
@@ -76,7 +77,7 @@ class Swarm(InTurn):
     <beespace.Swarm: 0 agents and 2 stale ones, 4 reports so far>
     """
 
-    __slots__ = ("_axes", "_heights_apart", "_other_heights")
+    __slots__ = ("_heights_apart", "_known", "_other_heights", "_upright")
 
     def __init__(
         self,
@@ -97,11 +98,14 @@ class Swarm(InTurn):
         options.threads = threads_of(threads)
         # Heights in another unit, of which it is not known what it is called.
         self._heights_apart = heights_apart
-        self._other_heights = heights_apart and height_unit != 1
+        unit = unit_of_heights(height_unit, heights_apart)
+        self._other_heights = unit != 1.0
         options.threshold_m = length(threshold, "threshold")
         options.horizon_s = seconds(horizon, "horizon")
-        for name, value in (("leave_factor", leave_factor), ("height_unit", height_unit)):
-            setattr(options, _fields[name], _above_zero(number_of(value, name, _units[name]), name))
+        options.height_unit_m = unit
+        options.leave_factor = _above_zero(
+            number_of(leave_factor, "leave_factor", NO_UNIT), "leave_factor"
+        )
         options.max_age_s = _above_zero(seconds(max_age, "max_age"), "max_age")
         for name, number in (("max_agents", max_agents), ("max_pairs", max_pairs)):
             setattr(options, name, _above_zero(whole(number, name), name))
@@ -114,7 +118,8 @@ class Swarm(InTurn):
             options.flags |= _c.SWARM_MAX_SPEED
             options.max_speed_mps = number_of(max_speed, "max_speed", SPEEDS)
         self._take_turns(_c.CSwarm(), threaded=threads != 1)
-        self._axes: int | None = None  # of all reports
+        self._known = Known()  # of all reports
+        self._upright = vertical is not None and not heights_apart
         error = _library.new_error()
         code = library.beespace_swarm_create(
             ctypes.byref(options), ctypes.byref(self._handle), ctypes.byref(error)
@@ -174,7 +179,8 @@ class Swarm(InTurn):
         places = Points(positions, "positions")
         speeds = None if velocities is None else Points(velocities, "velocities")
         if speeds is not None:
-            speeds.check_axes(places.axes, "velocities", "positions")
+            speeds.check_alike(places, "velocities", "positions")
+        check_upright(places, self._upright, "vertical")
         when = np.asarray(plain(times, "times", SECONDS))
         when = np.broadcast_to(when, (places.count,)) if when.ndim == 0 else when
         fixes = Fixes(integers_of(ids, places.count), seconds_of(when, places.count))
@@ -191,7 +197,7 @@ class Swarm(InTurn):
         error = _library.new_error()
         refused = ctypes.c_int64()
         with self._lock:
-            places.check_axes(self._axes, "positions", "reports before")
+            places.check_alike(self._known, "positions", "reports before")
             code = library.beespace_swarm_update(
                 self._handle,
                 ctypes.byref(fixes.struct),
@@ -201,7 +207,7 @@ class Swarm(InTurn):
                 ctypes.byref(error),
             )
             if 0 <= refused.value < places.count:
-                self._axes = places.axes
+                self._known.take(places)
         if refused.value > 1:
             more = f"; {refused.value:,} of {places.count:,} reports were refused, the others count"
             error.message = (error.message.decode()[: 511 - len(more)] + more).encode()
@@ -260,7 +266,7 @@ class Swarm(InTurn):
         last = seconds(now, "now")
         with self._lock:
             events = self._events(library.beespace_swarm_finish, last)
-            self._axes = None
+            self._known.forget()
         return events
 
     def begin_anew(self, now: float, then: float) -> Events:
@@ -405,10 +411,6 @@ class Swarm(InTurn):
                 self._handle, agents.ctypes.data, len(agents), ctypes.byref(error)
             )
         _check(code, error)
-
-
-_fields = {"leave_factor": "leave_factor", "height_unit": "height_unit_m"}
-_units = {"leave_factor": NO_UNIT, "height_unit": METRES}
 
 
 def _above_zero(number: Any, name: str) -> Any:
