@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from beespace import _advice_library as _c
-from beespace import _library
+from beespace import _library, _ranges
 from beespace._advice_answers import Advice, advice_of
 from beespace._calls import check, length, number_of, run_of, whole
 from beespace._errors import invalid
@@ -19,6 +19,7 @@ from beespace._library import at_once, library
 from beespace._motion import movers_of, rows_of, spread
 from beespace._obstacles import Obstacles, check_frame_of_obstacles, handle_of_obstacles
 from beespace._points import Points, PointsLike
+from beespace._ranges import zero_or_more
 from beespace._turns import InTurn
 from beespace._units import ACCELERATIONS, METRES, NO_UNIT, SECONDS, SPEEDS
 
@@ -220,7 +221,7 @@ class Adviser(InTurn):
             (PLANAR if planar or flat else 0) | (_c.REMEMBER if remember else 0),
             0,
             length(threshold, "threshold"),
-            above_zero(step, "step", SECONDS),
+            time_above_zero(step, "step"),
         )
         if method not in _methods:
             raise invalid(f"there is no method {method!r}: {', '.join(_methods)}", "method")
@@ -228,9 +229,11 @@ class Adviser(InTurn):
         options.shape, options.vertical_factor, options.vertical_m = shape_of(
             vertical, vertical_factor
         )
-        options.uncertainty_m = number_of(uncertainty, "uncertainty", METRES)
-        options.clearance_m = 0.0 if clearance is None else above_zero(clearance, "clearance", METRES)
+        options.uncertainty_m = zero_or_more(
+            number_of(uncertainty, "uncertainty", METRES), "uncertainty"
+        )
         options.obstacles = handle_of_obstacles(obstacles)
+        check_fences(fence_directions, fence_offsets)
         read = ArrayReader(copy, places)
         options.fence_directions = read.points(fence_directions, "fence_directions")
         count = read.count
@@ -239,9 +242,9 @@ class Adviser(InTurn):
         count = read.count
         options.intruder_velocities = read.points(intruder_velocities, "intruder_velocities")
         options.intruder_margins_m = read.numbers(
-            intruder_margins, "intruder_margins", count, METRES
+            intruder_margins, "intruder_margins", count, METRES, zero_or_more
         )
-        options.intruder_horizon_s = above_zero(intruder_horizon, "intruder_horizon", SECONDS)
+        options.intruder_horizon_s = time_above_zero(intruder_horizon, "intruder_horizon")
         options.unknown_centers = read.points(unknown_centers, "unknown_centers")
         count = read.count
         options.unknown_radii_m = read.numbers(unknown_radii, "unknown_radii", count, METRES)
@@ -249,12 +252,13 @@ class Adviser(InTurn):
             unknown_growths, "unknown_growths", count, SPEEDS
         )
         options.unknown_agents = read.integers(unknown_agents, "unknown_agents", count)
-        options.unknown_horizon_s = above_zero(unknown_horizon, "unknown_horizon", SECONDS)
+        options.unknown_horizon_s = time_above_zero(unknown_horizon, "unknown_horizon")
         options.radii_m = read.numbers(radii, "radii", places.count, METRES)
         options.tubes_m = read.numbers(tubes, "tubes", places.count, METRES)
         options.claim_places = read.points(claim_places, "claim_places")
         options.claim_offsets = read.integers(claim_indptr, "claim_indptr", places.count + 1)
         options.holds = read.flags(holds, "holds", places.count)
+        options.clearance_m = clearance_of(clearance, obstacles, fence_directions)
         check_shape(read.known, vertical, vertical_factor, planar)
         check_frame_of_obstacles(obstacles, read.known)
         into = _new_advice()
@@ -329,14 +333,14 @@ def velocity_to_goal(
     ends = Points(rows_of(goals), "goals")
     ends.check_alike(places, "goals", "positions")
     count = spread([(places, "positions"), (ends, "goals")])
-    limits = Limits(max_speed, max_acceleration, count)
+    limits = Limits(max_speed, max_acceleration, count, each=True)
     velocities = np.empty((count, 3))
     error = _library.new_error()
     code = library.beespace_velocity_to_goal(
         ctypes.byref(places.struct),
         ctypes.byref(ends.struct),
         ctypes.byref(limits.struct),
-        above_zero(step, "step", SECONDS),
+        time_above_zero(step, "step"),
         address_of(velocities),
         ctypes.byref(error),
     )
@@ -349,8 +353,17 @@ class Limits:
 
     __slots__ = ("keep", "struct")
 
-    def __init__(self, max_speed: ArrayLike, max_acceleration: ArrayLike | None, count: int) -> None:
+    def __init__(
+        self,
+        max_speed: ArrayLike,
+        max_acceleration: ArrayLike | None,
+        count: int,
+        each: bool = False,
+    ) -> None:
+        """`each`: whether one agent whose limits cannot be is an error of the call."""
         speeds = _for_each(max_speed, "max_speed", count, SPEEDS)
+        if each or speeds.ndim == 0:
+            _ranges.check_each(speeds, "max_speed", zero_or_more)
         self.struct = _c.CLimits(ctypes.sizeof(_c.CLimits))
         self.struct.max_speeds_mps, self.struct.max_speeds_stride = _address(speeds)
         self.keep: object = speeds
@@ -358,6 +371,8 @@ class Limits:
             accelerations = _for_each(
                 max_acceleration, "max_acceleration", count, ACCELERATIONS
             )
+            if each or accelerations.ndim == 0:
+                _ranges.check_each(accelerations, "max_acceleration", _ranges.above_zero, True)
             self.struct.max_accelerations_mps2, self.struct.max_accelerations_stride = _address(
                 accelerations
             )
@@ -384,10 +399,30 @@ def check_shape(given: Described, vertical: Any, vertical_factor: Any, planar: b
 
 def above_zero(number: Any, place: str, units: tuple[str, ...]) -> float:
     """A number that must not be zero, which stands for a default in C."""
-    value = number_of(number, place, units)
-    if value == 0.0:
-        raise invalid("this is above zero, not 0", place)
-    return value
+    return _ranges.above_zero(number_of(number, place, units), place)
+
+
+def time_above_zero(number: Any, place: str) -> float:
+    return _ranges.time_above_zero(number_of(number, place, SECONDS), place)
+
+
+def check_fences(directions: Any, offsets: Any) -> None:
+    """Refuses one without the other."""
+    if (directions is None) != (offsets is None):
+        missing = "fence_directions" if directions is None else "fence_offsets"
+        raise invalid("a fence has a direction and an offset: give both", missing)
+
+
+def clearance_of(clearance: Any, obstacles: Any, fences: Any) -> float:
+    """How far to stay from obstacles and fences; 0 stands for none where there are neither."""
+    if clearance is not None:
+        return above_zero(clearance, "clearance", METRES)
+    for what, given in (("obstacles", obstacles), ("fences", fences)):
+        if given is not None:
+            raise invalid(
+                f"there are {what}: say in metres how close to them is too close", "clearance"
+            )
+    return 0.0
 
 
 class ArrayReader:
@@ -414,9 +449,14 @@ class ArrayReader:
         return ctypes.pointer(points.struct)
 
     def numbers(
-        self, given: Any, place: str, count: int, units: tuple[str, ...]
+        self, given: Any, place: str, count: int, units: tuple[str, ...], check: Any = None
     ) -> int | None:
-        return None if given is None else self._kept_at(numbers_of(given, count, place, units))
+        if given is None:
+            return None
+        numbers = numbers_of(given, count, place, units)
+        if check is not None:
+            _ranges.check_each(numbers, place, check)
+        return self._kept_at(numbers)
 
     def integers(self, given: Any, place: str, count: int) -> int | None:
         return None if given is None else self._kept_at(integers_of(given, count, place))

@@ -18,6 +18,7 @@ from beespace._frames import Described, Known
 from beespace._library import at_once, library
 from beespace._obstacles import check_frame_of_obstacles, handle_of_obstacles
 from beespace._points import Points
+from beespace._ranges import above_zero, zero_or_more
 from beespace._turns import InTurn
 from beespace._units import ACCELERATIONS, METRES, SPEEDS
 from beespace._verdict import Breaches, ClearanceLosses, Losses, Verdict
@@ -45,19 +46,25 @@ class Check(InTurn):
         options.threshold_m = length(threshold, "threshold")
         if max_speed is not None:
             options.flags |= _c.MAX_SPEED
-            options.max_speed_mps = number_of(max_speed, "max_speed", SPEEDS)
+            options.max_speed_mps = zero_or_more(
+                number_of(max_speed, "max_speed", SPEEDS), "max_speed", endless=True
+            )
         if max_acceleration is not None:
             options.flags |= _c.MAX_ACCELERATION
-            options.max_acceleration_mps2 = number_of(
-                max_acceleration, "max_acceleration", ACCELERATIONS
+            options.max_acceleration_mps2 = zero_or_more(
+                number_of(max_acceleration, "max_acceleration", ACCELERATIONS),
+                "max_acceleration",
+                endless=True,
             )
         if straight:
             options.flags |= _c.STRAIGHT
         if straight and max_acceleration is not None:
             raise invalid("of straight lines, without velocities, no acceleration is known", "max_acceleration")
         options.obstacles = handle_of_obstacles(obstacles)
+        if (clearance is None) != (obstacles is None):
+            raise invalid("a clearance goes with obstacles: give both, or none", "clearance")
         if clearance is not None:
-            options.clearance_m = number_of(clearance, "clearance", METRES)
+            options.clearance_m = above_zero(number_of(clearance, "clearance", METRES), "clearance")
         self._threads = threads
         self._straight = straight
         self._known = Known()  # of all moments

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Generator
+from collections.abc import Generator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
@@ -12,7 +12,15 @@ from numpy.typing import NDArray
 
 from beespace import _fleet_library as _c
 from beespace import _library
-from beespace._advice import PLANAR, ArrayReader, above_zero, shape_of
+from beespace._advice import (
+    PLANAR,
+    ArrayReader,
+    above_zero,
+    check_fences,
+    clearance_of,
+    shape_of,
+    time_above_zero,
+)
 from beespace._calls import length, number_of, threads_of
 from beespace._errors import invalid
 from beespace._frames import Known
@@ -21,8 +29,9 @@ from beespace._guidance import JoinAnswer
 from beespace._library import at_once
 from beespace._messages import three
 from beespace._obstacles import handle_of_obstacles
+from beespace._ranges import zero_or_more
 from beespace._turns import InTurn
-from beespace._units import ACCELERATIONS, METRES, SECONDS, SPEEDS
+from beespace._units import ACCELERATIONS, METRES, SPEEDS
 
 
 class GuideCalls(InTurn):
@@ -59,16 +68,15 @@ class GuideCalls(InTurn):
         options.figures = ctypes.pointer(c_figures(figures))
         options.link = ctypes.pointer(c_link(link))
         options.max_speed_mps, options.max_acceleration_mps2 = self._limits
-        options.clearance_m = (
-            0.0 if clearance is None else above_zero(clearance, "clearance", METRES)
-        )
         options.obstacles = handle_of_obstacles(obstacles)
+        check_fences(*fences)
         read = ArrayReader(False, Known(axes=3))
         options.fence_directions = read.points(fences[0], "fence_directions")
         options.fence_offsets_m = read.numbers(
             fences[1], "fence_offsets", read.count, METRES
         )
-        options.intruder_horizon_s = above_zero(intruder_horizon, "intruder_horizon", SECONDS)
+        options.clearance_m = clearance_of(clearance, obstacles, fences[0])
+        options.intruder_horizon_s = time_above_zero(intruder_horizon, "intruder_horizon")
         self._take_turns(_c.CGuide(), threaded=threads != 1)
         self._shows = False
         self._known = Known(axes=3)  # of intruders
@@ -92,13 +100,15 @@ class GuideCalls(InTurn):
         request = _c.CJoinRequest(ctypes.sizeof(_c.CJoinRequest))
         request.agent = integer(agent, "agent")
         request.position = three(position, "position")
-        request.radius_m = number_of(radius, "radius", METRES)
+        request.radius_m = zero_or_more(number_of(radius, "radius", METRES), "radius")
         if figures is not None:
             request.figures = ctypes.pointer(c_figures(figures))
         if max_speed is not None or max_acceleration is not None:
             speed, acceleration = self._limits
             request.max_speed_mps = (
-                speed if max_speed is None else number_of(max_speed, "max_speed", SPEEDS)
+                speed
+                if max_speed is None
+                else zero_or_more(number_of(max_speed, "max_speed", SPEEDS), "max_speed")
             )
             request.max_acceleration_mps2 = (
                 acceleration
@@ -145,8 +155,10 @@ class GuideCalls(InTurn):
         finally:
             self._shows = False
 
-    def _tell(self, function: Any, *arguments: Any) -> None:
+    def _tell(
+        self, function: Any, *arguments: Any, places: Mapping[str, str] | None = None
+    ) -> None:
         error = _library.new_error()
         with self._lock:
             code = function(self._handle, *arguments, ctypes.byref(error))
-        check_fleet(code, error)
+        check_fleet(code, error, places)

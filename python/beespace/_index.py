@@ -10,14 +10,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from beespace import _library
 from beespace._answers import Nearest, Neighbors
-from beespace._asking import nearest_of
+from beespace._asking import nearest_of, neighbours_of
 from beespace._calls import check, run_of, search_of, whole
 from beespace._columns import Result
-from beespace._errors import invalid
+from beespace._fixes import numbers_of
 from beespace._frames import Known, frame_of
 from beespace._library import library
 from beespace._points import Points, PointsLike, position
-from beespace._units import METRES, plain
+from beespace._units import METRES
 
 
 class Index:
@@ -87,7 +87,7 @@ class Index:
         code = library.beespace_index_position(
             self._handle, whole(id, "id"), coordinates, ctypes.byref(error)
         )
-        check(code, error)
+        check(code, error, {"": "id"})
         return np.array(coordinates)
 
     def around(
@@ -133,24 +133,20 @@ class Index:
         >>> [ids.tolist() for ids in index.around([[3, 3], [50, 50]], 4)]
         [[1], []]
         """
-        if np.ndim(radius) == 0:
-            search = search_of(radius, None, inclusive, max_results)
-            _, result = self._ask(
-                library.beespace_index_around, places, (ctypes.byref(search),), threads
+        given = self._places_of(places)
+        if _is_one(radius):
+            search = search_of(radius, None, inclusive, max_results, place="radius")
+            result = self._ask(
+                library.beespace_index_around, given, (ctypes.byref(search),), threads
             )
         else:
             search = search_of(0.0, None, inclusive, max_results)
-            given = plain(radius, "radii", METRES)
-            try:
-                radii = np.ascontiguousarray(given, np.float64)
-            except (TypeError, ValueError, OverflowError) as error:
-                raise invalid(f"these are no numbers: {error}", "radii") from error
-            _, result = self._ask(
+            radii = numbers_of(radius, given.count, "radius", METRES)
+            result = self._ask(
                 library.beespace_index_around_each,
-                places,
+                given,
                 (_address_of(radii), ctypes.byref(search)),
                 threads,
-                radii.shape,
             )
         ids = result.ids()
         # Ids of removed points are not used again, so there may be higher ones than points.
@@ -185,8 +181,9 @@ class Index:
         >>> index.nearest([[3, 3]], k=4).ids
         array([[ 1,  0,  2, -1]])
         """
-        number = whole(k, "k")
-        given, result = self._ask(library.beespace_index_nearest, places, (number,), threads)
+        number = neighbours_of(k)
+        given = self._places_of(places)
+        result = self._ask(library.beespace_index_nearest, given, (number,), threads)
         return nearest_of(result, given.count, number)
 
     def insert(self, point: ArrayLike) -> int:
@@ -220,7 +217,7 @@ class Index:
         code = library.beespace_index_insert(
             self._handle, where, ctypes.byref(id), ctypes.byref(error)
         )
-        check(code, error)
+        check(code, error, {"": "point"})
         self._known.take(Known(np.size(point), frame_of(point)))
         return id.value
 
@@ -251,7 +248,8 @@ class Index:
         code = library.beespace_index_move(
             self._handle, whole(id, "id"), position(point, self._known), ctypes.byref(error)
         )
-        check(code, error)
+        of_point = library.beespace_code_name(error.code) in (b"not_finite", b"outside_domain")
+        check(code, error, {"": "point" if of_point else "id"})
 
     def remove(self, id: int) -> None:
         """Removes a point; its id is not used again.
@@ -277,22 +275,17 @@ class Index:
         2
         """
         error = _library.new_error()
-        check(
-            library.beespace_index_remove(self._handle, whole(id, "id"), ctypes.byref(error)), error
-        )
+        code = library.beespace_index_remove(self._handle, whole(id, "id"), ctypes.byref(error))
+        check(code, error, {"": "id"})
 
-    def _ask(
-        self,
-        function: Any,
-        places: Any,
-        arguments: tuple[Any, ...],
-        threads: int,
-        shape: tuple[int, ...] | None = None,
-    ) -> tuple[Points, Result]:
+    def _places_of(self, places: Any) -> Points:
         given = Points(places, "places")
         given.check_alike(self._known, "places", "points")
-        if shape is not None and shape != (given.count,):
-            raise invalid(f"{given.count} places need as many radii, not {shape}", "radii")
+        return given
+
+    def _ask(
+        self, function: Any, given: Points, arguments: tuple[Any, ...], threads: int
+    ) -> Result:
         error = _library.new_error()
         result = Result()
         run = run_of(threads, given.count)
@@ -304,8 +297,15 @@ class Index:
             result.handle,
             ctypes.byref(error),
         )
-        check(code, error)
-        return given, result
+        check(code, error, {"radii": "radius", "threshold": "radius"})
+        return result
+
+
+def _is_one(radius: Any) -> bool:
+    try:
+        return np.ndim(radius) == 0
+    except ValueError:  # a list of lists of several lengths
+        return False
 
 
 def _address_of(numbers: NDArray[np.float64]) -> Any:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ctypes
 import os
+from collections.abc import Mapping
 from ctypes import POINTER, c_char, c_char_p, c_double, c_int, c_int32, c_int64, c_uint32, c_uint64
 from ctypes import c_size_t, c_ssize_t, c_void_p
 from pathlib import Path
@@ -243,22 +244,31 @@ def new_error() -> CError:
     return CError(ctypes.sizeof(CError))
 
 
-def raise_error(error: CError) -> None:
+def raise_error(error: CError, places: Mapping[str, str] | None = None) -> None:
     """Raises what the library said is wrong."""
     if error.code == OUT_OF_MEMORY:
         raise MemoryError(error.message.decode())
-    raise error_of(error)
+    raise error_of(error, places=places)
 
 
 # Arguments that are called otherwise here.
-_places = {b"claim_offsets": "claim_indptr", b"after_s": "after"}
+_places = {"claim_offsets": "claim_indptr", "after_s": "after", "recording": ""}
 
 
-def error_of(error: CError, of_agent: bool = False) -> BeespaceError:
+def error_of(
+    error: CError, of_agent: bool = False, places: Mapping[str, str] | None = None
+) -> BeespaceError:
     """What the library said is wrong, as an exception; of an agent, any record is its number."""
     code = library.beespace_code_name(error.code).decode()
-    place = _places.get(error.place) or error.place.decode() or None
-    if code == "invalid_threshold" and place in (None, "options"):
-        place = "vertical" if error.message.startswith(b"the vertical") else "threshold"
+    said: str = error.place.decode()
+    if code == "invalid_threshold" and said in ("", "options"):
+        said = "vertical" if error.message.startswith(b"the vertical") else "threshold"
+    elif code == "too_many_results" and not said:
+        said = "max_results"
+    called = {**_places, **(places or {})}
+    place = called.get(said, said) or None
     record = None if error.record < 0 and not of_agent else int(error.record)
-    return BeespaceError(error.message.decode(), code, place, record)
+    message: str = error.message.decode()
+    if " NULL" in message:
+        message = "these are not given, and go with the others"
+    return BeespaceError(message, code, place, record)

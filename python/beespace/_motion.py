@@ -158,7 +158,7 @@ class Predictions(Asking):
                 ctypes.byref(error),
             ),
         )
-        check(code, error)
+        check(code, error, {"": "within"})
         return result, places.count
 
 
@@ -215,7 +215,9 @@ def closest_approach(
     if threshold is not None:
         search = search_of(threshold, vertical, inclusive)
     elif vertical is not None or inclusive:
-        raise invalid("vertical and inclusive need a threshold")
+        raise invalid(
+            "this needs a threshold", "vertical" if vertical is not None else "inclusive"
+        )
     given = [
         *movers_of(rows_of(positions), rows_of(velocities), "positions", "velocities", copy, True),
         *movers_of(
@@ -243,7 +245,7 @@ def closest_approach(
         result.handle,
         ctypes.byref(error),
     )
-    check(code, error)
+    check(code, error, {"": "within"})
     return Approaches(
         result.closest_times(),
         result.distances(),

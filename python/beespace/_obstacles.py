@@ -15,6 +15,7 @@ from beespace._calls import number_of
 from beespace._errors import BeespaceError, invalid
 from beespace._frames import DEGREES, Described
 from beespace._library import library
+from beespace._reals import check_numbers
 from beespace._tables import plural
 from beespace._units import METRES, plain
 
@@ -269,9 +270,9 @@ def _fill_fields(struct: _c.CObstacle, obstacle: Any) -> NDArray[np.float64] | N
 
 
 def _numbers(given: ArrayLike, place: str) -> NDArray[np.float64]:
-    numbers = np.asarray(plain(given, place, METRES))
-    if numbers.dtype.kind not in "iuf":
-        raise invalid(f"coordinates are floats or integers, not {numbers.dtype}")
+    bare = plain(given, place, METRES)
+    numbers = np.asarray(bare)
+    check_numbers(bare, numbers, place)
     return numbers.astype(np.float64)
 
 

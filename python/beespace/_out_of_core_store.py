@@ -64,7 +64,8 @@ class Store:
         code = library.beespace_out_of_core_create(
             ctypes.byref(options), ctypes.byref(self._handle), ctypes.byref(error)
         )
-        check(code, error)
+        error.message = error.message.replace(b"memory_bytes", b"this")
+        check(code, error, {"options": "memory"})
 
     def __len__(self) -> int:
         return int(library.beespace_out_of_core_size(self._handle))
@@ -81,7 +82,7 @@ class Store:
                 None if each is None else each.ctypes.data,
                 ctypes.byref(error),
             )
-        check(code, error)
+        check(code, error, {"": "heights"})
         if given.count:
             self._known.take(given)
             self._upright = each is not None

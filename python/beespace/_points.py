@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from beespace._errors import invalid
 from beespace._frames import Described, Known, check_alike, frame_of
 from beespace._library import FLOAT32, FLOAT64, CPoints
+from beespace._reals import check_integers, check_list
 from beespace._units import METRES, NO_UNIT, SPEEDS, plain
 
 PointsLike = ArrayLike  # or a tuple of arrays, a data frame, anything that DLPack knows
@@ -185,6 +186,7 @@ def _array_of(points: Any, place: str) -> NDArray[Any]:
         raise invalid(f"this is no array of numbers: {error}", place) from error
     if array.dtype.kind not in "fiu" and (hint := _hint(points)):
         raise invalid(hint, place)
+    check_list(points, array, place)
     return array
 
 
@@ -220,8 +222,6 @@ def _numbers(array: NDArray[Any], place: str, copy: bool) -> NDArray[Any]:
         # Halves, and foreign bytes.
         return array.astype(np.float32 if array.dtype.itemsize <= 4 else np.float64)
     if kind in "iu":
-        doubles = array.astype(np.float64)
-        if array.dtype.itemsize == 8 and bool((np.abs(doubles) >= 2.0**53).any()):
-            raise invalid("not all integers beyond 2**53 are doubles: convert them first", place)
-        return doubles
+        check_integers(array, place)
+        return array.astype(np.float64)
     raise invalid(f"coordinates are floats or integers, not {array.dtype}", place)

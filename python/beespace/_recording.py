@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from beespace import _library
-from beespace._calls import check, run_of, search_of, seconds
+from beespace._calls import check, run_of, search_of
 from beespace._checks import Check, gap_of
 from beespace._columns import Result
 from beespace._conflicts import Encounter, Gaps, RecordedConflicts
-from beespace._errors import BeespaceError, invalid
+from beespace._errors import invalid
 from beespace._files import FileRecording
 from beespace._fixes import Fixes, agents_of, numbers_of, seconds_of, unit_of_heights
 from beespace._frame_columns import column_of
@@ -354,7 +354,7 @@ class Recording:
         code = function(
             self._handle,
             *search,
-            np.inf if max_gap is None else seconds(max_gap, "max_gap"),
+            gap_of(max_gap),
             None if run is None else ctypes.byref(run),
             result.handle,
             ctypes.byref(error),

@@ -11,15 +11,13 @@ from numpy.typing import NDArray
 
 from beespace import _library
 from beespace._answers import ClosestPair, Groups, Nearest, Neighbors, Pairs
-from beespace._asking import nearest_of, refuse_self, sets_of
+from beespace._asking import nearest_of, neighbours_of, refuse_self, sets_of
 from beespace._calls import search_of, whole
 from beespace._errors import invalid
 from beespace._library import library
 from beespace._motion import Predictions
 from beespace._points import PointsLike
 from beespace._visits import Visit
-
-_MOST_POINTS = 2**32
 
 
 class Searches(Predictions):
@@ -393,19 +391,23 @@ class Searches(Predictions):
         array([ 5.,  5., inf])
         """
         first, second = sets_of(points, others, copy, vertical)
-        number = whole(k, "k")
-        if number > _MOST_POINTS:
-            raise invalid(f"there are never more than {_MOST_POINTS:,} points, and this is {number:,}", "k")
+        number = neighbours_of(k)
         if within is not None:
             if number != 1:
                 raise invalid("within a threshold, one neighbour of each point is found", "k")
-            search = search_of(within, vertical, inclusive)
+            search = search_of(within, vertical, inclusive, place="within")
             result = self._ask(
-                library.beespace_nearest_within, first, second, (ctypes.byref(search),), threads
+                library.beespace_nearest_within,
+                first,
+                second,
+                (ctypes.byref(search),),
+                threads,
+                places={"threshold": "within"},
             )
             return Nearest(result.ids()[:, np.newaxis], result.distances()[:, np.newaxis])
         if vertical is not None or inclusive:
-            raise invalid("vertical and inclusive need a threshold, `within`")
+            place = "vertical" if vertical is not None else "inclusive"
+            raise invalid("this needs a threshold, `within`", place)
         result = self._ask(library.beespace_nearest, first, second, (number,), threads)
         return nearest_of(result, first.count, number)
 

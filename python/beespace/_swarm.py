@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ctypes
+import math
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -18,6 +20,7 @@ from beespace._frames import Known, check_upright
 from beespace._fixes import Fixes, ids_of, integers_of, numbers_of, seconds_of, unit_of_heights
 from beespace._library import at_once, library
 from beespace._points import Points, PointsLike
+from beespace._ranges import above_zero, moment, zero_or_more
 from beespace._turns import InTurn
 from beespace._units import METRES, NO_UNIT, SECONDS, SPEEDS, plain
 
@@ -101,22 +104,26 @@ class Swarm(InTurn):
         unit = unit_of_heights(height_unit, heights_apart)
         self._other_heights = unit != 1.0
         options.threshold_m = length(threshold, "threshold")
-        options.horizon_s = seconds(horizon, "horizon")
+        options.horizon_s = zero_or_more(seconds(horizon, "horizon"), "horizon")
         options.height_unit_m = unit
-        options.leave_factor = _above_zero(
-            number_of(leave_factor, "leave_factor", NO_UNIT), "leave_factor"
-        )
-        options.max_age_s = _above_zero(seconds(max_age, "max_age"), "max_age")
+        options.leave_factor = number_of(leave_factor, "leave_factor", NO_UNIT)
+        if not 1.0 <= options.leave_factor < math.inf:
+            raise invalid("this is a finite number, 1 or more", "leave_factor")
+        options.max_age_s = above_zero(seconds(max_age, "max_age"), "max_age")
         for name, number in (("max_agents", max_agents), ("max_pairs", max_pairs)):
             setattr(options, name, _above_zero(whole(number, name), name))
         if vertical is not None:
             options.flags |= _c.SWARM_VERTICAL
             options.vertical_m = length(vertical, "vertical", None if self._other_heights else METRES)
+        elif heights_apart:
+            raise invalid("give this: with heights apart, they are compared with it", "vertical")
         if heights_apart:
             options.flags |= _c.SWARM_HEIGHTS_APART
         if max_speed is not None:
             options.flags |= _c.SWARM_MAX_SPEED
-            options.max_speed_mps = number_of(max_speed, "max_speed", SPEEDS)
+            options.max_speed_mps = zero_or_more(
+                number_of(max_speed, "max_speed", SPEEDS), "max_speed"
+            )
         self._take_turns(_c.CSwarm(), threaded=threads != 1)
         self._known = Known()  # of all reports
         self._upright = vertical is not None and not heights_apart
@@ -181,8 +188,9 @@ class Swarm(InTurn):
         if speeds is not None:
             speeds.check_alike(places, "velocities", "positions")
         check_upright(places, self._upright, "vertical")
-        when = np.asarray(plain(times, "times", SECONDS))
-        when = np.broadcast_to(when, (places.count,)) if when.ndim == 0 else when
+        when: Any = times
+        if np.ndim(plain(times, "times", SECONDS)) == 0:
+            when = np.broadcast_to(np.float64(seconds(times, "times")), (places.count,))
         fixes = Fixes(integers_of(ids, places.count), seconds_of(when, places.count))
         if heights is not None and not self._heights_apart:
             raise invalid("make the swarm with heights_apart=True, or give these as z", "heights")
@@ -193,7 +201,9 @@ class Swarm(InTurn):
                 None if climbs is None else numbers_of(climbs, places.count, "climbs", of_climbs),
             )
         elif climbs is not None:
-            raise BeespaceError("there are climb rates without heights", "invalid_argument", "climbs")
+            raise invalid("there are climb rates without heights", "climbs")
+        elif self._heights_apart:
+            raise invalid("give these: the swarm has heights apart from positions", "heights")
         error = _library.new_error()
         refused = ctypes.c_int64()
         with self._lock:
@@ -237,7 +247,7 @@ class Swarm(InTurn):
         >>> swarm.advance(2).time
         array([1.75])
         """
-        return self._events(library.beespace_swarm_advance, seconds(now, "now"))
+        return self._events(library.beespace_swarm_advance, moment(seconds(now, "now"), "now"))
 
     def finish(self, now: float) -> Events:
         """The last `advance`: nothing more will be heard.
@@ -263,7 +273,7 @@ class Swarm(InTurn):
         >>> swarm.finish(1)
         <Events: 2 events: 1 entered, 1 ended>
         """
-        last = seconds(now, "now")
+        last = moment(seconds(now, "now"), "now")
         with self._lock:
             events = self._events(library.beespace_swarm_finish, last)
             self._known.forget()
@@ -295,7 +305,9 @@ class Swarm(InTurn):
         (2, 0)
         """
         return self._events(
-            library.beespace_swarm_begin_anew, seconds(now, "now"), seconds(then, "then")
+            library.beespace_swarm_begin_anew,
+            moment(seconds(now, "now"), "now"),
+            moment(seconds(then, "then"), "then"),
         )
 
     def remove(self, ids: ArrayLike) -> None:
@@ -361,12 +373,12 @@ class Swarm(InTurn):
         >>> swarm.movers(3).position
         array([[3., 0., 0.]])
         """
-        moment = seconds(time, "time")
+        when = seconds(time, "time")
         columns = Columns(at_once.beespace_movers_create)
         error = _library.new_error()
         with self._lock:
             code = library.beespace_swarm_movers(
-                self._handle, moment, columns.handle, ctypes.byref(error)
+                self._handle, when, columns.handle, ctypes.byref(error)
             )
         _check(code, error)
         return KnownAgents(columns)
@@ -399,7 +411,7 @@ class Swarm(InTurn):
         error = _library.new_error()
         with self._lock:
             code = function(self._handle, *times, columns.handle, ctypes.byref(error))
-        _check(code, error)
+        _check(code, error, {"": "now"})
         return Events(columns)
 
     def _change(self, function: Any, ids: Any) -> None:
@@ -420,9 +432,6 @@ def _above_zero(number: Any, name: str) -> Any:
     return number
 
 
-def _check(code: int, error: _library.CError) -> None:
-    if code == _library.OK:
-        return
-    if error.place == b"agents":
-        error.place = b"ids"
-    _library.raise_error(error)
+def _check(code: int, error: _library.CError, places: Mapping[str, str] | None = None) -> None:
+    if code != _library.OK:
+        _library.raise_error(error, {"agents": "ids", **(places or {})})

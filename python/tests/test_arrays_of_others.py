@@ -235,7 +235,7 @@ def test_what_is_in_another_unit_is_refused():
         (lambda: beespace.predict(cube, Pint(speeds, "knot"), 1, within=1), "velocities"),
         (lambda: beespace.predict(cube, Pint(speeds, "meter"), 1, within=1), "velocities"),
         (lambda: beespace.Recording([1, 1], Pint(np.arange(2.0), "minute"), cube[:2]), "times"),
-        (lambda: beespace.Index(cube).around(cube[:2], Pint(np.ones(2), "foot")), "radii"),
+        (lambda: beespace.Index(cube).around(cube[:2], Pint(np.ones(2), "foot")), "radius"),
         (lambda: beespace.Index(cube).insert(cube[0].view(Astropy)), "point"),
         (lambda: beespace.to_ecef(Pint(np.ones(2), "radian"), np.ones(2), 0), "lon"),
         (lambda: beespace.to_ecef([1, 1], [1, 1], Pint(np.ones(2), "foot")), "height"),

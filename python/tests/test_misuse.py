@@ -118,7 +118,7 @@ def test_masks_are_never_dropped():
         (lambda: beespace.Recording(masked.astype(int), [0, 1], points[:2]), "ids"),
         (lambda: beespace.to_ecef(masked, [0, 0], 0), "lon"),
         (lambda: beespace.to_ecef([0, 0], [0, 0], masked), "height"),
-        (lambda: beespace.Index(points).around(points[:2], masked), "radii"),
+        (lambda: beespace.Index(points).around(points[:2], masked), "radius"),
         (lambda: beespace.at_risk((masked, masked), 1), "points"),
     ]:
         with pytest.raises(beespace.BeespaceError, match="masked") as caught:

@@ -238,8 +238,8 @@ def test_rows_that_cannot_be_are_named():
         (lambda: make(ids, dates, positions), "invalid_argument", "times", None),
         (lambda: make(ids, np.array([1, 1, 2, 2]) * 2**60, positions), "invalid_argument", "times", None),
         (lambda: make(ids, times, positions).conflicts(0), "invalid_threshold", "threshold", None),
-        (lambda: make(ids, times, positions).conflicts(1, max_gap=0), "invalid_argument", None, None),
-        (lambda: make(ids, times, positions).conflicts(99, max_results=0), "too_many_results", None, None),
+        (lambda: make(ids, times, positions).conflicts(1, max_gap=0), "invalid_argument", "max_gap", None),
+        (lambda: make(ids, times, positions).conflicts(99, max_results=0), "too_many_results", "max_results", None),
         (lambda: make(ids, times, positions).closest(max_gap="no"), "invalid_argument", "max_gap", None),
     ]:  # fmt: skip
         with pytest.raises(beespace.BeespaceError) as caught:
