@@ -76,6 +76,9 @@ class Check(InTurn):
         )
         check(code, error)
 
+    def _called(self) -> str:
+        return "Verifier"
+
     def add(self, time: Any, places: Points, speeds: Points | None) -> None:
         """Takes where all agents are at a time."""
         moment = seconds(time, "time")

@@ -73,6 +73,10 @@ class Index:
         count = len(self)
         return f"<beespace.Index: {count:,} point{'' if count == 1 else 's'}>"
 
+    def __reduce__(self) -> Any:
+        """Refused: a copy would be another name for the same points."""
+        return _library.refuse_to_copy(self)
+
     def __getitem__(self, id: int) -> NDArray[np.float64]:
         """The position of a point, as three coordinates.
 
@@ -177,7 +181,7 @@ class Index:
         >>> import beespace
         >>> index = beespace.Index([[0, 0], [3, 4], [6, 9]])
         >>> index.nearest([[3, 3]], k=4)
-        <Nearest: 4 of 1 point, 1 to 6.7082 m away>
+        <Nearest: the 4 nearest of 1 point, 3 found, 1 to 6.7082 m away>
         >>> index.nearest([[3, 3]], k=4).ids
         array([[ 1,  0,  2, -1]])
         """

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from ctypes import POINTER, c_char, c_char_p, c_double, c_int, c_int32, c_int64, c_uint32, c_uint64
 from ctypes import c_size_t, c_ssize_t, c_void_p
 from pathlib import Path
+from typing import Any
 
 from beespace._errors import BeespaceError
 
@@ -128,7 +129,8 @@ def _method_of_c(function: object) -> object:
     return bind(function)
 
 
-def _refuse_to_copy(self: object) -> object:
+def refuse_to_copy(self: object) -> Any:
+    """What `__reduce__` of a handle does, and of what changes."""
     # ctypes would copy the address, and what is there would be freed twice.
     raise TypeError(
         "what the library of beespace keeps can be neither copied nor pickled: pickle what it was made "
@@ -141,7 +143,7 @@ def handle_of(of: ctypes.CDLL, name: str) -> type[c_void_p]:
     free = of[f"beespace_{name}_free"]
     free.restype = None
     free.argtypes = [c_void_p]
-    members = {"__del__": _method_of_c(free), "__reduce__": _refuse_to_copy}
+    members = {"__del__": _method_of_c(free), "__reduce__": refuse_to_copy}
     return type(f"C{name.title()}", (c_void_p,), members)
 
 

@@ -13,16 +13,17 @@ from beespace._units import is_date, plain
 # All integers up to here are doubles.
 _MOST = 2.0**53
 
+_PLAIN = {float, int}
 _OTHERS = (str, bytes, bool, complex, np.complexfloating)
 _LISTS: Any = (list, tuple)
+_INTEGERS: Any = (int, np.integer)
 
 
 def real_of(
     number: Any, place: str, units: tuple[str, ...] | None, code: str = "invalid_argument"
 ) -> float | None:
     """As a double, where it is a number: a text may have a unit, and so has a length of time."""
-    kind: type = type(number)
-    if kind is float or (kind is int and -(2**53) <= number <= 2**53):
+    if type(number) in _PLAIN and -_MOST <= number <= _MOST:
         return float(number)
     number = plain(number, place, units)
     if is_date(number) or getattr(number, "ndim", 0):
@@ -30,13 +31,14 @@ def real_of(
     number = _bare(number)
     if isinstance(number, _OTHERS):
         return None
+    value, exact = 0.0, False
     try:
         value = float(number)
         exact = bool(value == number or value != value)
     except (TypeError, ValueError):
         return None
     except OverflowError:
-        exact = False
+        pass
     if not exact:
         raise BeespaceError(
             f"{_told(number)} is not a double, to which it would be rounded: give float(...) of it, if "
@@ -81,8 +83,8 @@ def check_list(given: Any, numbers: NDArray[Any], place: str) -> None:
         return
     if not bool((np.abs(numbers) >= _MOST).any()):
         return
-    for each in np.asarray(given, object).flat:
-        if isinstance(each, (int, np.integer)) and abs(int(each)) >= 2**53:
+    for each in np.asarray(given, object).ravel().tolist():
+        if isinstance(each, _INTEGERS) and abs(int(each)) >= _MOST:
             raise invalid("not all integers beyond 2**53 are doubles: convert them first", place)
 
 

@@ -131,11 +131,11 @@ class Recording:
         height: str | None = None,
         height_unit: float = 1.0,
     ) -> Recording:
-        """A recording of the rows of a data frame: of pandas, Polars, or what has columns by name.
+        """A recording of the rows of a data frame: of pandas, Polars, or anything with columns by name.
 
         Parameters
         ----------
-        frame : data frame
+        frame : data frame, table of Arrow, dataset of xarray, structured array, or dict of columns
             A row for each fix. Columns of float64 or float32 are read without a conversion.
         id, time, x, y, z : str
             The names of the columns: agent, time in seconds, coordinates in metres; without `z`,

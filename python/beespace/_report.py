@@ -137,7 +137,7 @@ def report(
     vertical: float | str | None = None,
     inclusive: bool = False,
     max_gap: float | None = None,
-    threads: int = 0,
+    threads: int = 1,
     frame: str | None = None,
     columns: str | None = None,
     units: str | None = None,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, Literal, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,46 @@ class Searches(Predictions):
 
     __slots__ = ()
 
+    @overload
+    def at_risk(
+        self,
+        points: PointsLike,
+        threshold: float,
+        *,
+        others: PointsLike | None = None,
+        vertical: float | None = None,
+        inclusive: bool = False,
+        mask: Literal[False] = False,
+        threads: int = 1,
+        copy: bool = False,
+    ) -> NDArray[np.int64]: ...
+    @overload
+    def at_risk(
+        self,
+        points: PointsLike,
+        threshold: float,
+        *,
+        others: PointsLike | None = None,
+        vertical: float | None = None,
+        inclusive: bool = False,
+        mask: Literal[True],
+        threads: int = 1,
+        copy: bool = False,
+    ) -> NDArray[np.bool_]: ...
+    @overload
+    def at_risk(
+        self,
+        points: PointsLike,
+        threshold: float,
+        *,
+        others: PointsLike | None = None,
+        vertical: float | None = None,
+        inclusive: bool = False,
+        mask: bool,
+        threads: int = 1,
+        copy: bool = False,
+    ) -> NDArray[np.int64] | NDArray[np.bool_]: ...
+
     def at_risk(
         self,
         points: PointsLike,
@@ -38,7 +78,7 @@ class Searches(Predictions):
         mask: bool = False,
         threads: int = 1,
         copy: bool = False,
-    ) -> NDArray[Any]:
+    ) -> NDArray[np.int64] | NDArray[np.bool_]:
         """Which points are closer than the threshold to any other point?
 
         Time and memory grow with the number of points, whatever their density.
@@ -446,3 +486,13 @@ class Searches(Predictions):
             return None
         return ClosestPair(int(i[0]), int(result.second()[0]), float(result.distances()[0]))
 
+
+def _name_as_called(kind: type) -> None:
+    """Lets Python's own errors say "at_risk() takes ...", and not the name of a class inside."""
+    for name, function in vars(kind).items():
+        if not name.startswith("_"):
+            function.__qualname__ = name
+
+
+for _kind in (Predictions, Searches):
+    _name_as_called(_kind)

@@ -99,6 +99,10 @@ class Verifier:
         speeds = None if velocities is None else Points(velocities, "velocities")
         self._check.add(time, Points(positions, "positions"), speeds)
 
+    def __reduce__(self) -> Any:
+        """Refused, as by all that the library keeps and that changes."""
+        return self._check.__reduce__()
+
     def skip(self) -> None:
         """Says that it was not seen what agents did from the last time on until the next one.
 

@@ -161,8 +161,8 @@ def test_arguments_that_make_no_sense_are_refused(tmp_path):
     points = [[0, 0, 0], [3, 4, 0]]
     degrees = beespace.read(data / "bees-1000.csv")
     for call, code, place in [
-        (lambda: beespace.report(points, 0), "invalid_threshold", None),
-        (lambda: beespace.report(points, float("nan")), "invalid_threshold", None),
+        (lambda: beespace.report(points, 0), "invalid_threshold", "threshold"),
+        (lambda: beespace.report(points, float("nan")), "invalid_threshold", "threshold"),
         (lambda: beespace.report(points, 1, vertical="high"), "invalid_argument", "page_options"),
         (lambda: beespace.report(points, 1, vertical=-1), "invalid_argument", "page_options"),
         (lambda: beespace.report(points, 1, max_gap=0), "invalid_argument", "max_gap"),
