@@ -6,7 +6,7 @@ import ctypes
 
 from beespace import _fleet_library as _c
 from beespace import _library
-from beespace._advice import above_zero, time_above_zero
+from beespace._advice_arguments import above_zero, time_above_zero
 from beespace._calls import number_of
 from beespace._errors import BeespaceError
 from beespace._fleet import check_fleet, integer

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from beespace import _fleet_library as _c
 from beespace import _library
-from beespace._advice import ArrayReader, above_zero, check_shape
+from beespace._advice_arguments import ArrayReader, above_zero, check_shape
 from beespace._calls import number_of, run_of
 from beespace._errors import invalid
 from beespace._fleet import FleetFigures, LinkFigures, Tube, check_fleet, integer, tube_from

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from beespace import _fleet_library as _c
 from beespace import _library
-from beespace._advice import (
+from beespace._advice_arguments import (
     PLANAR,
     ArrayReader,
     above_zero,
@@ -23,8 +23,8 @@ from beespace._advice import (
 )
 from beespace._calls import length, number_of, threads_of
 from beespace._errors import invalid
-from beespace._frames import Known
 from beespace._fleet import FleetFigures, LinkFigures, c_figures, c_link, check_fleet, integer
+from beespace._frames import Known
 from beespace._guidance import JoinAnswer
 from beespace._library import at_once
 from beespace._messages import three

@@ -16,8 +16,8 @@ from beespace._calls import length, number_of, seconds, threads_of, whole
 from beespace._columns import Columns
 from beespace._errors import BeespaceError, invalid
 from beespace._events import Events, KnownAgents, SwarmCounts
-from beespace._frames import Known, check_upright
 from beespace._fixes import Fixes, ids_of, integers_of, numbers_of, seconds_of, unit_of_heights
+from beespace._frames import Known, check_upright
 from beespace._library import at_once, library
 from beespace._points import Points, PointsLike
 from beespace._ranges import above_zero, moment, zero_or_more
