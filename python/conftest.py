@@ -10,7 +10,7 @@ import signal
 import pytest
 
 _needs = {"to_pandas": "pandas", "to_polars": "polars", "plot": "matplotlib"}
-_readers = ("_files.", "_report.", "FileError", "OSError")
+_readers = ("_files.", "_report.", ".from_file", "FileError", "OSError")
 
 # A shell starts what runs in its background deaf to Ctrl-C.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:

@@ -11,17 +11,26 @@ from numpy.typing import ArrayLike, NDArray
 from beespace import _advice_library as _c
 from beespace import _library
 from beespace._advice_answers import Advice, advice_of
+from beespace._advice_arguments import (
+    PLANAR,
+    ArrayReader,
+    Limits,
+    address_of,
+    check_fences,
+    check_shape,
+    clearance_of,
+    shape_of,
+    time_above_zero,
+)
 from beespace._calls import check, length, number_of, run_of, whole
 from beespace._errors import invalid
-from beespace._fixes import flags_of, integers_of, numbers_of
 from beespace._library import at_once, library
 from beespace._motion import movers_of, rows_of, spread
-from beespace._obstacles import Obstacles, handle_of_obstacles
+from beespace._obstacles import Obstacles, check_frame_of_obstacles, handle_of_obstacles
 from beespace._points import Points, PointsLike
+from beespace._ranges import zero_or_more
 from beespace._turns import InTurn
-from beespace._units import ACCELERATIONS, METRES, NO_UNIT, SECONDS, SPEEDS
-
-PLANAR = _c.PLANAR
+from beespace._units import METRES, SPEEDS
 
 _methods = {"certified": 0, "orca": 1, "mvp": 2}
 
@@ -211,7 +220,7 @@ class Adviser(InTurn):
                 f"there are {wanted.count:,} preferred velocities for {places.count:,} agents",
                 "preferred",
             )
-        wanted.check_axes(places.axes, "preferred", "positions")
+        wanted.check_alike(places, "preferred", "positions")
         limits = Limits(max_speed, max_acceleration, places.count)
         flat = places.count > 0 and places.struct.z is None
         options = _c.CAdviseOptions(
@@ -219,7 +228,7 @@ class Adviser(InTurn):
             (PLANAR if planar or flat else 0) | (_c.REMEMBER if remember else 0),
             0,
             length(threshold, "threshold"),
-            above_zero(step, "step", SECONDS),
+            time_above_zero(step, "step"),
         )
         if method not in _methods:
             raise invalid(f"there is no method {method!r}: {', '.join(_methods)}", "method")
@@ -227,10 +236,12 @@ class Adviser(InTurn):
         options.shape, options.vertical_factor, options.vertical_m = shape_of(
             vertical, vertical_factor
         )
-        options.uncertainty_m = number_of(uncertainty, "uncertainty", METRES)
-        options.clearance_m = 0.0 if clearance is None else above_zero(clearance, "clearance", METRES)
+        options.uncertainty_m = zero_or_more(
+            number_of(uncertainty, "uncertainty", METRES), "uncertainty"
+        )
         options.obstacles = handle_of_obstacles(obstacles)
-        read = ArrayReader(copy, places.axes)
+        check_fences(fence_directions, fence_offsets)
+        read = ArrayReader(copy, places)
         options.fence_directions = read.points(fence_directions, "fence_directions")
         count = read.count
         options.fence_offsets_m = read.numbers(fence_offsets, "fence_offsets", count, METRES)
@@ -238,9 +249,9 @@ class Adviser(InTurn):
         count = read.count
         options.intruder_velocities = read.points(intruder_velocities, "intruder_velocities")
         options.intruder_margins_m = read.numbers(
-            intruder_margins, "intruder_margins", count, METRES
+            intruder_margins, "intruder_margins", count, METRES, zero_or_more
         )
-        options.intruder_horizon_s = above_zero(intruder_horizon, "intruder_horizon", SECONDS)
+        options.intruder_horizon_s = time_above_zero(intruder_horizon, "intruder_horizon")
         options.unknown_centers = read.points(unknown_centers, "unknown_centers")
         count = read.count
         options.unknown_radii_m = read.numbers(unknown_radii, "unknown_radii", count, METRES)
@@ -248,12 +259,15 @@ class Adviser(InTurn):
             unknown_growths, "unknown_growths", count, SPEEDS
         )
         options.unknown_agents = read.integers(unknown_agents, "unknown_agents", count)
-        options.unknown_horizon_s = above_zero(unknown_horizon, "unknown_horizon", SECONDS)
+        options.unknown_horizon_s = time_above_zero(unknown_horizon, "unknown_horizon")
         options.radii_m = read.numbers(radii, "radii", places.count, METRES)
         options.tubes_m = read.numbers(tubes, "tubes", places.count, METRES)
         options.claim_places = read.points(claim_places, "claim_places")
         options.claim_offsets = read.integers(claim_indptr, "claim_indptr", places.count + 1)
         options.holds = read.flags(holds, "holds", places.count)
+        options.clearance_m = clearance_of(clearance, obstacles, fence_directions)
+        check_shape(read.known, vertical, vertical_factor, planar)
+        check_frame_of_obstacles(obstacles, read.known)
         into = _new_advice()
         error = _library.new_error()
         run = run_of(threads, places.count)
@@ -324,117 +338,21 @@ def velocity_to_goal(
     """
     places = Points(rows_of(positions), "positions")
     ends = Points(rows_of(goals), "goals")
-    ends.check_axes(places.axes, "goals", "positions")
+    ends.check_alike(places, "goals", "positions")
     count = spread([(places, "positions"), (ends, "goals")])
-    limits = Limits(max_speed, max_acceleration, count)
+    limits = Limits(max_speed, max_acceleration, count, each=True)
     velocities = np.empty((count, 3))
     error = _library.new_error()
     code = library.beespace_velocity_to_goal(
         ctypes.byref(places.struct),
         ctypes.byref(ends.struct),
         ctypes.byref(limits.struct),
-        above_zero(step, "step", SECONDS),
+        time_above_zero(step, "step"),
         address_of(velocities),
         ctypes.byref(error),
     )
     check(code, error)
     return velocities[:, :2].copy() if count and places.struct.z is None else velocities
-
-
-class Limits:
-    """The C structure of what agents can do, and what must stay alive as long as it."""
-
-    __slots__ = ("keep", "struct")
-
-    def __init__(self, max_speed: ArrayLike, max_acceleration: ArrayLike | None, count: int) -> None:
-        speeds = _for_each(max_speed, "max_speed", count, SPEEDS)
-        self.struct = _c.CLimits(ctypes.sizeof(_c.CLimits))
-        self.struct.max_speeds_mps, self.struct.max_speeds_stride = _address(speeds)
-        self.keep: object = speeds
-        if max_acceleration is not None:
-            accelerations = _for_each(
-                max_acceleration, "max_acceleration", count, ACCELERATIONS
-            )
-            self.struct.max_accelerations_mps2, self.struct.max_accelerations_stride = _address(
-                accelerations
-            )
-            self.keep = (speeds, accelerations)
-
-
-def shape_of(vertical: Any, vertical_factor: Any) -> tuple[int, float, float]:
-    """What stays free around an agent: the shape, its factor, half of its height."""
-    if vertical is not None and vertical_factor is not None:
-        raise invalid("what stays free is a cylinder or an ellipsoid: leave one out", "vertical")
-    if vertical is not None:
-        return _c.FREE_CYLINDER, 0.0, above_zero(vertical, "vertical", METRES)
-    if vertical_factor is not None:
-        return _c.FREE_ELLIPSOID, above_zero(vertical_factor, "vertical_factor", NO_UNIT), 0.0
-    return _c.FREE_SPHERE, 0.0, 0.0
-
-
-def above_zero(number: Any, place: str, units: tuple[str, ...]) -> float:
-    """A number that must not be zero, which stands for a default in C."""
-    value = number_of(number, place, units)
-    if value == 0.0:
-        raise invalid("this is above zero, not 0", place)
-    return value
-
-
-class ArrayReader:
-    """Reads arrays of options, and keeps them alive as long as itself. Positions among them have as
-    many axes as those of agents."""
-
-    __slots__ = ("_axes", "_copy", "_kept", "count")
-
-    def __init__(self, copy: bool, axes: int | None) -> None:
-        self._kept: list[object] = []
-        self._copy = copy
-        self._axes = axes
-        self.count = 0
-
-    def points(self, given: Any, place: str) -> Any:
-        self.count = 0
-        if given is None:
-            return None
-        points = Points(given, place, self._copy)
-        points.check_axes(self._axes, place, "positions")
-        self.count = points.count
-        self._kept.append(points)
-        return ctypes.pointer(points.struct)
-
-    def numbers(
-        self, given: Any, place: str, count: int, units: tuple[str, ...]
-    ) -> int | None:
-        return None if given is None else self._kept_at(numbers_of(given, count, place, units))
-
-    def integers(self, given: Any, place: str, count: int) -> int | None:
-        return None if given is None else self._kept_at(integers_of(given, count, place))
-
-    def flags(self, given: Any, place: str, count: int) -> int | None:
-        return None if given is None else self._kept_at(flags_of(given, count, place))
-
-    def _kept_at(self, array: NDArray[Any]) -> int:
-        kept = array.copy() if self._copy else array
-        self._kept.append(kept)
-        return address_of(kept)
-
-
-def address_of(array: NDArray[Any]) -> int:
-    """Where its numbers begin."""
-    return int(array.__array_interface__["data"][0])
-
-
-def _for_each(
-    given: Any, place: str, count: int, units: tuple[str, ...]
-) -> NDArray[np.float64]:
-    is_one = not hasattr(given, "__len__") or getattr(given, "ndim", 1) == 0
-    if is_one:
-        return np.array(number_of(given, place, units))
-    return numbers_of(given, count, place, units)
-
-
-def _address(array: NDArray[np.float64]) -> tuple[int, int]:
-    return address_of(array), 0 if array.ndim == 0 else array.itemsize
 
 
 def _new_advice() -> Any:

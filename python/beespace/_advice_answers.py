@@ -254,5 +254,6 @@ def _refused(handle: Any) -> tuple[BeespaceError, ...]:
     for index in range(int(at_once.beespace_advice_refused_count(handle))):
         error = _library.new_error()
         at_once.beespace_advice_refused(handle, index, ctypes.byref(error))
-        refused.append(_library.error_of(error))
+        limit = "max_speed" if b"speed" in error.message else "max_acceleration"
+        refused.append(_library.error_of(error, places={"limits": limit}))
     return tuple(refused)

@@ -273,7 +273,7 @@ class Nearest(NamedTuple):
     >>> import beespace
     >>> nearest = beespace.nearest([[0, 0], [3, 4], [6, 9]])
     >>> nearest
-    <Nearest: 1 of 3 points, 5 to 5.83095 m away>
+    <Nearest: the nearest of each of 3 points, 5 to 5.83095 m away>
     >>> ids, distances = nearest
     >>> ids[:, 0]
     array([1, 0, 1])
@@ -284,7 +284,10 @@ class Nearest(NamedTuple):
 
     def __repr__(self) -> str:
         rows, k = self.ids.shape
-        return f"<Nearest: {k:,} of {plural(rows, 'point')}{_range(self.distances, 'away')}>"
+        told = f"the {f'{k:,} ' if k != 1 else ''}nearest of {'each of ' if rows != 1 else ''}"
+        found = int((self.ids >= 0).sum())
+        lacking = "" if found == rows * k else f", {found:,} found" if found else ", none found"
+        return f"<Nearest: {told}{plural(rows, 'point')}{lacking}{_range(self.distances, 'away')}>"
 
 
 class ClosestPair(NamedTuple):

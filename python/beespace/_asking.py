@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from beespace import _library
 from beespace._answers import Nearest
-from beespace._calls import check, run_of
+from beespace._calls import check, run_of, whole
 from beespace._columns import Result
 from beespace._errors import invalid
-from beespace._frames import check_frames
+from beespace._frames import check_upright
 from beespace._points import Points
 
 
@@ -29,6 +30,7 @@ class Asking:
         arguments: tuple[Any, ...],
         threads: int,
         two_sets: bool = True,
+        places: Mapping[str, str] | None = None,
     ) -> Result:
         error = _library.new_error()
         result = Result()
@@ -47,11 +49,23 @@ class Asking:
             ),
         )
         if code != _library.OK:
-            check(code, error)
+            check(code, error, places)
         return result
 
     def _call(self, function: Any, arguments: tuple[Any, ...]) -> int:
         return int(function(None, *arguments))
+
+
+# There are never more points.
+_MOST_POINTS = 2**32
+
+
+def neighbours_of(k: Any) -> int:
+    """How many neighbours are asked for."""
+    number = whole(k, "k")
+    if number > _MOST_POINTS:
+        raise invalid(f"there are never more than {_MOST_POINTS:,} points, and this is {number:,}", "k")
+    return number
 
 
 def nearest_of(result: Result, rows: int, k: int) -> Nearest:
@@ -70,12 +84,13 @@ def nearest_of(result: Result, rows: int, k: int) -> Nearest:
 def sets_of(
     points: Any, others: Any, copy: bool, vertical: Any = None
 ) -> tuple[Points, Points | None]:
-    check_frames(points, others, vertical)
     first = Points(points, "points", copy)
+    check_upright(first, vertical, "vertical")
     if others is None:
         return first, None
     second = Points(others, "others", copy)
-    second.check_axes(first.axes, "others", "points")
+    check_upright(second, vertical, "vertical")
+    second.check_alike(first, "others", "points")
     return first, second
 
 

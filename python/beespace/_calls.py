@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import ctypes
-import math
 import operator
 import signal
 import threading
+from collections.abc import Mapping
 from typing import Any
 
 from beespace import _library
 from beespace._errors import BeespaceError, invalid
 from beespace._library import CRun, CSearch
-from beespace._units import METRES, NO_DATES, SECONDS, is_date, plain
+from beespace._reals import is_flag, real_of
+from beespace._units import METRES, NO_DATES, SECONDS, is_date
 
 # With fewer points a call is over before Ctrl-C matters, and a thread would cost more than it.
 _MANY = 5_000
@@ -43,8 +44,10 @@ def search_of(
     distances: bool = False,
     with_self: bool = False,
     height_units: tuple[str, ...] | None = METRES,
+    place: str = "threshold",
 ) -> CSearch:
-    """The C structure of a search within a threshold; heights may be in another unit."""
+    """The C structure of a search within a threshold; heights may be in another unit, and the threshold
+    may be called otherwise."""
     flags = 0
     if inclusive:
         flags |= _library.INCLUSIVE
@@ -60,7 +63,7 @@ def search_of(
     if max_results is not None:
         flags |= _library.MAX_RESULTS
         most = whole(max_results, "max_results")
-    return CSearch(_search_size, flags, 0, length(threshold, "threshold"), height, most)
+    return CSearch(_search_size, flags, 0, length(threshold, place), height, most)
 
 
 def run_of(threads: Any, points: int, moving: bool = False) -> CRun | None:
@@ -78,13 +81,16 @@ def run_of(threads: Any, points: int, moving: bool = False) -> CRun | None:
     return run
 
 
-def check(code: int, error: _library.CError) -> None:
-    """Raises the error of a call, if it has one; after Ctrl-C, what the handler of SIGINT raises."""
+def check(code: int, error: _library.CError, places: Mapping[str, str] | None = None) -> None:
+    """Raises the error of a call, if it has one; after Ctrl-C, what the handler of SIGINT raises.
+
+    `places` says what arguments of C are called in this call; "" stands for no name.
+    """
     if code == _library.OK:
         return
     if code == _library.STOPPED:
         after_ctrl_c()
-    _library.raise_error(error)
+    _library.raise_error(error, places)
 
 
 def after_ctrl_c() -> None:
@@ -94,18 +100,25 @@ def after_ctrl_c() -> None:
 
 def whole(number: Any, place: str) -> int:
     """A number of something."""
-    try:
-        value = operator.index(number)
-    except TypeError:
-        raise invalid(f"this is a whole number, not {number!r}", place) from None
+    value = integer_of(number, place)
     if not 0 <= value < 2**63:
         raise invalid(f"this is zero or more, not {value}", place)
     return value
 
 
+def integer_of(number: Any, place: str) -> int:
+    """Any integer; what is true or false is none."""
+    try:
+        if not is_flag(number):
+            return int(operator.index(number))
+    except TypeError:
+        pass
+    raise invalid(f"this is a whole number, not {number!r}", place)
+
+
 def seconds(number: Any, place: str) -> float:
     """A length of time."""
-    value = _real(number, place, SECONDS)
+    value = real_of(number, place, SECONDS)
     if value is None:
         told = NO_DATES if is_date(number) else f"this is a number of seconds, not {number!r}"
         raise invalid(told, place)
@@ -114,7 +127,7 @@ def seconds(number: Any, place: str) -> float:
 
 def length(number: Any, place: str, units: tuple[str, ...] | None = METRES) -> float:
     """A threshold."""
-    value = _real(number, place, units)
+    value = real_of(number, place, units, "invalid_threshold")
     if value is None:
         raise BeespaceError(
             "a threshold is one number for all points, in metres", "invalid_threshold", place
@@ -124,7 +137,7 @@ def length(number: Any, place: str, units: tuple[str, ...] | None = METRES) -> f
 
 def number_of(number: Any, place: str, units: tuple[str, ...] | None) -> float:
     """Any other number, in one of the units."""
-    value = _real(number, place, units)
+    value = real_of(number, place, units)
     if value is None:
         raise invalid(f"this is a number, not {number!r}", place)
     return value
@@ -136,21 +149,10 @@ def threads_of(threads: Any) -> int:
     return _library.ALL_PROCESSORS if number == 0 else min(number, 256)
 
 
-def _real(number: Any, place: str, units: tuple[str, ...] | None) -> float | None:
-    """As a double, where it is a number: a text may have a unit, and so has a length of time."""
-    number = plain(number, place, units)
-    try:
-        is_other = isinstance(number, (str, bytes)) or is_date(number)
-        return None if is_other else float(number)
-    except (TypeError, ValueError):
-        return None
-    except OverflowError:
-        return math.inf
-
-
 __all__ = [
     "after_ctrl_c",
     "check",
+    "integer_of",
     "length",
     "number_of",
     "run_of",

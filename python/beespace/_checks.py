@@ -14,9 +14,11 @@ from beespace import _verify_library as _c
 from beespace._calls import check, length, number_of, run_of, seconds
 from beespace._columns import Columns
 from beespace._errors import invalid
+from beespace._frames import Described, Known
 from beespace._library import at_once, library
-from beespace._obstacles import handle_of_obstacles
+from beespace._obstacles import check_frame_of_obstacles, handle_of_obstacles
 from beespace._points import Points
+from beespace._ranges import above_zero, zero_or_more
 from beespace._turns import InTurn
 from beespace._units import ACCELERATIONS, METRES, SPEEDS
 from beespace._verdict import Breaches, ClearanceLosses, Losses, Verdict
@@ -28,7 +30,7 @@ _loss, _clearance = 0, 1
 class Check(InTurn):
     """The C verifier, which serves one call at a time."""
 
-    __slots__ = ("_axes", "_straight", "_threads")
+    __slots__ = ("_known", "_obstacles", "_straight", "_threads")
 
     def __init__(
         self,
@@ -44,22 +46,29 @@ class Check(InTurn):
         options.threshold_m = length(threshold, "threshold")
         if max_speed is not None:
             options.flags |= _c.MAX_SPEED
-            options.max_speed_mps = number_of(max_speed, "max_speed", SPEEDS)
+            options.max_speed_mps = zero_or_more(
+                number_of(max_speed, "max_speed", SPEEDS), "max_speed", endless=True
+            )
         if max_acceleration is not None:
             options.flags |= _c.MAX_ACCELERATION
-            options.max_acceleration_mps2 = number_of(
-                max_acceleration, "max_acceleration", ACCELERATIONS
+            options.max_acceleration_mps2 = zero_or_more(
+                number_of(max_acceleration, "max_acceleration", ACCELERATIONS),
+                "max_acceleration",
+                endless=True,
             )
         if straight:
             options.flags |= _c.STRAIGHT
         if straight and max_acceleration is not None:
             raise invalid("of straight lines, without velocities, no acceleration is known", "max_acceleration")
         options.obstacles = handle_of_obstacles(obstacles)
+        if (clearance is None) != (obstacles is None):
+            raise invalid("a clearance goes with obstacles: give both, or none", "clearance")
         if clearance is not None:
-            options.clearance_m = number_of(clearance, "clearance", METRES)
+            options.clearance_m = above_zero(number_of(clearance, "clearance", METRES), "clearance")
         self._threads = threads
         self._straight = straight
-        self._axes: int | None = None  # of all moments
+        self._known = Known()  # of all moments
+        self._obstacles = obstacles
         self._take_turns(_c.CVerifier(), threaded=threads != 1)
         error = _library.new_error()
         code = library.beespace_verifier_create(
@@ -67,17 +76,21 @@ class Check(InTurn):
         )
         check(code, error)
 
+    def _called(self) -> str:
+        return "Verifier"
+
     def add(self, time: Any, places: Points, speeds: Points | None) -> None:
         """Takes where all agents are at a time."""
         moment = seconds(time, "time")
         if speeds is None and not self._straight:
             raise invalid("give these: only with straight=True they are not needed", "velocities")
         if speeds is not None:
-            speeds.check_axes(places.axes, "velocities", "positions")
+            speeds.check_alike(places, "velocities", "positions")
+        check_frame_of_obstacles(self._obstacles, places)
         error = _library.new_error()
         run = run_of(self._threads, places.count, moving=True)
         with self._lock:
-            places.check_axes(self._axes, "positions", "moments before")
+            places.check_alike(self._known, "positions", "moments before")
             code = library.beespace_verifier_add(
                 self._handle,
                 moment,
@@ -87,11 +100,14 @@ class Check(InTurn):
                 ctypes.byref(error),
             )
             if code == _library.OK:
-                self._axes = self._axes or places.axes
+                self._known.take(places)
         check(code, error)
 
-    def add_recording(self, recording: ctypes.c_void_p, fixes: int, max_gap: float) -> None:
+    def add_recording(
+        self, recording: ctypes.c_void_p, fixes: int, known: Described, max_gap: float
+    ) -> None:
         """Takes a recording of the library."""
+        check_frame_of_obstacles(self._obstacles, known)
         error = _library.new_error()
         run = run_of(self._threads, fixes, moving=True)
         with self._lock:

@@ -8,9 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from beespace._calls import number_of
 from beespace._errors import BeespaceError, invalid
 from beespace._library import CFixes
-from beespace._units import NO_DATES, SECONDS, is_date, plain
+from beespace._reals import check_integers, check_list, check_numbers
+from beespace._units import METRES, NO_DATES, SECONDS, is_date, plain
 
 
 class Fixes:
@@ -81,22 +83,34 @@ def seconds_of(times: Any, count: int) -> NDArray[np.float64]:
     given = np.asarray(plain(times, "times", SECONDS))
     if is_date(given) or (given.dtype.kind == "O" and any(map(is_date, given.flat))):
         raise invalid(NO_DATES, "times")
-    clock = numbers_of(given, count, "times", SECONDS)
-    if given.dtype.kind in "iu" and count and bool((np.abs(clock) >= 2.0**53).any()):
-        raise invalid("not all integers beyond 2**53 are doubles: are these nanoseconds?", "times")
-    return clock
+    check_integers(given, "times", "are these nanoseconds?")
+    check_list(times, given, "times")
+    return numbers_of(given, count, "times", SECONDS)
 
 
 def numbers_of(
     numbers: Any, count: int, place: str, units: tuple[str, ...] | None
 ) -> NDArray[np.float64]:
     """A number for each."""
-    given = _one_each(_array_of(plain(numbers, place, units), place), count, place)
+    bare = plain(numbers, place, units)
+    given = _one_each(_array_of(bare, place), count, place)
     if not count:
         return np.empty(0)
-    if given.dtype.kind not in "iuf" or (given.dtype.kind == "f" and given.dtype.itemsize > 8):
-        raise invalid(f"{place} are numbers, not {given.dtype}", place)
+    check_numbers(bare, given, place)
     return np.ascontiguousarray(given, np.float64)
+
+
+def unit_of_heights(height_unit: Any, apart: bool) -> float:
+    """The length of one unit of heights that are apart from positions; of z there is no other."""
+    unit = number_of(height_unit, "height_unit", METRES)
+    if not apart and unit != 1.0:
+        raise invalid("there are no heights apart from the positions, and z is in metres", "height_unit")
+    if not 2.0**-100 <= unit <= 2.0**100:
+        raise invalid(
+            f"the unit is {unit:g} m; give how many metres one is, above zero: 0.3048 for feet",
+            "height_unit",
+        )
+    return unit
 
 
 def flags_of(flags: Any, count: int, place: str) -> NDArray[np.bool_]:
@@ -123,7 +137,7 @@ def _array_of(given: Any, place: str) -> NDArray[Any]:
 
 def _one_each(given: NDArray[Any], count: int, place: str) -> NDArray[Any]:
     if given.ndim != 1 or len(given) != count:
-        raise invalid(f"there are {given.shape} {place} for {count:,} positions", place)
+        raise invalid(f"these are of the shape {given.shape}, and not ({count},): one for each", place)
     return given
 
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import ctypes
-import operator
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from beespace import _fleet_library as _c
 from beespace import _library
-from beespace._calls import check, number_of
+from beespace._calls import check, integer_of, number_of
 from beespace._errors import invalid
 from beespace._library import at_once
 from beespace._units import ACCELERATIONS, METRES, SECONDS, SPEEDS
@@ -170,7 +170,9 @@ def tube_of(
     return tube_from(into)
 
 
-def check_fleet(code: int, error: _library.CError) -> None:
+def check_fleet(
+    code: int, error: _library.CError, places: Mapping[str, str] | None = None
+) -> None:
     """Raises the error of a call about a fleet: of an agent, which has any number, or of figures."""
     if code in (_library.OK, _library.STOPPED):
         check(code, error)
@@ -178,8 +180,15 @@ def check_fleet(code: int, error: _library.CError) -> None:
     error.message = _field.sub(lambda name: _names.get(name[0], name[0]), error.message)
     if error.place == b"agents":
         raise _library.error_of(error, of_agent=True)
-    check(code, error)
+    figure = _figure.match(error.message)
+    if figure and not error.place:
+        error.place = figure[1]
+        error.message = b"this is " + error.message[figure.end() :]
+    check(code, error, places)
 
+
+# A message that says which figure it is about.
+_figure = re.compile(rb"(\w+) is (?=[-0-9]|nan|inf)")
 
 # What C calls otherwise.
 _field = re.compile(rb"\b[a-z_]+_(?:mps2|mps|m|s)\b")
@@ -193,10 +202,7 @@ for _name in (
 
 def integer(number: Any, place: str, low: int = -(2**63), high: int = 2**63 - 1) -> int:
     """A whole number that C has room for."""
-    try:
-        value = operator.index(number)
-    except TypeError:
-        raise invalid(f"this is a whole number, not {number!r}", place) from None
+    value = integer_of(number, place)
     if not low <= value <= high:
         raise invalid(f"this is beyond {low} to {high}: {value}", place)
     return value

@@ -6,6 +6,7 @@ import ctypes
 
 from beespace import _fleet_library as _c
 from beespace import _library
+from beespace._advice_arguments import above_zero, time_above_zero
 from beespace._calls import number_of
 from beespace._errors import BeespaceError
 from beespace._fleet import check_fleet, integer
@@ -21,6 +22,7 @@ from beespace._messages import (
     setpoint_from,
     stored_from,
 )
+from beespace._ranges import zero_or_more
 from beespace._turns import InTurn
 from beespace._units import ACCELERATIONS, SECONDS, SPEEDS
 
@@ -65,9 +67,9 @@ class Follower(InTurn):
         error = _library.new_error()
         code = at_once.beespace_follower_create(
             self.agent,
-            number_of(planned_speed, "planned_speed", SPEEDS),
-            number_of(planned_acceleration, "planned_acceleration", ACCELERATIONS),
-            number_of(period, "period", SECONDS),
+            zero_or_more(number_of(planned_speed, "planned_speed", SPEEDS), "planned_speed"),
+            above_zero(planned_acceleration, "planned_acceleration", ACCELERATIONS),
+            time_above_zero(period, "period"),
             ctypes.byref(self._handle),
             ctypes.byref(error),
         )

@@ -13,6 +13,7 @@ from beespace._calls import check, number_of
 from beespace._errors import invalid
 from beespace._library import library
 from beespace._points import Points, PointsLike
+from beespace._reals import check_numbers
 from beespace._units import DEGREES, METRES, plain
 
 
@@ -75,7 +76,7 @@ def to_ecef(
     axes = tuple(
         np.broadcast_to(np.float64(number_of(value, name, None)), (count,))
         if counts[name] is None
-        else np.asarray(value)
+        else _array_of(value, name)
         for name, value in given.items()
     )
     points = Points(axes, "positions")
@@ -107,6 +108,12 @@ def _place_of(axes: tuple[Any, ...], record: int) -> str:
     if abs(lat) > 90:
         return "lat"
     return "lon" if abs(lon) > 360 else "height"
+
+
+def _array_of(value: Any, place: str) -> NDArray[Any]:
+    array = np.asarray(value)
+    check_numbers(value, array, place)
+    return array
 
 
 def _length(value: Any, place: str) -> int | None:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from beespace import _fleet_library as _c
 from beespace import _library
-from beespace._advice import ArrayReader, shape_of
+from beespace._advice_arguments import ArrayReader, above_zero, check_shape
 from beespace._calls import number_of, run_of
 from beespace._errors import invalid
 from beespace._fleet import FleetFigures, LinkFigures, Tube, check_fleet, integer, tube_from
@@ -28,8 +28,9 @@ from beespace._messages import (
     three,
 )
 from beespace._motion import movers_of
-from beespace._obstacles import Obstacles
+from beespace._obstacles import Obstacles, check_frame_of_obstacles
 from beespace._points import PointsLike
+from beespace._ranges import zero_or_more
 from beespace._units import ACCELERATIONS, METRES, SPEEDS
 
 
@@ -116,12 +117,12 @@ class Guide(GuideCalls):
         super().__init__(
             threshold,
             (
-                number_of(max_speed, "max_speed", SPEEDS),
-                number_of(max_acceleration, "max_acceleration", ACCELERATIONS),
+                zero_or_more(number_of(max_speed, "max_speed", SPEEDS), "max_speed"),
+                above_zero(max_acceleration, "max_acceleration", ACCELERATIONS),
             ),
             figures or FleetFigures(),
             link or LinkFigures(),
-            shape_of(vertical, vertical_factor),
+            (vertical, vertical_factor),
             planar,
             clearance,
             obstacles,
@@ -370,16 +371,20 @@ class Guide(GuideCalls):
         array([False])
         """
         places, speeds = movers_of(positions, velocities, "positions", "velocities", False)
-        places.check_axes(3, "positions", "fleet")
-        read = ArrayReader(False, 3)
+        places.check_alike(self._known, "positions", "fleet")
+        check_shape(places, *self._shape)
+        check_frame_of_obstacles(self._obstacles, places)
+        read = ArrayReader(False, places)
         self._tell(
             at_once.beespace_guide_set_intruders,
             ctypes.byref(places.struct),
             ctypes.byref(speeds.struct),
-            read.numbers(radii, "radii", places.count, METRES),
-            read.numbers(position_errors, "position_errors", places.count, METRES),
-            read.numbers(speed_errors, "speed_errors", places.count, SPEEDS),
+            read.numbers(radii, "radii", places.count, METRES, zero_or_more),
+            read.numbers(position_errors, "position_errors", places.count, METRES, zero_or_more),
+            read.numbers(speed_errors, "speed_errors", places.count, SPEEDS, zero_or_more),
+            places={"intruders": "positions"},
         )
+        self._known.take(places)
 
     def step(self, now: int) -> Guidance:
         """Guides the fleet for one tick: at its begin, after the messages that came until then.
@@ -418,7 +423,7 @@ class Guide(GuideCalls):
                 into,
                 ctypes.byref(error),
             )
-        check_fleet(code, error)
+        check_fleet(code, error, {"": "now"})
         return Guidance(into)
 
     def tube(self, agent: int) -> Tube:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Generator
+from collections.abc import Generator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
@@ -12,22 +12,32 @@ from numpy.typing import NDArray
 
 from beespace import _fleet_library as _c
 from beespace import _library
-from beespace._advice import PLANAR, ArrayReader, above_zero
+from beespace._advice_arguments import (
+    PLANAR,
+    ArrayReader,
+    above_zero,
+    check_fences,
+    clearance_of,
+    shape_of,
+    time_above_zero,
+)
 from beespace._calls import length, number_of, threads_of
 from beespace._errors import invalid
 from beespace._fleet import FleetFigures, LinkFigures, c_figures, c_link, check_fleet, integer
+from beespace._frames import Known
 from beespace._guidance import JoinAnswer
 from beespace._library import at_once
 from beespace._messages import three
 from beespace._obstacles import handle_of_obstacles
+from beespace._ranges import zero_or_more
 from beespace._turns import InTurn
-from beespace._units import ACCELERATIONS, METRES, SECONDS, SPEEDS
+from beespace._units import ACCELERATIONS, METRES, SPEEDS
 
 
 class GuideCalls(InTurn):
     """The handle of a guide, for one call at a time."""
 
-    __slots__ = ("_limits", "_shows", "_threshold")
+    __slots__ = ("_known", "_limits", "_obstacles", "_shape", "_shows", "_threshold")
 
     def __init__(
         self,
@@ -35,7 +45,7 @@ class GuideCalls(InTurn):
         limits: tuple[float, float],
         figures: FleetFigures,
         link: LinkFigures,
-        shape: tuple[int, float, float],
+        shape: tuple[Any, Any],
         planar: bool,
         clearance: Any,
         obstacles: Any,
@@ -54,22 +64,24 @@ class GuideCalls(InTurn):
             threads_of(threads),
             self._threshold,
         )
-        options.shape, options.vertical_factor, options.vertical_m = shape
+        options.shape, options.vertical_factor, options.vertical_m = shape_of(*shape)
         options.figures = ctypes.pointer(c_figures(figures))
         options.link = ctypes.pointer(c_link(link))
         options.max_speed_mps, options.max_acceleration_mps2 = self._limits
-        options.clearance_m = (
-            0.0 if clearance is None else above_zero(clearance, "clearance", METRES)
-        )
         options.obstacles = handle_of_obstacles(obstacles)
-        read = ArrayReader(False, 3)
+        check_fences(*fences)
+        read = ArrayReader(False, Known(axes=3))
         options.fence_directions = read.points(fences[0], "fence_directions")
         options.fence_offsets_m = read.numbers(
             fences[1], "fence_offsets", read.count, METRES
         )
-        options.intruder_horizon_s = above_zero(intruder_horizon, "intruder_horizon", SECONDS)
+        options.clearance_m = clearance_of(clearance, obstacles, fences[0])
+        options.intruder_horizon_s = time_above_zero(intruder_horizon, "intruder_horizon")
         self._take_turns(_c.CGuide(), threaded=threads != 1)
         self._shows = False
+        self._known = Known(axes=3)  # of intruders
+        self._shape = (*shape, planar)
+        self._obstacles = obstacles
         error = _library.new_error()
         code = at_once.beespace_guide_create(
             ctypes.byref(options), ctypes.byref(self._handle), ctypes.byref(error)
@@ -88,13 +100,15 @@ class GuideCalls(InTurn):
         request = _c.CJoinRequest(ctypes.sizeof(_c.CJoinRequest))
         request.agent = integer(agent, "agent")
         request.position = three(position, "position")
-        request.radius_m = number_of(radius, "radius", METRES)
+        request.radius_m = zero_or_more(number_of(radius, "radius", METRES), "radius")
         if figures is not None:
             request.figures = ctypes.pointer(c_figures(figures))
         if max_speed is not None or max_acceleration is not None:
             speed, acceleration = self._limits
             request.max_speed_mps = (
-                speed if max_speed is None else number_of(max_speed, "max_speed", SPEEDS)
+                speed
+                if max_speed is None
+                else zero_or_more(number_of(max_speed, "max_speed", SPEEDS), "max_speed")
             )
             request.max_acceleration_mps2 = (
                 acceleration
@@ -141,8 +155,10 @@ class GuideCalls(InTurn):
         finally:
             self._shows = False
 
-    def _tell(self, function: Any, *arguments: Any) -> None:
+    def _tell(
+        self, function: Any, *arguments: Any, places: Mapping[str, str] | None = None
+    ) -> None:
         error = _library.new_error()
         with self._lock:
             code = function(self._handle, *arguments, ctypes.byref(error))
-        check_fleet(code, error)
+        check_fleet(code, error, places)

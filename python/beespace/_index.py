@@ -10,13 +10,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from beespace import _library
 from beespace._answers import Nearest, Neighbors
-from beespace._asking import nearest_of
+from beespace._asking import nearest_of, neighbours_of
 from beespace._calls import check, run_of, search_of, whole
 from beespace._columns import Result
-from beespace._errors import invalid
+from beespace._fixes import numbers_of
+from beespace._frames import Known, frame_of
 from beespace._library import library
 from beespace._points import Points, PointsLike, position
-from beespace._units import METRES, plain
+from beespace._units import METRES
 
 
 class Index:
@@ -47,12 +48,12 @@ class Index:
     <beespace.Index: 4 points>
     """
 
-    __slots__ = ("_axes", "_handle")
+    __slots__ = ("_handle", "_known")
 
     def __init__(self, points: PointsLike, *, threads: int = 1) -> None:
         self._handle = _library.CIndex()
         given = Points(points, "points")
-        self._axes = given.axes
+        self._known = Known(given.axes, given.frame)
         error = _library.new_error()
         run = run_of(threads, given.count)
         check(
@@ -72,6 +73,10 @@ class Index:
         count = len(self)
         return f"<beespace.Index: {count:,} point{'' if count == 1 else 's'}>"
 
+    def __reduce__(self) -> Any:
+        """Refused: a copy would be another name for the same points."""
+        return _library.refuse_to_copy(self)
+
     def __getitem__(self, id: int) -> NDArray[np.float64]:
         """The position of a point, as three coordinates.
 
@@ -86,7 +91,7 @@ class Index:
         code = library.beespace_index_position(
             self._handle, whole(id, "id"), coordinates, ctypes.byref(error)
         )
-        check(code, error)
+        check(code, error, {"": "id"})
         return np.array(coordinates)
 
     def around(
@@ -132,24 +137,20 @@ class Index:
         >>> [ids.tolist() for ids in index.around([[3, 3], [50, 50]], 4)]
         [[1], []]
         """
-        if np.ndim(radius) == 0:
-            search = search_of(radius, None, inclusive, max_results)
-            _, result = self._ask(
-                library.beespace_index_around, places, (ctypes.byref(search),), threads
+        given = self._places_of(places)
+        if _is_one(radius):
+            search = search_of(radius, None, inclusive, max_results, place="radius")
+            result = self._ask(
+                library.beespace_index_around, given, (ctypes.byref(search),), threads
             )
         else:
             search = search_of(0.0, None, inclusive, max_results)
-            given = plain(radius, "radii", METRES)
-            try:
-                radii = np.ascontiguousarray(given, np.float64)
-            except (TypeError, ValueError, OverflowError) as error:
-                raise invalid(f"these are no numbers: {error}", "radii") from error
-            _, result = self._ask(
+            radii = numbers_of(radius, given.count, "radius", METRES)
+            result = self._ask(
                 library.beespace_index_around_each,
-                places,
+                given,
                 (_address_of(radii), ctypes.byref(search)),
                 threads,
-                radii.shape,
             )
         ids = result.ids()
         # Ids of removed points are not used again, so there may be higher ones than points.
@@ -180,12 +181,13 @@ class Index:
         >>> import beespace
         >>> index = beespace.Index([[0, 0], [3, 4], [6, 9]])
         >>> index.nearest([[3, 3]], k=4)
-        <Nearest: 4 of 1 point, 1 to 6.7082 m away>
+        <Nearest: the 4 nearest of 1 point, 3 found, 1 to 6.7082 m away>
         >>> index.nearest([[3, 3]], k=4).ids
         array([[ 1,  0,  2, -1]])
         """
-        number = whole(k, "k")
-        given, result = self._ask(library.beespace_index_nearest, places, (number,), threads)
+        number = neighbours_of(k)
+        given = self._places_of(places)
+        result = self._ask(library.beespace_index_nearest, given, (number,), threads)
         return nearest_of(result, given.count, number)
 
     def insert(self, point: ArrayLike) -> int:
@@ -215,11 +217,12 @@ class Index:
         """
         id = ctypes.c_int64()
         error = _library.new_error()
+        where = position(point, self._known)
         code = library.beespace_index_insert(
-            self._handle, position(point, self._axes), ctypes.byref(id), ctypes.byref(error)
+            self._handle, where, ctypes.byref(id), ctypes.byref(error)
         )
-        check(code, error)
-        self._axes = self._axes or np.size(point)
+        check(code, error, {"": "point"})
+        self._known.take(Known(np.size(point), frame_of(point)))
         return id.value
 
     def move(self, id: int, point: ArrayLike) -> None:
@@ -247,9 +250,10 @@ class Index:
         """
         error = _library.new_error()
         code = library.beespace_index_move(
-            self._handle, whole(id, "id"), position(point, self._axes), ctypes.byref(error)
+            self._handle, whole(id, "id"), position(point, self._known), ctypes.byref(error)
         )
-        check(code, error)
+        of_point = library.beespace_code_name(error.code) in (b"not_finite", b"outside_domain")
+        check(code, error, {"": "point" if of_point else "id"})
 
     def remove(self, id: int) -> None:
         """Removes a point; its id is not used again.
@@ -275,22 +279,17 @@ class Index:
         2
         """
         error = _library.new_error()
-        check(
-            library.beespace_index_remove(self._handle, whole(id, "id"), ctypes.byref(error)), error
-        )
+        code = library.beespace_index_remove(self._handle, whole(id, "id"), ctypes.byref(error))
+        check(code, error, {"": "id"})
+
+    def _places_of(self, places: Any) -> Points:
+        given = Points(places, "places")
+        given.check_alike(self._known, "places", "points")
+        return given
 
     def _ask(
-        self,
-        function: Any,
-        places: Any,
-        arguments: tuple[Any, ...],
-        threads: int,
-        shape: tuple[int, ...] | None = None,
-    ) -> tuple[Points, Result]:
-        given = Points(places, "places")
-        given.check_axes(self._axes, "places", "points")
-        if shape is not None and shape != (given.count,):
-            raise invalid(f"{given.count} places need as many radii, not {shape}", "radii")
+        self, function: Any, given: Points, arguments: tuple[Any, ...], threads: int
+    ) -> Result:
         error = _library.new_error()
         result = Result()
         run = run_of(threads, given.count)
@@ -302,8 +301,15 @@ class Index:
             result.handle,
             ctypes.byref(error),
         )
-        check(code, error)
-        return given, result
+        check(code, error, {"radii": "radius", "threshold": "radius"})
+        return result
+
+
+def _is_one(radius: Any) -> bool:
+    try:
+        return np.ndim(radius) == 0
+    except ValueError:  # a list of lists of several lengths
+        return False
 
 
 def _address_of(numbers: NDArray[np.float64]) -> Any:

@@ -174,7 +174,7 @@ def error_of(error: CFileError) -> BeespaceFileError:
     raised = (BeespaceOSError if of_system else BeespaceFileError)(
         text.value.decode(errors="replace"),
         code,
-        error.place.decode() or None,
+        error.place.decode() or ("threshold" if code == "invalid_threshold" else None),
         None if error.record < 0 else int(error.record),
         file,
         int(error.line) or None,

@@ -97,7 +97,7 @@ class RecordingOutOfCore(Store):
     <beespace.RecordingOutOfCore: 4 fixes, 100,000,000 bytes of memory>
     """
 
-    __slots__ = ("_height_units", "_known", "_names", "_number_of", "_unit_given")
+    __slots__ = ("_agents", "_height_units", "_names", "_number_of", "_unit_given")
 
     def __init__(
         self,
@@ -115,7 +115,7 @@ class RecordingOutOfCore(Store):
         # Texts by their numbers, which are given as they come; None where ids are integers.
         self._names: list[Any] | None = None
         self._number_of: dict[Any, int] = {}
-        self._known: set[int] = set()
+        self._agents: set[int] = set()
 
     def __repr__(self) -> str:
         count = len(self)
@@ -187,6 +187,7 @@ class RecordingOutOfCore(Store):
         1
         """
         given = Points(positions, "positions")
+        given.check_alike(self._known, "positions", "positions before")
         numbers, labels = agents_of(ids, given.count)
         self._check_kind(given.count, labels)
         fixes = Fixes(numbers, seconds_of(times, given.count))
@@ -209,10 +210,12 @@ class RecordingOutOfCore(Store):
         check(code, error)
         if not given.count:
             return
+        self._known.take(given)
+        self._upright = heights is not None
         if heights is not None and self._unit_given:
             self._height_units = None
         if labels is None:
-            self._known.update(np.unique(numbers).tolist())
+            self._agents.update(np.unique(numbers).tolist())
         else:
             names = [] if self._names is None else self._names
             for name in self._new_of(labels):
@@ -251,6 +254,7 @@ class RecordingOutOfCore(Store):
         >>> recording.conflicts(5, max_gap=2)
         <RecordedConflicts: 0 conflicts of 2 agents; 2 gaps of 2 agents, 20 s in all, of which nothing is known>
         """
+        self._check_vertical(vertical)
         search = search_of(
             threshold, vertical, inclusive, max_results, height_units=self._height_units
         )
@@ -283,7 +287,7 @@ class RecordingOutOfCore(Store):
             i, j = names[order[low[rows]]], names[order[high[rows]]]
             rows = np.lexsort((gap_begin, rank[agent]))
             agent, gap_begin, gap_end = names[agent[rows]], gap_begin[rows], gap_end[rows]
-        agents = len(self._known if self._names is None else self._names)
+        agents = len(self._agents if self._names is None else self._names)
         gaps = Gaps(agent, gap_begin, gap_end)
         return RecordedConflicts(i, j, begin, end, closest, distance, agents, gaps)
 
@@ -291,7 +295,7 @@ class RecordingOutOfCore(Store):
         return [name for name in labels.tolist() if name not in self._number_of]
 
     def _check_kind(self, count: int, labels: NDArray[Any] | None) -> None:
-        if not count or (self._names is None and not self._known):
+        if not count or (self._names is None and not self._agents):
             return
         kind = None if self._names is None else self._names[0].__class__
         if (None if labels is None else labels[0].__class__) not in (kind, _of_numpy.get(kind)):

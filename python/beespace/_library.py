@@ -7,9 +7,11 @@ from __future__ import annotations
 
 import ctypes
 import os
+from collections.abc import Mapping
 from ctypes import POINTER, c_char, c_char_p, c_double, c_int, c_int32, c_int64, c_uint32, c_uint64
 from ctypes import c_size_t, c_ssize_t, c_void_p
 from pathlib import Path
+from typing import Any
 
 from beespace._errors import BeespaceError
 
@@ -127,7 +129,8 @@ def _method_of_c(function: object) -> object:
     return bind(function)
 
 
-def _refuse_to_copy(self: object) -> object:
+def refuse_to_copy(self: object) -> Any:
+    """What `__reduce__` of a handle does, and of what changes."""
     # ctypes would copy the address, and what is there would be freed twice.
     raise TypeError(
         "what the library of beespace keeps can be neither copied nor pickled: pickle what it was made "
@@ -140,7 +143,7 @@ def handle_of(of: ctypes.CDLL, name: str) -> type[c_void_p]:
     free = of[f"beespace_{name}_free"]
     free.restype = None
     free.argtypes = [c_void_p]
-    members = {"__del__": _method_of_c(free), "__reduce__": _refuse_to_copy}
+    members = {"__del__": _method_of_c(free), "__reduce__": refuse_to_copy}
     return type(f"C{name.title()}", (c_void_p,), members)
 
 
@@ -243,22 +246,31 @@ def new_error() -> CError:
     return CError(ctypes.sizeof(CError))
 
 
-def raise_error(error: CError) -> None:
+def raise_error(error: CError, places: Mapping[str, str] | None = None) -> None:
     """Raises what the library said is wrong."""
     if error.code == OUT_OF_MEMORY:
         raise MemoryError(error.message.decode())
-    raise error_of(error)
+    raise error_of(error, places=places)
 
 
 # Arguments that are called otherwise here.
-_places = {b"claim_offsets": "claim_indptr", b"after_s": "after"}
+_places = {"claim_offsets": "claim_indptr", "after_s": "after", "recording": ""}
 
 
-def error_of(error: CError, of_agent: bool = False) -> BeespaceError:
+def error_of(
+    error: CError, of_agent: bool = False, places: Mapping[str, str] | None = None
+) -> BeespaceError:
     """What the library said is wrong, as an exception; of an agent, any record is its number."""
     code = library.beespace_code_name(error.code).decode()
-    place = _places.get(error.place) or error.place.decode() or None
-    if code == "invalid_threshold" and place in (None, "options"):
-        place = "vertical" if error.message.startswith(b"the vertical") else "threshold"
+    said: str = error.place.decode()
+    if code == "invalid_threshold" and said in ("", "options"):
+        said = "vertical" if error.message.startswith(b"the vertical") else "threshold"
+    elif code == "too_many_results" and not said:
+        said = "max_results"
+    called = {**_places, **(places or {})}
+    place = called.get(said, said) or None
     record = None if error.record < 0 and not of_agent else int(error.record)
-    return BeespaceError(error.message.decode(), code, place, record)
+    message: str = error.message.decode()
+    if " NULL" in message:
+        message = "these are not given, and go with the others"
+    return BeespaceError(message, code, place, record)

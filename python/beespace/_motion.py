@@ -14,6 +14,7 @@ from beespace._calls import check, run_of, search_of, seconds
 from beespace._columns import Result
 from beespace._conflicts import Approaches, Conflicts
 from beespace._errors import invalid
+from beespace._frames import check_upright
 from beespace._library import library
 from beespace._points import Points, PointsLike
 
@@ -78,7 +79,7 @@ class Predictions(Asking):
         """
         search = search_of(threshold, vertical, inclusive, max_results)
         result, count = self._predict(
-            library.beespace_predict, positions, velocities, search, within, threads, copy
+            library.beespace_predict, positions, velocities, search, vertical, within, threads, copy
         )
         return conflicts_of(result, count)
 
@@ -118,7 +119,14 @@ class Predictions(Asking):
         """
         search = search_of(threshold, vertical, inclusive, max_results)
         result, count = self._predict(
-            library.beespace_predict_pairs, positions, velocities, search, within, threads, copy
+            library.beespace_predict_pairs,
+            positions,
+            velocities,
+            search,
+            vertical,
+            within,
+            threads,
+            copy,
         )
         return Pairs(result.first(), result.second(), None, (count, count), False)
 
@@ -128,11 +136,13 @@ class Predictions(Asking):
         positions: Any,
         velocities: Any,
         search: _library.CSearch,
+        vertical: Any,
         within: Any,
         threads: int,
         copy: bool,
     ) -> tuple[Result, int]:
         places, speeds = movers_of(positions, velocities, "positions", "velocities", copy)
+        check_upright(places, vertical, "vertical")
         error = _library.new_error()
         result = Result()
         run = run_of(threads, places.count, moving=True)
@@ -148,7 +158,7 @@ class Predictions(Asking):
                 ctypes.byref(error),
             ),
         )
-        check(code, error)
+        check(code, error, {"": "within"})
         return result, places.count
 
 
@@ -205,7 +215,9 @@ def closest_approach(
     if threshold is not None:
         search = search_of(threshold, vertical, inclusive)
     elif vertical is not None or inclusive:
-        raise invalid("vertical and inclusive need a threshold")
+        raise invalid(
+            "this needs a threshold", "vertical" if vertical is not None else "inclusive"
+        )
     given = [
         *movers_of(rows_of(positions), rows_of(velocities), "positions", "velocities", copy, True),
         *movers_of(
@@ -218,7 +230,9 @@ def closest_approach(
         ),
     ]
     places = ("positions", "velocities", "other_positions", "other_velocities")
-    given[2].check_axes(given[0].axes, "other_positions", "positions")
+    given[2].check_alike(given[0], "other_positions", "positions")
+    for each in (given[0], given[2]):
+        check_upright(each, vertical, "vertical")
     count = spread(list(zip(given, places)))
     error = _library.new_error()
     result = Result()
@@ -231,7 +245,7 @@ def closest_approach(
         result.handle,
         ctypes.byref(error),
     )
-    check(code, error)
+    check(code, error, {"": "within"})
     return Approaches(
         result.closest_times(),
         result.distances(),
@@ -263,7 +277,7 @@ def movers_of(
 ) -> tuple[Points, Points]:
     places = Points(positions, positions_name, copy)
     speeds = Points(velocities, velocities_name, copy)
-    speeds.check_axes(places.axes, velocities_name, "positions")
+    speeds.check_alike(places, velocities_name, "positions")
     if places.count != speeds.count and not (one_for_all and 1 in (places.count, speeds.count)):
         raise invalid(
             f"there are {speeds.count:,} velocities for {places.count:,} positions", velocities_name

@@ -13,7 +13,9 @@ from beespace import _library
 from beespace import _verify_library as _c
 from beespace._calls import number_of
 from beespace._errors import BeespaceError, invalid
+from beespace._frames import DEGREES, Described
 from beespace._library import library
+from beespace._reals import check_numbers
 from beespace._tables import plural
 from beespace._units import METRES, plain
 
@@ -201,6 +203,23 @@ def handle_of_obstacles(obstacles: Any) -> ctypes.c_void_p | None:
     return obstacles.handle
 
 
+def check_frame_of_obstacles(obstacles: Obstacles | None, positions: Described) -> None:
+    """Refuses obstacles that stand upright, beside positions whose z is not a height."""
+    if obstacles is None or positions.frame != DEGREES:
+        return
+    for index in range(len(obstacles)):
+        if isinstance(obstacles[index], _UPRIGHT):
+            raise BeespaceError(
+                "the positions were longitudes and latitudes, of which z is not a height, and this "
+                "stands upright: of such positions only spheres and boxes of the same frame count",
+                "invalid_argument",
+                "obstacles",
+                index,
+            )
+
+
+_UPRIGHT = (Ground, Cylinder, Prism)
+
 _names: dict[type, str] = {
     Sphere: "sphere",
     Box: "box",
@@ -251,9 +270,9 @@ def _fill_fields(struct: _c.CObstacle, obstacle: Any) -> NDArray[np.float64] | N
 
 
 def _numbers(given: ArrayLike, place: str) -> NDArray[np.float64]:
-    numbers = np.asarray(plain(given, place, METRES))
-    if numbers.dtype.kind not in "iuf":
-        raise invalid(f"coordinates are floats or integers, not {numbers.dtype}")
+    bare = plain(given, place, METRES)
+    numbers = np.asarray(bare)
+    check_numbers(bare, numbers, place)
     return numbers.astype(np.float64)
 
 

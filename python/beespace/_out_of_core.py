@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from beespace import _library
 from beespace import _out_of_core_library as _c
 from beespace._answers import ClosestPair, Nearest, Pairs
+from beespace._asking import neighbours_of
 from beespace._calls import check, whole
 from beespace._columns import Result, column
 from beespace._errors import invalid
@@ -357,7 +358,7 @@ class OutOfCore(Store):
         >>> search.nearest().ids[:, 0]
         array([1, 0, 1])
         """
-        shape = (len(self), whole(k, "k"))
+        shape = (len(self), neighbours_of(k))
         all_ids, distances = np.full(shape, -1, np.int64), np.full(shape, np.inf)
 
         def see(

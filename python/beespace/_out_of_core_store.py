@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 
 from beespace import _library
 from beespace import _out_of_core_library as _c
-from beespace._calls import check, number_of, run_of, search_of, threads_of, whole
+from beespace._calls import check, run_of, search_of, threads_of, whole
 from beespace._columns import column
 from beespace._errors import invalid
-from beespace._fixes import numbers_of
-from beespace._frames import check_frames
+from beespace._fixes import numbers_of, unit_of_heights
+from beespace._frames import Known, check_upright
 from beespace._library import CRun, CSearch, library
 from beespace._points import Points
 from beespace._units import METRES
@@ -35,12 +35,13 @@ class Store:
     __slots__ = (
         "_handle",
         "_kept",
-        "_like",
+        "_known",
         "_lock",
         "_memory",
         "_progress",
         "_size_of",
         "_threads",
+        "_unit",
         "_upright",
     )
 
@@ -57,7 +58,7 @@ class Store:
         self._handle = _c.COutOfCore() if kind == "out_of_core" else _c.CLargeRecording()
         self._size_of = library[f"beespace_{kind}_size"]
         self._kept: list[object] = []
-        self._like = _Like()
+        self._known = Known()  # of all points
         self._lock = threading.Lock()
         self._memory = _bytes_of(memory)
         self._threads = threads_of(threads)
@@ -66,9 +67,10 @@ class Store:
         path: str = os.fspath(folder) if folder is not None else os.environ.get("TMPDIR") or "/var/tmp"
         if not os.path.isdir(path):
             raise invalid(f"there is no folder {path!r} for a temporary file", "folder")
-        unit = number_of(height_unit, "height_unit", METRES)
+        unit = unit_of_heights(height_unit, apart=True)
         if not 1e-6 <= unit <= 1e6:
             raise invalid("this is a length in metres, such as 0.3048 for feet", "height_unit")
+        self._unit = unit
         options = _c.COptions(
             ctypes.sizeof(_c.COptions), self._memory, os.fsencode(path), unit, self._progress.called
         )
@@ -76,14 +78,15 @@ class Store:
         code = library[f"beespace_{kind}_create"](
             ctypes.byref(options), ctypes.byref(self._handle), ctypes.byref(error)
         )
-        check(code, error)
+        error.message = error.message.replace(b"memory_bytes", b"this")
+        check(code, error, {"options": "memory"})
 
     def __len__(self) -> int:
         return int(self._size_of(self._handle))
 
     def _take(self, function: Any, points: Any, heights: Any) -> object:
-        check_frames(points, self._like if len(self) else None, None)
         given = Points(points, "points")
+        given.check_alike(self._known, "points", "points before")
         each = None if heights is None else numbers_of(heights, given.count, "heights", METRES)
         error = _library.new_error()
         with self._alone():
@@ -93,16 +96,23 @@ class Store:
                 None if each is None else each.ctypes.data,
                 ctypes.byref(error),
             )
-        check(code, error)
+        check(code, error, {"": "heights"})
         if given.count:
-            self._like.frame = getattr(points, "frame", None)
+            self._known.take(given)
             self._upright = each is not None
         return (given.keep, each)
+
+    def _check_vertical(self, vertical: Any) -> None:
+        if self._upright:
+            return
+        check_upright(self._known, vertical, "vertical")
+        if vertical is not None:
+            unit_of_heights(self._unit, apart=False)
 
     def _search_of(
         self, threshold: Any, vertical: Any, inclusive: bool, distances: bool
     ) -> CSearch:
-        check_frames(self._like, None, None if self._upright else vertical)
+        self._check_vertical(vertical)
         return search_of(threshold, vertical, inclusive, distances=distances)
 
     def _at_risk(self, threshold: Any, vertical: Any, inclusive: bool) -> list[NDArray[np.int64]]:
@@ -167,13 +177,6 @@ def guarded(see: Callable[..., None], problems: list[BaseException]) -> Callable
             return 0
 
     return called
-
-
-class _Like:
-    """Stands for the points that came before, where frames are compared."""
-
-    def __init__(self) -> None:
-        self.frame: str | None = None
 
 
 class Problem:

@@ -11,7 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from beespace._errors import invalid
+from beespace._frames import Described, Known, check_alike, frame_of
 from beespace._library import FLOAT32, FLOAT64, CPoints
+from beespace._reals import check_integers, check_list
 from beespace._units import METRES, NO_UNIT, SPEEDS, plain
 
 PointsLike = ArrayLike  # or a tuple of arrays, a data frame, anything that DLPack knows
@@ -23,12 +25,14 @@ _size = ctypes.sizeof(CPoints)
 class Points:
     """The C structure of points, and what must stay alive as long as it."""
 
-    __slots__ = ("count", "keep", "struct")
+    __slots__ = ("count", "frame", "keep", "struct")
 
     def __init__(self, points: Any, place: str, copy: bool = False) -> None:
+        self.frame: str | None = None
         if not copy and _is_readable(points):
             self._of_rows(points)
             return
+        self.frame = frame_of(points)
         axes = _axes_of(points, place)
         if axes is None:
             rows = _numbers(_array_of(points, place), place, copy)
@@ -49,14 +53,9 @@ class Points:
         """How many there are; None where there are no points, which then go with any."""
         return None if not self.count else 2 if self.struct.z is None else 3
 
-    def check_axes(self, axes: int | None, place: str, of: str) -> None:
-        """Refuses points that have another number of axes than those that they are compared with: heights
-        of 0 would be made up."""
-        if None not in (axes, self.axes) and axes != self.axes:
-            raise invalid(
-                f"these have {self.axes} axes, and the {of} {axes}: give all of them heights, or none",
-                place,
-            )
+    def check_alike(self, others: Described, place: str, of: str) -> None:
+        """Refuses points that cannot be compared with those others."""
+        check_alike(self, others, place, of)
 
     def rows(self) -> NDArray[np.float64]:
         """The same as an array of shape (n, 3)."""
@@ -103,9 +102,10 @@ class Points:
         self.struct = CPoints(_size, _types[axes[0].dtype], 0, self.count, *addresses, *strides)
 
 
-def position(point: Any, axes: int | None) -> ctypes.Array[ctypes.c_double]:
+def position(point: Any, others: Known) -> ctypes.Array[ctypes.c_double]:
     """One position of as many coordinates as others have axes; beside those in a plane z may be 0."""
-    place = "position"
+    place, axes = "point", others.axes
+    check_alike(Known(frame=frame_of(point)), others, place, "points")
     numbers = _numbers(_array_of(point, place), place, False)
     if numbers.shape not in ((2,), (3,)):
         raise invalid("a position has two or three coordinates", place)
@@ -186,6 +186,7 @@ def _array_of(points: Any, place: str) -> NDArray[Any]:
         raise invalid(f"this is no array of numbers: {error}", place) from error
     if array.dtype.kind not in "fiu" and (hint := _hint(points)):
         raise invalid(hint, place)
+    check_list(points, array, place)
     return array
 
 
@@ -194,7 +195,10 @@ def _hint(points: Any) -> str | None:
     if isinstance(points, (str, bytes, os.PathLike)):
         return "this is a text: points of a file are given by beespace.read"
     if hasattr(points, "times") and hasattr(points, "agents"):
-        return "this is a recording: choose fixes of one moment, as in r.positions[r.times == 10]"
+        return (
+            "this is a recording: all of it is for Recording.from_file; or choose fixes of one moment, "
+            "as in r.positions[r.times == 10]"
+        )
     if hasattr(points, "collect"):
         return "this is a query that is not answered yet: give its .collect()"
     if isinstance(points, Mapping) or getattr(getattr(points, "dtype", None), "names", None):
@@ -218,8 +222,6 @@ def _numbers(array: NDArray[Any], place: str, copy: bool) -> NDArray[Any]:
         # Halves, and foreign bytes.
         return array.astype(np.float32 if array.dtype.itemsize <= 4 else np.float64)
     if kind in "iu":
-        doubles = array.astype(np.float64)
-        if array.dtype.itemsize == 8 and bool((np.abs(doubles) >= 2.0**53).any()):
-            raise invalid("not all integers beyond 2**53 are doubles: convert them first", place)
-        return doubles
+        check_integers(array, place)
+        return array.astype(np.float64)
     raise invalid(f"coordinates are floats or integers, not {array.dtype}", place)

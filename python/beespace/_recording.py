@@ -9,12 +9,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from beespace import _library
-from beespace._calls import check, number_of, run_of, search_of, seconds
+from beespace._calls import check, run_of, search_of
 from beespace._checks import Check, gap_of
 from beespace._columns import Result
 from beespace._conflicts import Encounter, Gaps, RecordedConflicts
-from beespace._errors import BeespaceError
-from beespace._fixes import Fixes, agents_of, numbers_of, seconds_of
+from beespace._errors import invalid
+from beespace._files import FileRecording
+from beespace._fixes import Fixes, agents_of, numbers_of, seconds_of, unit_of_heights
+from beespace._frame_columns import column_of
+from beespace._frames import Known, check_upright
 from beespace._library import library
 from beespace._obstacles import Obstacles
 from beespace._points import Points, PointsLike
@@ -66,7 +69,17 @@ class Recording:
     <RecordedConflicts: 1 conflict of 2 agents, from 4.8 to 5.2 s, closest ann and bob: 3 m at 5 s; no gaps>
     """
 
-    __slots__ = ("_agents", "_fixes", "_handle", "_height_units", "_ids", "_labels", "_span")
+    __slots__ = (
+        "_agents",
+        "_fixes",
+        "_handle",
+        "_has_heights",
+        "_height_units",
+        "_ids",
+        "_known",
+        "_labels",
+        "_span",
+    )
 
     def __init__(
         self,
@@ -79,14 +92,17 @@ class Recording:
     ) -> None:
         self._handle = _library.CRecording()
         given = Points(positions, "positions")
+        self._known = Known(given.axes, given.frame)
         agents, self._labels = agents_of(ids, given.count)
         clock = seconds_of(times, given.count)
         fixes = Fixes(agents, clock)
         # Of heights in another unit it is not known what it is called.
-        self._height_units = METRES if heights is None or height_unit == 1 else None
+        unit = unit_of_heights(height_unit, heights is not None)
+        self._has_heights = heights is not None
+        self._height_units = METRES if unit == 1.0 else None
         if heights is not None:
             fixes.set_heights(numbers_of(heights, given.count, "heights", self._height_units))
-            fixes.struct.height_unit_m = number_of(height_unit, "height_unit", METRES)
+            fixes.struct.height_unit_m = unit
         error = _library.new_error()
         run = run_of(1, given.count)
         code = library.beespace_recording_create(
@@ -115,11 +131,11 @@ class Recording:
         height: str | None = None,
         height_unit: float = 1.0,
     ) -> Recording:
-        """A recording of the rows of a data frame: of pandas, Polars, or what has columns by name.
+        """A recording of the rows of a data frame: of pandas, Polars, or anything with columns by name.
 
         Parameters
         ----------
-        frame : data frame
+        frame : data frame, table of Arrow, dataset of xarray, structured array, or dict of columns
             A row for each fix. Columns of float64 or float32 are read without a conversion.
         id, time, x, y, z : str
             The names of the columns: agent, time in seconds, coordinates in metres; without `z`,
@@ -142,7 +158,7 @@ class Recording:
         """
         names = {"id": id, "time": time, "x": x, "y": y}
         names |= {role: name for role, name in (("z", z), ("height", height)) if name is not None}
-        columns = {role: _column_of(frame, name, role) for role, name in names.items()}
+        columns = {role: column_of(frame, name, role) for role, name in names.items()}
         axes = tuple(columns[axis] for axis in ("x", "y", "z") if axis in columns)
         return cls(
             columns["id"],
@@ -151,6 +167,37 @@ class Recording:
             heights=columns.get("height"),
             height_unit=height_unit,
         )
+
+    @classmethod
+    def from_file(cls, recording: FileRecording) -> Recording:
+        """A recording of what `read_recording` gave. It knows the frame of the file, which its bare
+        `positions` do not: `vertical` is refused of degrees.
+
+        Records that the file lacks (`missing_count`, `skipped_count`) are no gaps of this recording:
+        an agent moves straight on from the fix before to the one after, unless `max_gap` is shorter.
+
+        Parameters
+        ----------
+        recording : FileRecording
+            All fixes of the file.
+
+        Returns
+        -------
+        Recording
+            Its agents are the ids of the file.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> cage = beespace.read_recording("../examples/data/cage.csv")
+        >>> beespace.Recording.from_file(cage).closest()
+        <Encounter: b02 and b05, 0.0157202 m at 9.25137 s; no gaps>
+        """
+        if not isinstance(recording, FileRecording):  # pyright: ignore[reportUnnecessaryIsInstance]
+            raise invalid(f"this is what read_recording gives, and not {recording!r}", "recording")
+        made = cls(recording.ids[recording.agents], recording.times, recording.positions)
+        made._known.frame = recording.frame
+        return made
 
     def __len__(self) -> int:
         """How many fixes there are."""
@@ -204,6 +251,10 @@ class Recording:
         >>> recording.conflicts(5, max_gap=2)
         <RecordedConflicts: 0 conflicts of 2 agents; 2 gaps of 2 agents, 20 s in all, of which nothing is known>
         """
+        if not self._has_heights:
+            check_upright(self._known, vertical, "vertical")
+        elif vertical is None:
+            raise invalid("give this: the heights are apart from the positions", "vertical")
         search = search_of(
             threshold, vertical, inclusive, max_results, height_units=self._height_units
         )
@@ -293,7 +344,7 @@ class Recording:
         <Verdict: holds; 1 step, closest 1 and 2: 3 m>
         """
         checked = Check(threshold, max_speed, None, obstacles, clearance, True, threads)
-        checked.add_recording(self._handle, self._fixes, gap_of(max_gap))
+        checked.add_recording(self._handle, self._fixes, self._known, gap_of(max_gap))
         return checked.verdict(self._ids)
 
     def _ask(self, function: Any, search: tuple[Any, ...], max_gap: Any, threads: int) -> Result:
@@ -303,7 +354,7 @@ class Recording:
         code = function(
             self._handle,
             *search,
-            np.inf if max_gap is None else seconds(max_gap, "max_gap"),
+            gap_of(max_gap),
             None if run is None else ctypes.byref(run),
             result.handle,
             ctypes.byref(error),
@@ -316,20 +367,3 @@ class Recording:
 
     def _named(self, ids: NDArray[np.int64]) -> NDArray[Any]:
         return ids if self._labels is None else self._labels[ids]
-
-
-_LISTS: Any = (list, tuple)
-
-
-def _column_of(frame: Any, name: str, role: str) -> Any:
-    names = list(frame.columns) if hasattr(frame, "columns") else list(frame)
-    if names.count(name) != 1:
-        problem = "has no column" if name not in names else "has several columns"
-        told = ", ".join(map(str, names))
-        raise BeespaceError(
-            f"the frame {problem} {name!r} for {role}; it has: {told}", "missing_column", role
-        )
-    column: Any = frame[name]
-    # Of a list, each id is looked at.
-    as_it_is: bool = hasattr(column, "shape") or isinstance(column, _LISTS)
-    return column if as_it_is else np.asarray(column)

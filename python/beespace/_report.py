@@ -9,7 +9,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from beespace import _io_library, _library
-from beespace._calls import length, run_of, seconds, whole
+from beespace._calls import length, run_of, whole
+from beespace._checks import gap_of
 from beespace._errors import invalid
 from beespace._files import FilePoints, PathLike, encoded_path, paths_of, reading_options
 from beespace._points import Points, PointsLike
@@ -136,7 +137,7 @@ def report(
     vertical: float | str | None = None,
     inclusive: bool = False,
     max_gap: float | None = None,
-    threads: int = 0,
+    threads: int = 1,
     frame: str | None = None,
     columns: str | None = None,
     units: str | None = None,
@@ -213,6 +214,8 @@ def report(
             code = io.unlocked.beespace_io_page_of_read(points, *tail)
         else:
             code = _page_of_points(io, points, ids, tail)
+    if error.place == b"page_options":
+        error.place = b"vertical"  # all others have been looked at
     _io_library.check(code, error)
     made = Report(handle)
     if output is not None:
@@ -285,9 +288,7 @@ def _page_options(
     options.threads = _library.ALL_PROCESSORS if number == 0 else min(number, 256)
     options.threshold_m = length(threshold, "threshold")
     if max_gap is not None:
-        options.max_gap_s = seconds(max_gap, "max_gap")
-        if not options.max_gap_s > 0:
-            raise invalid("a gap is longer than zero; infinity for none", "max_gap")
+        options.max_gap_s = gap_of(max_gap)
     if vertical is not None:
         text = vertical if isinstance(vertical, str) else repr(length(vertical, "vertical"))
         options.vertical = _io_library.encoded(text)

@@ -4,22 +4,20 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, Literal, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from beespace import _library
 from beespace._answers import ClosestPair, Groups, Nearest, Neighbors, Pairs
-from beespace._asking import nearest_of, refuse_self, sets_of
+from beespace._asking import nearest_of, neighbours_of, refuse_self, sets_of
 from beespace._calls import search_of, whole
 from beespace._errors import invalid
 from beespace._library import library
 from beespace._motion import Predictions
 from beespace._points import PointsLike
 from beespace._visits import Visit
-
-_MOST_POINTS = 2**32
 
 
 class Searches(Predictions):
@@ -28,6 +26,46 @@ class Searches(Predictions):
     """
 
     __slots__ = ()
+
+    @overload
+    def at_risk(
+        self,
+        points: PointsLike,
+        threshold: float,
+        *,
+        others: PointsLike | None = None,
+        vertical: float | None = None,
+        inclusive: bool = False,
+        mask: Literal[False] = False,
+        threads: int = 1,
+        copy: bool = False,
+    ) -> NDArray[np.int64]: ...
+    @overload
+    def at_risk(
+        self,
+        points: PointsLike,
+        threshold: float,
+        *,
+        others: PointsLike | None = None,
+        vertical: float | None = None,
+        inclusive: bool = False,
+        mask: Literal[True],
+        threads: int = 1,
+        copy: bool = False,
+    ) -> NDArray[np.bool_]: ...
+    @overload
+    def at_risk(
+        self,
+        points: PointsLike,
+        threshold: float,
+        *,
+        others: PointsLike | None = None,
+        vertical: float | None = None,
+        inclusive: bool = False,
+        mask: bool,
+        threads: int = 1,
+        copy: bool = False,
+    ) -> NDArray[np.int64] | NDArray[np.bool_]: ...
 
     def at_risk(
         self,
@@ -40,7 +78,7 @@ class Searches(Predictions):
         mask: bool = False,
         threads: int = 1,
         copy: bool = False,
-    ) -> NDArray[Any]:
+    ) -> NDArray[np.int64] | NDArray[np.bool_]:
         """Which points are closer than the threshold to any other point?
 
         Time and memory grow with the number of points, whatever their density.
@@ -393,19 +431,23 @@ class Searches(Predictions):
         array([ 5.,  5., inf])
         """
         first, second = sets_of(points, others, copy, vertical)
-        number = whole(k, "k")
-        if number > _MOST_POINTS:
-            raise invalid(f"there are never more than {_MOST_POINTS:,} points, and this is {number:,}", "k")
+        number = neighbours_of(k)
         if within is not None:
             if number != 1:
                 raise invalid("within a threshold, one neighbour of each point is found", "k")
-            search = search_of(within, vertical, inclusive)
+            search = search_of(within, vertical, inclusive, place="within")
             result = self._ask(
-                library.beespace_nearest_within, first, second, (ctypes.byref(search),), threads
+                library.beespace_nearest_within,
+                first,
+                second,
+                (ctypes.byref(search),),
+                threads,
+                places={"threshold": "within"},
             )
             return Nearest(result.ids()[:, np.newaxis], result.distances()[:, np.newaxis])
         if vertical is not None or inclusive:
-            raise invalid("vertical and inclusive need a threshold, `within`")
+            place = "vertical" if vertical is not None else "inclusive"
+            raise invalid("this needs a threshold, `within`", place)
         result = self._ask(library.beespace_nearest, first, second, (number,), threads)
         return nearest_of(result, first.count, number)
 
@@ -444,3 +486,13 @@ class Searches(Predictions):
             return None
         return ClosestPair(int(i[0]), int(result.second()[0]), float(result.distances()[0]))
 
+
+def _name_as_called(kind: type) -> None:
+    """Lets Python's own errors say "at_risk() takes ...", and not the name of a class inside."""
+    for name, function in vars(kind).items():
+        if not name.startswith("_"):
+            function.__qualname__ = name
+
+
+for _kind in (Predictions, Searches):
+    _name_as_called(_kind)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ctypes
+import math
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -14,9 +16,11 @@ from beespace._calls import length, number_of, seconds, threads_of, whole
 from beespace._columns import Columns
 from beespace._errors import BeespaceError, invalid
 from beespace._events import Events, KnownAgents, SwarmCounts
-from beespace._fixes import Fixes, ids_of, integers_of, numbers_of, seconds_of
+from beespace._fixes import Fixes, ids_of, integers_of, numbers_of, seconds_of, unit_of_heights
+from beespace._frames import Known, check_upright
 from beespace._library import at_once, library
 from beespace._points import Points, PointsLike
+from beespace._ranges import above_zero, moment, zero_or_more
 from beespace._turns import InTurn
 from beespace._units import METRES, NO_UNIT, SECONDS, SPEEDS, plain
 
@@ -76,7 +80,7 @@ class Swarm(InTurn):
     <beespace.Swarm: 0 agents and 2 stale ones, 4 reports so far>
     """
 
-    __slots__ = ("_axes", "_heights_apart", "_other_heights")
+    __slots__ = ("_heights_apart", "_known", "_other_heights", "_upright")
 
     def __init__(
         self,
@@ -97,24 +101,32 @@ class Swarm(InTurn):
         options.threads = threads_of(threads)
         # Heights in another unit, of which it is not known what it is called.
         self._heights_apart = heights_apart
-        self._other_heights = heights_apart and height_unit != 1
+        unit = unit_of_heights(height_unit, heights_apart)
+        self._other_heights = unit != 1.0
         options.threshold_m = length(threshold, "threshold")
-        options.horizon_s = seconds(horizon, "horizon")
-        for name, value in (("leave_factor", leave_factor), ("height_unit", height_unit)):
-            setattr(options, _fields[name], _above_zero(number_of(value, name, _units[name]), name))
-        options.max_age_s = _above_zero(seconds(max_age, "max_age"), "max_age")
+        options.horizon_s = zero_or_more(seconds(horizon, "horizon"), "horizon")
+        options.height_unit_m = unit
+        options.leave_factor = number_of(leave_factor, "leave_factor", NO_UNIT)
+        if not 1.0 <= options.leave_factor < math.inf:
+            raise invalid("this is a finite number, 1 or more", "leave_factor")
+        options.max_age_s = above_zero(seconds(max_age, "max_age"), "max_age")
         for name, number in (("max_agents", max_agents), ("max_pairs", max_pairs)):
             setattr(options, name, _above_zero(whole(number, name), name))
         if vertical is not None:
             options.flags |= _c.SWARM_VERTICAL
             options.vertical_m = length(vertical, "vertical", None if self._other_heights else METRES)
+        elif heights_apart:
+            raise invalid("give this: with heights apart, they are compared with it", "vertical")
         if heights_apart:
             options.flags |= _c.SWARM_HEIGHTS_APART
         if max_speed is not None:
             options.flags |= _c.SWARM_MAX_SPEED
-            options.max_speed_mps = number_of(max_speed, "max_speed", SPEEDS)
+            options.max_speed_mps = zero_or_more(
+                number_of(max_speed, "max_speed", SPEEDS), "max_speed"
+            )
         self._take_turns(_c.CSwarm(), threaded=threads != 1)
-        self._axes: int | None = None  # of all reports
+        self._known = Known()  # of all reports
+        self._upright = vertical is not None and not heights_apart
         error = _library.new_error()
         code = library.beespace_swarm_create(
             ctypes.byref(options), ctypes.byref(self._handle), ctypes.byref(error)
@@ -174,9 +186,11 @@ class Swarm(InTurn):
         places = Points(positions, "positions")
         speeds = None if velocities is None else Points(velocities, "velocities")
         if speeds is not None:
-            speeds.check_axes(places.axes, "velocities", "positions")
-        when = np.asarray(plain(times, "times", SECONDS))
-        when = np.broadcast_to(when, (places.count,)) if when.ndim == 0 else when
+            speeds.check_alike(places, "velocities", "positions")
+        check_upright(places, self._upright, "vertical")
+        when: Any = times
+        if np.ndim(plain(times, "times", SECONDS)) == 0:
+            when = np.broadcast_to(np.float64(seconds(times, "times")), (places.count,))
         fixes = Fixes(integers_of(ids, places.count), seconds_of(when, places.count))
         if heights is not None and not self._heights_apart:
             raise invalid("make the swarm with heights_apart=True, or give these as z", "heights")
@@ -187,11 +201,13 @@ class Swarm(InTurn):
                 None if climbs is None else numbers_of(climbs, places.count, "climbs", of_climbs),
             )
         elif climbs is not None:
-            raise BeespaceError("there are climb rates without heights", "invalid_argument", "climbs")
+            raise invalid("there are climb rates without heights", "climbs")
+        elif self._heights_apart:
+            raise invalid("give these: the swarm has heights apart from positions", "heights")
         error = _library.new_error()
         refused = ctypes.c_int64()
         with self._lock:
-            places.check_axes(self._axes, "positions", "reports before")
+            places.check_alike(self._known, "positions", "reports before")
             code = library.beespace_swarm_update(
                 self._handle,
                 ctypes.byref(fixes.struct),
@@ -201,7 +217,7 @@ class Swarm(InTurn):
                 ctypes.byref(error),
             )
             if 0 <= refused.value < places.count:
-                self._axes = places.axes
+                self._known.take(places)
         if refused.value > 1:
             more = f"; {refused.value:,} of {places.count:,} reports were refused, the others count"
             error.message = (error.message.decode()[: 511 - len(more)] + more).encode()
@@ -231,7 +247,7 @@ class Swarm(InTurn):
         >>> swarm.advance(2).time
         array([1.75])
         """
-        return self._events(library.beespace_swarm_advance, seconds(now, "now"))
+        return self._events(library.beespace_swarm_advance, moment(seconds(now, "now"), "now"))
 
     def finish(self, now: float) -> Events:
         """The last `advance`: nothing more will be heard.
@@ -257,10 +273,10 @@ class Swarm(InTurn):
         >>> swarm.finish(1)
         <Events: 2 events: 1 entered, 1 ended>
         """
-        last = seconds(now, "now")
+        last = moment(seconds(now, "now"), "now")
         with self._lock:
             events = self._events(library.beespace_swarm_finish, last)
-            self._axes = None
+            self._known.forget()
         return events
 
     def begin_anew(self, now: float, then: float) -> Events:
@@ -289,7 +305,9 @@ class Swarm(InTurn):
         (2, 0)
         """
         return self._events(
-            library.beespace_swarm_begin_anew, seconds(now, "now"), seconds(then, "then")
+            library.beespace_swarm_begin_anew,
+            moment(seconds(now, "now"), "now"),
+            moment(seconds(then, "then"), "then"),
         )
 
     def remove(self, ids: ArrayLike) -> None:
@@ -355,12 +373,12 @@ class Swarm(InTurn):
         >>> swarm.movers(3).position
         array([[3., 0., 0.]])
         """
-        moment = seconds(time, "time")
+        when = seconds(time, "time")
         columns = Columns(at_once.beespace_movers_create)
         error = _library.new_error()
         with self._lock:
             code = library.beespace_swarm_movers(
-                self._handle, moment, columns.handle, ctypes.byref(error)
+                self._handle, when, columns.handle, ctypes.byref(error)
             )
         _check(code, error)
         return KnownAgents(columns)
@@ -393,7 +411,7 @@ class Swarm(InTurn):
         error = _library.new_error()
         with self._lock:
             code = function(self._handle, *times, columns.handle, ctypes.byref(error))
-        _check(code, error)
+        _check(code, error, {"": "now"})
         return Events(columns)
 
     def _change(self, function: Any, ids: Any) -> None:
@@ -407,10 +425,6 @@ class Swarm(InTurn):
         _check(code, error)
 
 
-_fields = {"leave_factor": "leave_factor", "height_unit": "height_unit_m"}
-_units = {"leave_factor": NO_UNIT, "height_unit": METRES}
-
-
 def _above_zero(number: Any, name: str) -> Any:
     # The library takes 0 for its default.
     if number == 0:
@@ -418,9 +432,6 @@ def _above_zero(number: Any, name: str) -> Any:
     return number
 
 
-def _check(code: int, error: _library.CError) -> None:
-    if code == _library.OK:
-        return
-    if error.place == b"agents":
-        error.place = b"ids"
-    _library.raise_error(error)
+def _check(code: int, error: _library.CError, places: Mapping[str, str] | None = None) -> None:
+    if code != _library.OK:
+        _library.raise_error(error, {"agents": "ids", **(places or {})})

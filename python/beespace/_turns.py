@@ -8,6 +8,7 @@ import weakref
 from typing import Any
 
 from beespace._errors import invalid
+from beespace._library import refuse_to_copy
 
 
 class InTurn:
@@ -17,6 +18,10 @@ class InTurn:
     """
 
     __slots__ = ("__weakref__", "_handle", "_lock", "_threaded")
+
+    def __reduce__(self) -> Any:
+        """Refused: a copy would be another name for what C keeps, with a memory of its own."""
+        return refuse_to_copy(self)
 
     def _take_turns(self, handle: Any, threaded: bool) -> None:
         """Begins; `threaded` where C keeps threads between calls."""
@@ -46,7 +51,11 @@ class InTurn:
 
     def _lose(self) -> None:
         """What cannot be made anew, as it has seen what came before."""
-        self._lock = _Lost(type(self).__name__)
+        self._lock = _Lost(self._called())
+
+    def _called(self) -> str:
+        """What users know it as."""
+        return type(self).__name__
 
 
 class _Lost:

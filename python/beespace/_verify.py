@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from beespace._checks import Check, gap_of
 from beespace._errors import BeespaceError, invalid
 from beespace._fixes import agents_of, seconds_of
-from beespace._obstacles import Obstacles
+from beespace._obstacles import Obstacles, check_frame_of_obstacles
 from beespace._points import Points, PointsLike
 from beespace._verdict import Verdict
 
@@ -98,6 +98,10 @@ class Verifier:
         """
         speeds = None if velocities is None else Points(velocities, "velocities")
         self._check.add(time, Points(positions, "positions"), speeds)
+
+    def __reduce__(self) -> Any:
+        """Refused, as by all that the library keeps and that changes."""
+        return self._check.__reduce__()
 
     def skip(self) -> None:
         """Says that it was not seen what agents did from the last time on until the next one.
@@ -194,8 +198,13 @@ def verify(
     >>> verdict.losses.i, verdict.breaches
     (array(['ann'], dtype='<U3'), <Breaches: none>)
     """
-    places = _rows_of(positions, "positions")
-    speeds = None if velocities is None else _rows_of(velocities, "velocities")
+    known = Points(positions, "positions")
+    places = _rows_of(known)
+    speeds = None
+    if velocities is not None:
+        flown = Points(velocities, "velocities")
+        flown.check_alike(known, "velocities", "positions")
+        speeds = _rows_of(flown)
     if speeds is not None and speeds.shape != places.shape:
         raise invalid(f"of shape {speeds.shape}, beside positions of {places.shape}", "velocities")
     agents, labels = agents_of(ids, len(places))
@@ -206,6 +215,7 @@ def verify(
     check = Check(
         threshold, max_speed, max_acceleration, obstacles, clearance, speeds is None, threads
     )
+    check_frame_of_obstacles(obstacles, known)
     longest = gap_of(max_gap)
     for row, time in enumerate(moments):
         if row and not time - moments[row - 1] <= longest:
@@ -228,9 +238,9 @@ def verify(
     return check.verdict(names)
 
 
-def _rows_of(positions: Any, place: str) -> NDArray[np.float64]:
+def _rows_of(points: Points) -> NDArray[np.float64]:
     """As an array of rows, which can be put into another order."""
-    kept: Any = Points(positions, place).keep
+    kept: Any = points.keep
     rows: Any = kept if hasattr(kept, "shape") else np.column_stack(kept)
     return np.asarray(rows, np.float64)
 

@@ -126,7 +126,7 @@ def test_one_that_cannot_be_used_clears_no_other():
         assert not advice.certified.any()
         assert advice.kind[4] == "none" and (advice.velocities[4] == 0).all()
         (refused,) = advice.refused
-        name = {"places": "positions", "speeds": "velocities", "max_speed": "limits"}[place]
+        name = {"places": "positions", "speeds": "velocities", "max_speed": "max_speed"}[place]
         assert (refused.place, refused.record) == (name, 4)
         assert "1 refused" in repr(advice)
     wanted = goals * 0.1
@@ -229,12 +229,12 @@ def test_fences_and_intruders_are_named():
         ({"preferred": [[0, 0, 0]] * 2}, "preferred", "invalid_argument"),
         ({"max_speed": [1, 2]}, "max_speed", "invalid_argument"),
         ({"max_speed": "fast"}, "max_speed", "invalid_argument"),
-        ({"max_speed": -1}, "limits", "invalid_argument"),
-        ({"max_acceleration": 0}, "limits", "invalid_argument"),
+        ({"max_speed": -1}, "max_speed", "invalid_argument"),
+        ({"max_acceleration": 0}, "max_acceleration", "invalid_argument"),
         ({"step": 0}, "step", "invalid_argument"),
-        ({"step": -1}, None, "invalid_argument"),
+        ({"step": -1}, "step", "invalid_argument"),
         ({"step": None}, "step", "invalid_argument"),
-        ({"uncertainty": -1}, None, "invalid_argument"),
+        ({"uncertainty": -1}, "uncertainty", "invalid_argument"),
         ({"method": "magic"}, "method", "invalid_argument"),
         ({"vertical": 1, "vertical_factor": 2}, "vertical", "invalid_argument"),
         ({"clearance": 0}, "clearance", "invalid_argument"),
@@ -244,7 +244,7 @@ def test_fences_and_intruders_are_named():
             "fence_offsets",
             "invalid_argument",
         ),
-        ({"fence_directions": [[0, 0, 1]], "fence_offsets": [0]}, None, "invalid_argument"),
+        ({"fence_directions": [[0, 0, 1]], "fence_offsets": [0]}, "clearance", "invalid_argument"),
         ({"intruder_velocities": [[0, 0, 1]]}, "intruder_positions", "invalid_argument"),
         ({"unknown_centers": [[0, 0, 1]]}, "unknown_radii", "invalid_argument"),
         (

@@ -172,9 +172,9 @@ def test_an_index_answers_about_any_place(points, places, threshold):
 def test_an_index_wants_one_radius_or_one_for_each_place():
     index = beespace.Index([[0, 0, 0], [10, 0, 0]])
     for radii, code, place, record in (
-        ([1.0], "invalid_argument", "radii", None),
-        ([[1.0, 2.0]], "invalid_argument", "radii", None),
-        ([1.0, -2.0], "invalid_threshold", "radii", 1),
+        ([1.0], "invalid_argument", "radius", None),
+        ([[1.0, 2.0]], "invalid_argument", "radius", None),
+        ([1.0, -2.0], "invalid_threshold", "radius", 1),
     ):
         with pytest.raises(beespace.BeespaceError) as caught:
             index.around([[0, 0, 0], [1, 0, 0]], radii)
@@ -236,13 +236,13 @@ def test_answers_turn_into_what_others_use():
     assert repr(found).startswith(f"<Pairs: {len(found):,} pairs of 60 points, ")
     assert repr(beespace.groups(points, 3)).startswith("<Groups: ")
     assert " of 60 points, " in repr(beespace.neighbors(points, 3))
-    assert repr(beespace.nearest(points, 2)).startswith("<Nearest: 2 of 60 points, ")
+    assert repr(beespace.nearest(points, 2)).startswith("<Nearest: the 2 nearest of each of 60 points, ")
     for call, said in [
         (lambda: beespace.pairs(points[:1], 3), "<Pairs: 0 pairs of 1 point>"),
         (lambda: beespace.pairs(points[:0], 3), "<Pairs: 0 pairs of 0 points>"),
         (lambda: beespace.neighbors(points[:0], 3), "<Neighbors: 0 neighbours of 0 points>"),
         (lambda: beespace.groups(points[:1], 3), "<Groups: 0 groups with 0 of 1 point>"),
-        (lambda: beespace.nearest(points[:1], 2), "<Nearest: 2 of 1 point>"),
+        (lambda: beespace.nearest(points[:1], 2), "<Nearest: the 2 nearest of 1 point, none found>"),
         (lambda: beespace.Index(points[:1]), "<beespace.Index: 1 point>"),
         (beespace.Engine, "<beespace.Engine: 0 calls so far>"),
     ]:

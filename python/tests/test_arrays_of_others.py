@@ -174,6 +174,48 @@ def test_a_recording_of_polars():
     assert conflicts.select("i", "j", "closest_time").rows() == [("a", "b", 5.0)]
 
 
+columns = {"id": ["a", "b"] * 2, "t": [0.0, 0, 10, 10], "x": [0.0, 100, 100, 0], "y": [0.0, 3, 0, 3]}
+names = {"id": "id", "time": "t", "x": "x", "y": "y"}
+
+
+def is_recording_of_columns(table):
+    recording = beespace.Recording.from_frame(table, **names)
+    pass_by = recording.conflicts(5)
+    assert (pass_by.i.tolist(), pass_by.j.tolist()) == (["a"], ["b"])
+    assert pass_by.closest_time.tolist() == [5.0]
+    with pytest.raises(beespace.BeespaceError, match="it has: .*x") as caught:
+        beespace.Recording.from_frame(table, **{**names, "x": "east"})
+    assert (caught.value.code, caught.value.place) == ("missing_column", "x")
+
+
+def test_a_recording_of_a_structured_array():
+    rows = list(zip(*columns.values()))
+    fields = [("id", "U1"), ("t", "f8"), ("x", "f8"), ("y", "f4")]
+    is_recording_of_columns(np.array(rows, fields))
+    is_recording_of_columns(np.array(rows, fields).view(np.recarray))
+    for table in (np.zeros((4, 3)), [1, 2, 3], 5):
+        with pytest.raises(beespace.BeespaceError, match="no columns by name") as caught:
+            beespace.Recording.from_frame(table, **names)
+        assert caught.value.place == "frame"
+
+
+def test_a_recording_of_arrow():
+    arrow = pytest.importorskip("pyarrow")
+    table = arrow.table(columns)
+    is_recording_of_columns(table)
+    is_recording_of_columns(arrow.concat_tables([table[:1], table[1:]]))  # in chunks
+    is_recording_of_columns(table.to_batches()[0])
+    twice = arrow.Table.from_arrays([table["x"], table["x"]], names=["x", "x"])
+    with pytest.raises(beespace.BeespaceError, match="has no column 'id'"):
+        beespace.Recording.from_frame(twice, **names)
+
+
+def test_a_recording_of_xarray_whose_time_is_a_coordinate():
+    xarray = pytest.importorskip("xarray")
+    given = {name: ("t", values) for name, values in columns.items() if name != "t"}
+    is_recording_of_columns(xarray.Dataset(given, coords={"t": columns["t"]}))
+
+
 def test_arrow_without_a_copy():
     arrow = pytest.importorskip("pyarrow")
     table = arrow.table(frame)
@@ -235,8 +277,8 @@ def test_what_is_in_another_unit_is_refused():
         (lambda: beespace.predict(cube, Pint(speeds, "knot"), 1, within=1), "velocities"),
         (lambda: beespace.predict(cube, Pint(speeds, "meter"), 1, within=1), "velocities"),
         (lambda: beespace.Recording([1, 1], Pint(np.arange(2.0), "minute"), cube[:2]), "times"),
-        (lambda: beespace.Index(cube).around(cube[:2], Pint(np.ones(2), "foot")), "radii"),
-        (lambda: beespace.Index(cube).insert(cube[0].view(Astropy)), "position"),
+        (lambda: beespace.Index(cube).around(cube[:2], Pint(np.ones(2), "foot")), "radius"),
+        (lambda: beespace.Index(cube).insert(cube[0].view(Astropy)), "point"),
         (lambda: beespace.to_ecef(Pint(np.ones(2), "radian"), np.ones(2), 0), "lon"),
         (lambda: beespace.to_ecef([1, 1], [1, 1], Pint(np.ones(2), "foot")), "height"),
     ]:

@@ -163,15 +163,16 @@ def _refused(call, code, place):
 def test_what_makes_no_sense_is_refused():
     invalid = "invalid_argument"
     for change, place in (
-        ({"max_acceleration": float("inf")}, None),
+        ({"max_acceleration": float("inf")}, "max_acceleration"),
         ({"max_speed": "fast"}, "max_speed"),
         ({"epoch": 0}, "epoch"),
         ({"threads": -1}, "threads"),
         ({"figures": beespace.FleetFigures(loop="air")}, "loop"),
-        ({"figures": beespace.FleetFigures(deviation=-1)}, None),
+        ({"figures": beespace.FleetFigures(deviation=-1)}, "deviation"),
         ({"link": beespace.LinkFigures(period=0)}, "link"),
-        ({"link": beespace.LinkFigures(command_delay=33)}, None),
-        ({"fence_offsets": [0]}, "fence_offsets"),
+        ({"link": beespace.LinkFigures(command_delay=33)}, "command_delay"),
+        ({"fence_offsets": [0]}, "fence_directions"),
+        ({"fence_directions": [[1, 0, 0]]}, "fence_offsets"),
         ({"clearance": 0}, "clearance"),
     ):
         _refused(lambda: beespace.Guide(2, **{**LIMITS, **change}), invalid, place)
@@ -194,8 +195,8 @@ def test_what_makes_no_sense_is_refused():
     _refused(lambda: guide.take(beespace.AgentReport(1, 5, 6, (0, 0, 0))), invalid, "agents")
     named = guide.step(7)
     assert (named.contract.tolist(), named.reason.tolist()) == (["out"], ["no_branch"])
-    _refused(lambda: guide.step(7), "time_order", None)
-    _refused(lambda: guide.step(10**18 + 1), invalid, None)
+    _refused(lambda: guide.step(7), "time_order", "now")
+    _refused(lambda: guide.step(10**18 + 1), invalid, "now")
     _refused(lambda: guide.step(0.5), invalid, "now")
     follower = beespace.Follower(1, 6, 4, 0.1)
     state = beespace.BranchState((0, 0, 0), (0, 0, 0))
@@ -208,7 +209,7 @@ def test_what_makes_no_sense_is_refused():
     _refused(lambda: beespace.Guide(2, **LIMITS, figures=(1, 2)), invalid, "figures")
     _refused(lambda: beespace.Guide(2, **LIMITS, link=(1, 2)), invalid, "link")
     _refused(lambda: beespace.Obstacles(None), invalid, "obstacles")
-    _refused(lambda: beespace.Follower(1, 6, 0, 0.1), invalid, None)
+    _refused(lambda: beespace.Follower(1, 6, 0, 0.1), invalid, "planned_acceleration")
     _refused(lambda: follower.setpoint(-1), invalid, "after")
     _refused(
         lambda: follower.restore(beespace.StoredBranch(None, -1, 0)), invalid, "promised"
@@ -234,7 +235,7 @@ def test_errors_name_figures_as_python_does():
         ({"deviation": 2, "correction_speed": 1, "correction_acceleration": 1},
          "deviation 2 needs correction_speed"),
         ({"deviation": 2, "correction_speed": 3}, "needs correction_acceleration above"),
-        ({"report_error": -1}, "report_error is"),
+        ({"report_error": -1}, "report_error: this is -1"),
         ({"correction_speed": 9}, "must be below max_speed"),
     ]:  # fmt: skip
         with pytest.raises(beespace.BeespaceError, match=said) as raised:

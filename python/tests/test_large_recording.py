@@ -143,3 +143,26 @@ def test_ctrl_c_ends_it():
         while True:
             recording.conflicts(60)
     timer.join()
+
+
+class _Degrees(np.ndarray):
+    frame = "wgs84"
+
+
+def test_frames_axes_and_units_of_heights_are_checked_as_in_memory():
+    places = np.array([[4e6, 5e5, 4.9e6], [4e6, 5e5 + 30, 4.9e6]])
+    recording = beespace.RecordingOutOfCore("16 MiB")
+    recording.add([1, 2], [0, 0], places.view(_Degrees))
+    recording.add([1, 2], [1, 1], places)  # says nothing: what was said before holds
+    assert len(recording.conflicts(50)) == 1
+    with pytest.raises(beespace.BeespaceError, match="vertical") as refused:
+        recording.conflicts(50, vertical=10)
+    assert refused.value.place == "vertical"
+    with pytest.raises(beespace.BeespaceError, match="axes") as refused:
+        recording.add([1], [2], [[0, 0]])
+    assert refused.value.place == "positions"
+    in_feet = beespace.RecordingOutOfCore("16 MiB", height_unit=0.3048)
+    in_feet.add([1, 2], [0, 0], [[0, 0, 0], [1, 0, 500]])
+    with pytest.raises(beespace.BeespaceError, match="no heights apart") as refused:
+        in_feet.conflicts(50, vertical=1)
+    assert refused.value.place == "height_unit"

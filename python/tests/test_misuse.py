@@ -51,12 +51,39 @@ def test_what_the_library_keeps_is_never_owned_twice():
         for way in (pickle.dumps, copy.deepcopy):
             with pytest.raises(TypeError, match="make it anew"):
                 way(each)
-    # A copy that is not deep is another name for the same.
-    other = copy.copy(kept[0])
-    kept[0].insert([0, 0, 0])
-    assert len(other) == len(points) + 1
-    del kept
-    assert len(other.around(points[:5], 1.0)) == 5
+    # What never changes has copies that are not deep.
+    for each in kept[1:]:
+        assert repr(copy.copy(each)) == repr(each)
+    other = copy.copy(kept[1])
+    kept.clear()
+    assert len(other.conflicts(50.0))
+
+
+def test_what_changes_has_no_copies():
+    guide = beespace.Guide(3, max_speed=6, max_acceleration=4)
+    for each in (
+        beespace.Index(points),
+        beespace.Swarm(5),
+        beespace.Verifier(5),
+        beespace.Adviser(),
+        guide,
+        beespace.Follower(7, 6, 4, 0.1),
+        beespace.OutOfCore("100 MB"),
+    ):
+        for way in (pickle.dumps, copy.copy, copy.deepcopy):
+            with pytest.raises(TypeError, match="make it anew"):
+                way(each)
+
+
+def test_errors_of_python_name_what_was_called():
+    for call, name in [
+        (lambda: beespace.at_risk(points, 1.0, points), r"^at_risk\(\)"),
+        (lambda: beespace.Engine().at_risk(points, 1.0, threshold=1), r"^at_risk\(\)"),
+        (lambda: beespace.predict(points, points, 1.0), r"^predict\(\)"),
+    ]:
+        with pytest.raises(TypeError, match=name):
+            call()
+    assert pickle.loads(pickle.dumps(beespace.at_risk))(points[:2], 1e-9).size == 0
 
 
 def test_a_copy_of_an_engine_is_a_new_one():
@@ -118,7 +145,7 @@ def test_masks_are_never_dropped():
         (lambda: beespace.Recording(masked.astype(int), [0, 1], points[:2]), "ids"),
         (lambda: beespace.to_ecef(masked, [0, 0], 0), "lon"),
         (lambda: beespace.to_ecef([0, 0], [0, 0], masked), "height"),
-        (lambda: beespace.Index(points).around(points[:2], masked), "radii"),
+        (lambda: beespace.Index(points).around(points[:2], masked), "radius"),
         (lambda: beespace.at_risk((masked, masked), 1), "points"),
     ]:
         with pytest.raises(beespace.BeespaceError, match="masked") as caught:

@@ -210,11 +210,11 @@ def test_errors_say_which_array_and_which_of_it():
             "velocities",
             None,
         ),
-        (lambda: predict(*mine, 1, within=-1), "invalid_argument", None, None),
+        (lambda: predict(*mine, 1, within=-1), "invalid_argument", "within", None),
         (lambda: predict(*mine, 1, within="soon"), "invalid_argument", "within", None),
         (lambda: predict(*mine, 0, within=1), "invalid_threshold", "threshold", None),
-        (lambda: predict(*mine, 9, within=9, max_results=1), "too_many_results", None, None),
-        (lambda: approach(*mine, *mine, inclusive=True), "invalid_argument", None, None),
+        (lambda: predict(*mine, 9, within=9, max_results=1), "too_many_results", "max_results", None),
+        (lambda: approach(*mine, *mine, inclusive=True), "invalid_argument", "inclusive", None),
     ]:
         with pytest.raises(beespace.BeespaceError) as caught:
             call()

@@ -110,7 +110,7 @@ def test_few_points_have_few_neighbours():
     ("call", "code", "place"),
     [
         (lambda: beespace.OutOfCore("much"), "invalid_argument", "memory"),
-        (lambda: beespace.OutOfCore("1 MB"), "invalid_argument", "options"),
+        (lambda: beespace.OutOfCore("1 MB"), "invalid_argument", "memory"),
         (lambda: beespace.OutOfCore(-1), "invalid_argument", "memory"),
         (lambda: beespace.OutOfCore("1GB", "/no/such/folder"), "invalid_argument", "folder"),
         (lambda: beespace.OutOfCore("1GB", height_unit=0), "invalid_argument", "height_unit"),

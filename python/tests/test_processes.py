@@ -71,6 +71,7 @@ def is_refused(call):
         call()
     except beespace.BeespaceError as error:
         assert "forked" in str(error), str(error)
+        assert f"this {type(globals()['it']).__name__} has stayed" in str(error), str(error)
     else:
         raise AssertionError("an answer without its threads")
 """

@@ -284,8 +284,8 @@ def test_objects_are_refused_everywhere_else():
         (lambda: beespace.Index(objects), "points"),
         (lambda: index.around(objects, 2), "places"),
         (lambda: index.nearest(objects), "places"),
-        (lambda: index.insert(objects[0]), "position"),
-        (lambda: index.move(0, objects[0]), "position"),
+        (lambda: index.insert(objects[0]), "point"),
+        (lambda: index.move(0, objects[0]), "point"),
     ]:
         with pytest.raises(beespace.BeespaceError) as caught:
             call()

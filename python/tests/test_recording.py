@@ -149,14 +149,41 @@ def test_heights_apart_are_compared_as_they_are(unit):
         ([0, 1, 2, 1e31], 1.0, "outside_domain", 3),
         ([0, 1, 2], 1.0, "invalid_argument", None),
         (["a", "b", "c", "d"], 1.0, "invalid_argument", None),
-        ([0, 1, 2, 3], -1.0, "invalid_argument", None),
-        ([0, 1, 2, 3], math.nan, "invalid_argument", None),
     ],
 )
 def test_heights_that_cannot_be_are_named(heights, unit, code, record):
     with pytest.raises(beespace.BeespaceError) as caught:
         beespace.Recording([1, 2, 1, 2], [0, 0, 1, 1], [[0, 0]] * 4, heights=heights, height_unit=unit)
     assert (caught.value.code, caught.value.place, caught.value.record) == (code, "heights", record)
+
+
+def _recorded(unit, heights):
+    return beespace.Recording([1, 2], [0, 0], [[0, 0, 0], [3, 4, 500]], heights=heights, height_unit=unit)
+
+
+def _reported(unit, heights):
+    swarm = beespace.Swarm(5, vertical=1, heights_apart=heights is not None, height_unit=unit)
+    swarm.update([1, 2], 0, [[0, 0, 0], [3, 4, 500]], heights=heights)
+
+
+def _added(unit, heights):
+    search = beespace.OutOfCore("100 MB", height_unit=unit)
+    search.add([[0, 0, 0], [3, 4, 500]], heights=heights)
+    search.at_risk(5, vertical=1)
+
+
+@pytest.mark.parametrize("give", [_recorded, _reported, _added])
+def test_a_unit_is_one_of_heights_that_are_apart(give):
+    for unit in (0, -1, math.nan, math.inf, 1e40):
+        with pytest.raises(beespace.BeespaceError) as caught:
+            give(unit, [0, 500])
+        assert (caught.value.code, caught.value.place) == ("invalid_argument", "height_unit")
+    # z is in metres: a unit would be passed over.
+    with pytest.raises(beespace.BeespaceError, match="no heights apart") as caught:
+        give(1000, None)
+    assert (caught.value.code, caught.value.place) == ("invalid_argument", "height_unit")
+    give(1.0, None)
+    give(1000, [0, 500])
 
 
 def test_ids_are_those_that_were_given():
@@ -211,8 +238,8 @@ def test_rows_that_cannot_be_are_named():
         (lambda: make(ids, dates, positions), "invalid_argument", "times", None),
         (lambda: make(ids, np.array([1, 1, 2, 2]) * 2**60, positions), "invalid_argument", "times", None),
         (lambda: make(ids, times, positions).conflicts(0), "invalid_threshold", "threshold", None),
-        (lambda: make(ids, times, positions).conflicts(1, max_gap=0), "invalid_argument", None, None),
-        (lambda: make(ids, times, positions).conflicts(99, max_results=0), "too_many_results", None, None),
+        (lambda: make(ids, times, positions).conflicts(1, max_gap=0), "invalid_argument", "max_gap", None),
+        (lambda: make(ids, times, positions).conflicts(99, max_results=0), "too_many_results", "max_results", None),
         (lambda: make(ids, times, positions).closest(max_gap="no"), "invalid_argument", "max_gap", None),
     ]:  # fmt: skip
         with pytest.raises(beespace.BeespaceError) as caught:

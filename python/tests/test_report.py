@@ -161,16 +161,16 @@ def test_arguments_that_make_no_sense_are_refused(tmp_path):
     points = [[0, 0, 0], [3, 4, 0]]
     degrees = beespace.read(data / "bees-1000.csv")
     for call, code, place in [
-        (lambda: beespace.report(points, 0), "invalid_threshold", None),
-        (lambda: beespace.report(points, float("nan")), "invalid_threshold", None),
-        (lambda: beespace.report(points, 1, vertical="high"), "invalid_argument", "page_options"),
-        (lambda: beespace.report(points, 1, vertical=-1), "invalid_argument", "page_options"),
+        (lambda: beespace.report(points, 0), "invalid_threshold", "threshold"),
+        (lambda: beespace.report(points, float("nan")), "invalid_threshold", "threshold"),
+        (lambda: beespace.report(points, 1, vertical="high"), "invalid_argument", "vertical"),
+        (lambda: beespace.report(points, 1, vertical=-1), "invalid_argument", "vertical"),
         (lambda: beespace.report(points, 1, max_gap=0), "invalid_argument", "max_gap"),
         (lambda: beespace.report(points, 1, ids=["a"]), "invalid_argument", "ids"),
         (lambda: beespace.report(points, 1, ids=["a", "b\0"]), "invalid_argument", "ids"),
         (lambda: beespace.report(points, 1, frame="metres"), "invalid_argument", "frame"),
         (lambda: beespace.report(degrees, 1, skip_bad=True), "invalid_argument", "skip_bad"),
-        (lambda: beespace.report(degrees, 1, vertical=5), "invalid_argument", "page_options"),
+        (lambda: beespace.report(degrees, 1, vertical=5), "invalid_argument", "vertical"),
         (lambda: beespace.report(degrees, 1, ids=range(1000)), "invalid_argument", "ids"),
         (lambda: beespace.report(data / "swarm.csv", 1, ids="a"), "invalid_argument", "ids"),
         (lambda: beespace.report([[0, 0, float("nan")]], 1), "not_finite", "points"),

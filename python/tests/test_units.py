@@ -53,7 +53,7 @@ def with_heights(**given):
 NUMBERS = [
     (lambda x: beespace.at_risk(flown, x), "threshold"),
     (lambda x: beespace.at_risk(flown, 5, vertical=x), "vertical"),
-    (lambda x: beespace.nearest(flown, within=x), "threshold"),
+    (lambda x: beespace.nearest(flown, within=x), "within"),
     (lambda x: beespace.predict(flown, still, 5, within=x), "within"),
     (lambda x: beespace.closest_approach(*flown, *flown, within=x), "within"),
     (lambda x: beespace.Recording([1, 2], [0, 0], flown).conflicts(5, max_gap=x), "max_gap"),

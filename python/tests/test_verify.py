@@ -202,12 +202,12 @@ def test_what_was_not_seen_does_not_hold():
     [
         ({"threshold": 0}, "invalid_threshold", "threshold", None),
         ({"threshold": "far"}, "invalid_threshold", "threshold", None),
-        ({"max_speed": -1}, "invalid_argument", "options", None),
+        ({"max_speed": -1}, "invalid_argument", "max_speed", None),
         ({"max_acceleration": 3}, "invalid_argument", "max_acceleration", None),  # of straight lines
         ({"max_gap": 0}, "invalid_argument", "max_gap", None),
         ({"max_gap": math.nan}, "invalid_argument", "max_gap", None),
-        ({"clearance": 3}, "invalid_argument", "options", None),
-        ({"obstacles": beespace.Obstacles([])}, "invalid_argument", "options", None),
+        ({"clearance": 3}, "invalid_argument", "clearance", None),
+        ({"obstacles": beespace.Obstacles([])}, "invalid_argument", "clearance", None),
         ({"obstacles": [beespace.Ground(0)], "clearance": 1}, "invalid_argument", "obstacles", None),
         ({"times": [0, 0, 1, 2]}, "invalid_argument", "times", None),
         ({"times": [0, 0, 1, math.nan]}, "not_finite", "times", 3),

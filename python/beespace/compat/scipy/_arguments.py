@@ -70,7 +70,7 @@ def threads(workers: Any) -> int:
     if workers is None:
         return 1
     try:
-        count = operator.index(workers)
+        count = int(operator.index(workers))
     except TypeError:
         raise HandOver(REFUSED) from None
     if count == -1 and os.cpu_count() is not None:
@@ -123,7 +123,7 @@ class Ranks(NamedTuple):
 def ranks(k: Any) -> Ranks:
     if type(k) not in (list, tuple, np.ndarray):
         try:
-            count = operator.index(k)
+            count = int(operator.index(k))
         except TypeError:
             raise HandOver(REFUSED) from None
         if count < 1:

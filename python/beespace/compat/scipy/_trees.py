@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -183,9 +183,22 @@ class cKDTree(Tree):
 
         return self._answer("query_ball_tree", ask, other, r, p, eps)
 
+    @overload
+    def query_pairs(
+        self, r: float, p: float = 2.0, eps: float = 0.0, output_type: Literal["set"] = "set"
+    ) -> set[tuple[int, int]]: ...
+    @overload
+    def query_pairs(
+        self, r: float, p: float = 2.0, eps: float = 0.0, *, output_type: Literal["ndarray"]
+    ) -> NDArray[np.intp]: ...
+    @overload
+    def query_pairs(
+        self, r: float, p: float, eps: float, output_type: Literal["ndarray"]
+    ) -> NDArray[np.intp]: ...
+
     def query_pairs(
         self, r: float, p: float = 2.0, eps: float = 0.0, output_type: str = "set"
-    ) -> Any:
+    ) -> set[tuple[int, int]] | NDArray[np.intp]:
         """Which pairs of points are within r of each other?
 
         Parameters
