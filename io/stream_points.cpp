@@ -3,6 +3,7 @@
 #include "io/bytes/gzip.hpp"
 #include "io/load_points.hpp"
 #include "io/table/fields.hpp"
+#include "io/table/record_problems.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -226,8 +227,12 @@ Result<Bytes> PointStream::next_lines() {
       const std::size_t last = all.substr(0, wanted).rfind(table_->line_end);
       const std::size_t next =
           last != std::string_view::npos ? last : all.find(table_->line_end, wanted);
-      // A line that is too long for a record is an error of the record.
-      if (next == std::string_view::npos && !ended_ && all.size() <= kLongestLine) {
+      if (next == std::string_view::npos && !ended_) {
+        if (all.size() > kLongestLine) {
+          Error error = line_without_end(all);
+          error.location.line = table_->lines_before + 1;
+          return error;
+        }
         wanted = all.size() + block_bytes_;
         continue;
       }

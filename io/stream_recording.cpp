@@ -11,6 +11,7 @@
 #include "io/problems/text_check.hpp"
 #include "io/recording/recording_sources.hpp"
 #include "io/table/fields.hpp"
+#include "io/table/record_problems.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -162,8 +163,12 @@ Status RecordingStream::read_lines() {
       const std::size_t last = all.substr(0, wanted).rfind(table_->line_end());
       const std::size_t next =
           last != std::string_view::npos ? last : all.find(table_->line_end(), wanted);
-      // A line that is too long for a record is an error of the record.
-      if (next == std::string_view::npos && !ended_ && all.size() <= kLongestLine) {
+      if (next == std::string_view::npos && !ended_) {
+        if (all.size() > kLongestLine) {
+          Error error = line_without_end(all);
+          error.location.line = table_->lines_before() + 1;
+          return placed(std::move(error));
+        }
         wanted = all.size() + block_bytes_;
         continue;
       }
@@ -229,6 +234,7 @@ Result<Recording> RecordingStream::finish(std::uint64_t repeated) {
     }
   }
   assembly_->tracks().add_repeated(repeated);
+  assembly_->settled_frame();  // of each bee only the last fix is there
   return assembly_->finish();
 }
 

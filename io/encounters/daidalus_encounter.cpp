@@ -217,7 +217,8 @@ std::optional<Error> read_daidalus_encounter(std::string_view text, RecordingAss
   const bool geographic = layout->frame == Frame::kWgs84;
   if (!geographic) assembly.note("sx counts to the east, sy to the north, sz upwards");
   std::uint64_t rows = 0;
-  return read_track_records(*table, *layout, {}, RecordPlace::kLineAndColumn, rows, assembly);
+  return read_track_records(std::string_view(*table).substr(layout->table.data_offset), *layout, {},
+                            RecordPlace::kLineAndColumn, rows, assembly);
 }
 
 }  // namespace beespace::io

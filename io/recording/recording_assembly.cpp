@@ -221,7 +221,7 @@ std::optional<Error> RecordingAssembly::settle_times() {
 }
 
 std::optional<Error> RecordingAssembly::settle_frame() {
-  if (!facts_) return std::nullopt;
+  if (!facts_ || frame_is_settled_) return std::nullopt;
   SourceFacts& facts = *facts_;
   const bool bare = options_.frame == Frame::kAuto && facts.naming == Naming::kBareAxes;
   if (facts.frame == Frame::kAuto || bare) {

@@ -55,6 +55,8 @@ class RecordingAssembly {
   // Whether there is more than one input, so that what is called by numbers alone needs a name of
   // its source before it.
   void expect_several() { several_ = true; }
+  // The frame was judged by all positions while they came, of which not all are there any more.
+  void settled_frame() { frame_is_settled_ = true; }
   [[nodiscard]] bool has_several() const { return several_; }
   // That name: `stem`, or where another source has it already, all of the source's name.
   std::string name_of_source(std::string stem);
@@ -112,6 +114,7 @@ class RecordingAssembly {
   std::vector<std::string> sources_;
   std::vector<std::string> stems_;  // those given away by name_of_source()
   bool several_ = false;
+  bool frame_is_settled_ = false;
   std::optional<SourceFacts> facts_;                     // of all inputs so far
   std::string facts_source_;                             // who said so first
   HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by the source that states it

@@ -38,6 +38,14 @@ Error long_line(std::string_view line) {
           {}};
 }
 
+Error line_without_end(std::string_view beginning) {
+  return {ErrorCode::kMalformedRecord,
+          "a line that begins with " + excerpt(beginning) +
+              " is too long for a record (the limit is 1 MiB); with --memory such a line is not "
+              "left out: correct it, or take it away",
+          {}};
+}
+
 std::optional<Error> record_problem(std::string_view line, const TableLayout& layout,
                                     std::size_t count, std::string_view cursor_problem) {
   if (line.find('\0') != std::string_view::npos) {

@@ -21,6 +21,9 @@ Error missing_column(std::string message);
 
 // kMalformedRecord: beyond the limit of fields.hpp.
 Error long_line(std::string_view line);
+// The same of a line whose end has not been read yet, and is not looked for: what follows it could
+// only be guessed.
+Error line_without_end(std::string_view beginning);
 
 // What is wrong with the line as a whole, after a FieldCursor went through it: `count` fields, and
 // its problem(). Errors: kUnsupportedFormat (NUL bytes), kMalformedRecord, kColumnCount.

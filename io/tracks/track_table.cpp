@@ -121,6 +121,8 @@ Result<TrackTableReader> TrackTableReader::begin(const TrackTable& beginning,
   }
   TrackTableReader reader(*std::move(layout), beginning.stem, assembly);
   reader.data_offset_ += beginning.bytes.size() - text.size();
+  Progress* const progress = assembly.options().progress;
+  if (progress != nullptr) progress->done += reader.data_offset_;
   return reader;
 }
 

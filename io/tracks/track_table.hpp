@@ -47,6 +47,8 @@ class TrackTableReader {
   // Where in the beginning the first line behind the header begins.
   [[nodiscard]] std::size_t data_offset() const { return data_offset_; }
   [[nodiscard]] char line_end() const { return layout_->table.line_end; }
+  // How many lines came before those that are read next.
+  [[nodiscard]] std::uint64_t lines_before() const { return layout_->table.lines_before; }
 
   // The next lines, whole ones. Errors have line and column.
   std::optional<Error> read(std::string_view lines);

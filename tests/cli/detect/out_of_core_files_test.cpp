@@ -206,6 +206,10 @@ TEST_F(OutOfCoreFiles, BadRecordsAreLeftOutAsWithoutMemory) {
   std::string much = "x_m,y_m,z_m\n1,2,3\n";
   for (int row = 0; row < 150'000; ++row) much += "a,b,c\n";
   expect_refused({folder_.file("much.csv", much), "--skip-bad"}, 3, "too many records are bad");
+  // What follows in a line without an end must not become a record.
+  const std::string endless = "x,y,z\n0,0,0\n" + std::string(3'000'000, 'q') + "0,0,0.5\n9,9,9\n";
+  expect_refused({folder_.file("endless.csv", endless), "--crs", "metres", "--skip-bad"}, 3,
+                 "too long for a record");
   expect_refused({swarm("swarm.npy", 10), "--crs", "metres", "--skip-bad"}, 2, "--skip-bad");
 }
 

@@ -178,6 +178,14 @@ TEST_F(ReplayOutOfCore, DegreesAndHeightsInFeet) {
   expect_same_but_apart({file, "--threshold", "50", "--vertical", "15 m", "--report", "bees"});
 }
 
+// That they are metres is said by values that are not the last ones.
+TEST_F(ReplayOutOfCore, ValuesOfAllFixesMayContradictDegrees) {
+  expect_same({"--threshold", "10"},
+              "id,time_s,x,y\na,0,500,700\na,1,250,350\na,2,1.5,2.5\nb,0,900,100\nb,1,400,50\n"
+              "b,2,8.5,3.25\n",
+              10);
+}
+
 // Without a conflict, and what is unknown: never a false all-clear.
 TEST_F(ReplayOutOfCore, SaysWhatIsUnknown) {
   const std::string header = "id,time_s,x,y,z\n";
@@ -232,6 +240,15 @@ TEST_F(ReplayOutOfCore, RefusesWhatItCannotDo) {
     EXPECT_EQ(finished.out, "");
     expect_parts(finished.err, {message});
   };
+  // What follows in such a line must not become a record, nor be left out unseen.
+  for (const char filling : {' ', 'q'}) {
+    const std::string long_line = std::string(3'000'000, filling) + "b,0,3,0,0\n";
+    refused({"--skip-bad", "--fail-on-risk"}, table + long_line + "c,0,900,0,0\n", 3,
+            "<stdin>:3: a line that begins with");
+  }
+  refused({}, "NAME sx sy sz vx vy vz time\n[none] [m] [m] [m] [m/s] [m/s] [m/s] [s]\n", 3,
+          "an encounter of DAIDALUS, which is read as a whole");
+  refused({}, "00:00:00.00>CRE KL1,B744,52,4,90,FL350,280\n", 3, "ask 'beespace predict'");
   refused({"--report", "separation"}, table, 2, "--memory does not take --report separation");
   refused({"--report", "events"}, table, 2, "--memory does not take --report events");
   refused({}, "{\"swarm\": {}}", 3, "read as a whole; leave --memory out");
