@@ -21,8 +21,9 @@ TWICE_SCHEMA = "twice long, id long"
 
 # The most points of the sample that a partition gives.
 _SAMPLE = 4096
-_SMALLEST, _LARGEST = 2.0**-400, 2.0**400
-_LIMITS = {"lon": (-360.0, 360.0), "lat": (-90.0, 90.0), "height": (-12_000.0, 1_000_000.0)}
+# Positions that can be searched: metres, and degrees with heights.
+SMALLEST, LARGEST = 2.0**-400, 2.0**400
+LIMITS = {"lon": (-360.0, 360.0), "lat": (-90.0, 90.0), "height": (-12_000.0, 1_000_000.0)}
 
 
 class Survey(NamedTuple):
@@ -113,10 +114,10 @@ class Surveyor:
 
     def _is_possible(self, name: str, values: NDArray[np.float64]) -> NDArray[np.bool_]:
         if self.columns.degrees and not (self.columns.apart and name == "height"):
-            low, high = _LIMITS[name]
+            low, high = LIMITS[name]
             return (values >= low) & (values <= high)
         size = np.abs(values)
-        return (values == 0) | ((size >= _SMALLEST) & (size <= _LARGEST))
+        return (values == 0) | ((size >= SMALLEST) & (size <= LARGEST))
 
 
 def _lowest(
