@@ -157,10 +157,10 @@ def test_no_task_has_much_more_than_the_others(session, count):
     import pandas
 
     frame = session.createDataFrame(pandas.DataFrame({"id": np.arange(count), **dict(zip("xyz", points.T))}))
-    from beespace.spark._search import places_of, prepare
+    from beespace.spark._search import look, places_of, prepare
 
     places = places_of("id", "x", "y", "z", None, None, None)
-    blocks = prepare(frame, places, [2.0] * 3, 3_000, 6, True).blocks
+    blocks = prepare(frame, places, look(frame, places, True), [2.0] * 3, 3_000, 6).blocks
     rows = blocks.selectExpr("spark_partition_id() AS at", "length(points) / 32 AS n")
     loads = [row["sum(n)"] for row in rows.groupBy("at").sum("n").collect()]
     assert len(loads) == 6

@@ -229,3 +229,19 @@ def test_fixes_that_cannot_be_used_are_counted(session):
     frame = session.createDataFrame(rows, "id long, time double, x double").selectExpr("*", "x AS y")
     with pytest.raises(beespace.BeespaceError, match="2 of 3 fixes cannot be used"):
         beespace.spark.conflicts(frame, 5, z=None)
+
+@pytest.mark.parametrize(
+    ("columns", "value"),
+    [
+        ({"lon": "x", "lat": "y", "height": "z"}, -91.0),
+        ({"lon": "x", "lat": "y", "height": "z", "vertical": 10}, 91.0),
+        ({"z": None, "height": "z", "vertical": 10}, 1e200),
+        ({}, 1e-200),
+    ],
+)
+def test_fixes_that_are_nowhere_are_counted(session, columns, value):
+    rows = [(1, 0.0, 8.0, 47.0, 0.0), (2, 1.0, 8.0, value, 0.0), (3, 2.0, 8.0, 47.0, -0.0)]
+    frame = session.createDataFrame(rows, "id long, time double, x double, y double, z double")
+    with pytest.raises(beespace.BeespaceError, match="1 of 3 fixes cannot be used; one of them: id 2") as caught:
+        beespace.spark.conflicts(frame, 5, **columns)
+    assert caught.value.code == "outside_domain"

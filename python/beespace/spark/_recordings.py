@@ -23,6 +23,7 @@ from beespace.spark._search import (
     quoted,
     reach_of,
 )
+from beespace.spark._survey import LARGEST, LIMITS, SMALLEST
 from beespace.spark._tubes import TUBES_SCHEMA, IntoCells, TubeSurveyor, WindowFacts, facts_of, windows_of
 from beespace.spark._windows import WINDOW_SCHEMA, ConflictsOf, Windows, join_conflicts
 
@@ -203,6 +204,10 @@ def _look(fixes: DataFrame, places: Places) -> Any:
     for name in ("time", *places.columns.names):
         value = functions.col(name).cast("double")
         bad = bad | value.isNull() | functions.isnan(value) | (functions.abs(value) == math.inf)
+        if places.columns.degrees and name in LIMITS and not (places.columns.apart and name == "height"):
+            bad = bad | ~value.between(*LIMITS[name])
+        elif name != "time":
+            bad = bad | ((value != 0) & ~functions.abs(value).between(SMALLEST, LARGEST))
     shares = [at / _MOST_WINDOWS for at in range(1, _MOST_WINDOWS)]
     row = fixes.agg(
         functions.count(functions.lit(1)).alias("rows"),
@@ -215,10 +220,13 @@ def _look(fixes: DataFrame, places: Places) -> Any:
     if row["bad"]:
         first = fixes.where(bad).first()
         told = ", ".join(f"{name} {first[name]}" for name in fixes.columns)
+        is_number = all(
+            first[name] is not None and math.isfinite(first[name]) for name in fixes.columns[1:]
+        )
         raise BeespaceError(
             f"{row['bad']:,} of {row['rows']:,} fixes cannot be used; one of them: {told}. Correct such rows, or "
             "leave them out knowingly, with DataFrame.where",
-            "not_finite",
+            "outside_domain" if is_number and first["id"] is not None else "not_finite",
         )
     return row
 

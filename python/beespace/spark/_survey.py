@@ -23,8 +23,9 @@ TWICE_SCHEMA = "twice long, id long"
 _SAMPLE = 4096
 # A partition tells of at most so many stretches in which ids ascend: Spark puts small files together.
 _RUNS = 256
-_SMALLEST, _LARGEST = 2.0**-400, 2.0**400
-_LIMITS = {"lon": (-360.0, 360.0), "lat": (-90.0, 90.0), "height": (-12_000.0, 1_000_000.0)}
+# Positions that can be searched: metres, and degrees with heights.
+SMALLEST, LARGEST = 2.0**-400, 2.0**400
+LIMITS = {"lon": (-360.0, 360.0), "lat": (-90.0, 90.0), "height": (-12_000.0, 1_000_000.0)}
 
 
 class Survey(NamedTuple):
@@ -110,10 +111,10 @@ class Surveyor:
 
     def _is_possible(self, name: str, values: NDArray[np.float64]) -> NDArray[np.bool_]:
         if self.columns.degrees and not (self.columns.apart and name == "height"):
-            low, high = _LIMITS[name]
+            low, high = LIMITS[name]
             return (values >= low) & (values <= high)
         size = np.abs(values)
-        return (values == 0) | ((size >= _SMALLEST) & (size <= _LARGEST))
+        return (values == 0) | ((size >= SMALLEST) & (size <= LARGEST))
 
 
 def _with_runs(runs: NDArray[np.int64], ids: NDArray[np.int64]) -> NDArray[np.int64] | None:

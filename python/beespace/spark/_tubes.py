@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from beespace.spark._blocks import Columns
+from beespace.spark._blocks import Columns, integers
 from beespace.spark._cut import Cut
 from beespace.spark._survey import mixed
 from beespace.spark._windows import FAR, HOME, NEAR, WINDOW_COLUMNS, Windows
@@ -83,8 +83,9 @@ def _last_agent(table: Any, borders: NDArray[np.float64], columns: Columns) -> t
     is_last = np.fromiter((id == last for id in ids), bool, len(ids))
     numbers, ends = _numbers_of(table, columns)
     latest = numbers[ends[1:] - 1, 0][is_last].max()
-    window = np.asarray(table.column("window").to_numpy())
-    open_ones: NDArray[np.bool_] = is_last & (window >= np.searchsorted(borders, latest, "left"))
+    window = integers(table.column("window").combine_chunks())
+    leads_on = int(np.searchsorted(borders, float(latest), "left"))
+    open_ones = is_last & (window >= leads_on)
     return table.filter(pyarrow.array(open_ones)), table.filter(pyarrow.array(~open_ones))
 
 
