@@ -16,7 +16,6 @@ using namespace beespace::c;  // NOLINT(google-build-using-namespace): the funct
 using beespace::OutOfCore;
 using beespace::OutOfCoreFacts;
 using beespace::OutOfCoreOptions;
-using beespace::OutOfCoreProgress;
 using beespace::PointsView;
 using beespace::Result;
 using beespace::Status;

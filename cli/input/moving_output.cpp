@@ -80,9 +80,9 @@ std::string input_summary(const io::Recording& recording, const MovingRequest& r
 
 std::string separation_summary(const MovingRequest& request, double threshold_m, bool declared,
                                bool aircraft) {
-  const std::string text = separation_text(threshold_m, request.vertical_m, request.inclusive,
-                                           request.threshold, request.vertical) +
-                           usual_text(request.separation);
+  std::string text = separation_text(threshold_m, request.vertical_m, request.inclusive,
+                                     request.threshold, request.vertical) +
+                     usual_text(request.separation);
   if (declared) return text + ", as the input declares";
   if (request.threshold_m) return text;
   return text + kDefaultThresholdWords +

@@ -31,6 +31,7 @@ std::span<const UsualSeparation> usual_separations() {
 
 void add_usual_separation_option(Command& command, const UsualSeparation*& into) {
   std::vector<Word<const UsualSeparation*>> words;
+  words.reserve(kUsual.size());
   for (const UsualSeparation& usual : kUsual) words.push_back({usual.name, &usual});
   command.choice("--separation", into, words,
                  "Both of these by name: enroute (5 NM, 1000 ft) and\nterminal (3 NM, 1000 ft) of "

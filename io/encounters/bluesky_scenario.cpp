@@ -34,12 +34,24 @@ constexpr LeftOutReason kCreateOthers = {
     "of commands that create aircraft in other ways (as MCRE, SYN, CALL)",
     "let BlueSky save the scenario with its aircraft, or write them with CRE"};
 
-// What only shows, asks or sets something up.
+constexpr LeftOutReason kNotKnown = {
+    "of commands that are not known here, or are for aircraft that CRE has not created by then",
+    "replay the log that BlueSky writes (CRELOG)"};
+
+// What only shows, asks or sets something up, or makes aircraft keep their distance.
 constexpr std::string_view kHarmless =
-    "POS LISTRTE DUMPRTE COLOR COLOUR TRAIL TRAILS SSD PAN ZOOM SHOWTRAF LABEL INFO GROUP UNGROUP "
-    "SYMBOL ECHO LISTAC DIST CALC ENG";
+    "POS AIRPORT AIRWAY AIRWAYS AWY RUNWAYS LISTRTE DUMPRTE COLOR COLOUR COL TRAIL TRAILS SSD PAN "
+    "ZOOM SHOWTRAF SHOWPOLY SHOWND SWRAD DISP ND LABEL INFO GROUP UNGROUP SYMBOL ECHO PRINT HELP "
+    "LISTAC DIST CALC DEBUG ENG SCEN SCENARIO DATE TIME SEED DT DTMULT RTF FF FWD FASTFORWARD OP "
+    "START RUN CONTINUE PLAY HOLD PAUSE STOP QUIT Q END EXIT CLOSE BENCHMARK SAVEIC SAVE LOG "
+    "CRELOG SNAPLOG INSTLOG SKYLOG FLSTLOG CONFLOG METRIC METRICS PLUGIN PLUGINS SCREENSHOT CD "
+    "CHDIR IMPL IMPLEMENTATION INSEDIT DOC MAGVAR TAXI AREA BOX CIRCLE LINE LINES POLY POLYGON "
+    "POLYALT POLYLINE POLYLINES DEFWPT FILTERALT GETWIND ASAS CDMETHOD RESO RESOOFF NORESO "
+    "PRIORULES ZONER ZONEDH RSZONER RSZONEDH DTLOOK DTNOLOOK RMETHH RMETHV HRESOM VRESOM RFACH "
+    "RFACV RESOFACH RESOFACV";
 constexpr std::string_view kCreating =
-    "MCRE CRECONFS CRECONF CRECMD SYN CALL PCALL IC BATCH TRAFGEN SCHEDULE DELAY";
+    "MCRE CRECONFS CRECONF CRECMD SYN CALL PCALL IC LOAD OPEN BATCH TRAFGEN SCHEDULE DELAY";
+constexpr std::string_view kObeyed = "CRE MOVE DEL RESET WIND";
 
 struct ScenarioAircraft {
   std::string id;
@@ -54,6 +66,10 @@ struct ScenarioAircraft {
   bool deleted = false;
   bool manoeuvres = false;
 };
+
+bool is_all(std::string_view word) {
+  return word == "ALL" || word == "*";
+}
 
 Error wrong(std::string message) {
   return {ErrorCode::kMalformedRecord, std::move(message) + std::string(kOrLeaveOut), {}};
@@ -86,7 +102,8 @@ class Scenario {
     }
     std::stable_sort(commands.begin(), commands.end(),
                      [](const Command& a, const Command& b) { return a.time_s < b.time_s; });
-    for (const Command& command : commands) {
+    for (Command& command : commands) {
+      put_in_order(command.words);
       std::string id = command.words.size() > 1 ? command.words[1] : std::string();
       if (auto error = obey(command)) {
         if (auto fatal = bad(*std::move(error), command.line, id)) return fatal;
@@ -124,28 +141,58 @@ class Scenario {
     return nullptr;
   }
 
+  // "KL204 HDG 90" is "HDG KL204 90", and commands have several names.
+  void put_in_order(Words& words) {
+    std::string& name = words.front();
+    const bool of_aircraft = find(name) != nullptr || is_all(name);
+    if (words.size() > 1 && of_aircraft && !is_known(name) &&
+        (is_known(words[1]) || find(words[1]) == nullptr)) {
+      std::swap(name, words[1]);
+    }
+    if (name == "CREATE") name = "CRE";
+    if (name == "DELETE") name = "DEL";
+  }
+
+  static bool is_known(std::string_view name) {
+    return is_one_of(kObeyed, name) || is_one_of(kCreating, name) || is_one_of(kHarmless, name);
+  }
+
   std::optional<Error> obey(const Command& command) {
     const Words& words = command.words;
     const std::string& name = words.front();
     if (name == "CRE") return create(command);
     if (name == "MOVE") return move(command);
-    if (name == "DEL") return remove(words);
-    if (name == "WIND") {
+    if (name == "DEL") {
+      remove(words);
+    } else if (name == "RESET") {
+      remove({name, "ALL"});
+    } else if (name == "WIND") {
       wind_ = true;
     } else if (is_one_of(kCreating, name)) {
       assembly_.leave_out(kCreateOthers, {});
     } else if (!is_one_of(kHarmless, name)) {
-      // "HDG KL204 90", or "KL204 HDG 90".
-      ScenarioAircraft* of = words.size() > 1 ? find(words[1]) : nullptr;
-      if (of == nullptr) of = find(name);
-      if (of == nullptr) return std::nullopt;
-      of->manoeuvres = true;
-      if (first_manoeuvre_.empty()) {
-        first_manoeuvre_ = (find(name) == of && words.size() > 1 ? words[1] : name) + " in line " +
-                           std::to_string(command.line);
-      }
+      manoeuvre(command);
     }
     return std::nullopt;
+  }
+
+  void manoeuvre(const Command& command) {
+    const Words& words = command.words;
+    const std::string& name = words.front();
+    // An aircraft alone asks where it is.
+    if (words.size() == 1 && find(name) != nullptr) return;
+    bool known = false;
+    for (ScenarioAircraft& of : aircraft_) {
+      const bool meant =
+          of.id == name || (words.size() > 1 && (of.id == words[1] || is_all(words[1])));
+      if (of.deleted || !meant) continue;
+      of.manoeuvres = true;
+      known = true;
+    }
+    if (!known) return assembly_.leave_out(kNotKnown, {});
+    if (first_manoeuvre_.empty()) {
+      first_manoeuvre_ = name + " in line " + std::to_string(command.line);
+    }
   }
 
   // CRE id,type,lat,lon,hdg,alt,spd
@@ -193,18 +240,15 @@ class Scenario {
     return std::nullopt;
   }
 
-  std::optional<Error> remove(const Words& words) {
-    const std::string which = words.size() > 1 ? words[1] : std::string();
-    if (which == "WIND") {
-      wind_ = false;
-      return std::nullopt;
+  // "DEL WIND" too: there was one while aircraft flew.
+  void remove(const Words& words) {
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      for (ScenarioAircraft& of : aircraft_) {
+        if (of.deleted || (!is_all(words[i]) && of.id != words[i])) continue;
+        of.deleted = true;
+        ++deleted_;
+      }
     }
-    for (ScenarioAircraft& of : aircraft_) {
-      if (of.deleted || (which != "ALL" && of.id != which)) continue;
-      of.deleted = true;
-      ++deleted_;
-    }
-    return std::nullopt;
   }
 
   // Latitude and longitude from word `at` on.
@@ -257,11 +301,16 @@ class Scenario {
     return std::nullopt;
   }
 
-  // East, north, up; unknown where the wind, or the air at that height, is not known.
+  // East, north, up; unknown where the wind, or the air at that height, is not known, and where a
+  // command changes it.
   Velocity velocity_of(const ScenarioAircraft& of, double height_m) {
     constexpr double kLowest_m = -1000.0;
     constexpr double kFastest_mps = 1e4;
     constexpr double kMostTurns_deg = 1e12;
+    if (of.manoeuvres) {
+      ++manoeuvring_;
+      return {kUnknown, kUnknown, kUnknown};
+    }
     if (wind_ || height_m < kLowest_m || height_m > kHighestAir_m ||
         std::abs(of.heading_deg) > kMostTurns_deg) {
       ++without_speed_;
@@ -289,7 +338,6 @@ class Scenario {
     origin.source = assembly_.source() & 0xFF'FFFFu;
     origin.line = of.line & 0xFF'FFFF'FFFFu;
     const Velocity velocity = velocity_of(of, height_m);
-    manoeuvring_ += of.manoeuvres ? 1 : 0;
     assembly_.tracks().add(of.id, {without_dust(of.time_s), place}, &velocity, origin,
                            of.height_ft);
     return std::nullopt;
@@ -305,7 +353,7 @@ class Scenario {
     if (manoeuvring_ > 0) {
       assembly_.note(counted(manoeuvring_, "aircraft is", "aircraft are") +
                      " told how to fly from there, the first by " + first_manoeuvre_ +
-                     "; that is not followed");
+                     "; that is not followed, so no velocity is known");
     }
     if (without_speed_ > 0) {
       assembly_.note("how fast " + counted(without_speed_, "aircraft is", "aircraft are") +

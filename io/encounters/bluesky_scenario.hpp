@@ -5,7 +5,8 @@
 // An aircraft is where CRE or the last MOVE puts it, and flies as it does then: its calibrated
 // speed or Mach number in the standard atmosphere, without wind. Where it is told to fly from there
 // (HDG, ALT, ADDWPT, DEST, ...) is for the simulator to say, whose logs are tables: that is said,
-// and not followed.
+// and not followed, and such an aircraft has no velocity. Commands that are not known, and those
+// that create aircraft in other ways, are records that are left out.
 #pragma once
 
 #include "io/recording/recording_assembly.hpp"

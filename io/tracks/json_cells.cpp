@@ -2,14 +2,40 @@
 
 #include "io/bytes/number_text.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 namespace beespace::io {
 namespace {
+
+bool is_control(char c) {
+  return static_cast<unsigned char>(c) < ' ';
+}
+
+// What a cell does not keep of the value, so that others have the same; empty where it keeps all.
+std::string_view lost_in_cell(JsonElement value) {
+  constexpr double kFirstInexact = 9007199254740992.0;
+  std::int64_t whole = 0;
+  std::uint64_t count = 0;
+  double number = 0.0;
+  switch (value.kind()) {
+    case JsonKind::kArray:
+    case JsonKind::kObject:
+      return json_kind(value);
+    case JsonKind::kNumber:
+      if (value.get(whole) || value.get(count) || !value.get(number)) return {};
+      return std::abs(number) < kFirstInexact ? std::string_view() : "a rounded number";
+    default:
+      return {};
+  }
+}
 
 // In one line, and between quotes where it holds one.
 std::string text_cell(std::string_view text) {
   std::string cell(text);
   for (char& c : cell) {
-    if (static_cast<unsigned char>(c) < ' ') c = '?';
+    if (is_control(c)) c = '?';
   }
   if (cell.find('"') == std::string::npos) return cell;
   std::string quoted = "\"";
@@ -20,12 +46,10 @@ std::string text_cell(std::string_view text) {
 }  // namespace
 
 std::string JsonCells::cell_of(JsonElement value) {
-  std::string_view text;
-  if (value.is_null()) return {};
-  if (value.get(text)) return text_cell(text);
   if (bool yes = false; value.get(yes)) return yes ? "true" : "false";
-  // A count keeps all its digits.
+  // A whole number keeps all its digits.
   if (std::uint64_t count = 0; value.get(count)) return std::to_string(count);
+  if (std::int64_t whole = 0; value.get(whole)) return std::to_string(whole);
   if (double number = 0.0; value.get(number)) return exact(number);
   return std::string(json_kind(value));
 }
@@ -54,12 +78,49 @@ std::optional<Error> JsonCells::learn(JsonMap record) {
   return std::nullopt;
 }
 
+std::optional<Error> JsonCells::learn_id() {
+  id_place_ = names_.size();
+  return learn("id");
+}
+
 void JsonCells::set(std::size_t place, JsonElement value) {
-  row_[place] = cell_of(value);
-  if (value.is_null()) return;
+  if (std::string_view text; value.get(text)) return set(place, text);
+  if (value.is_null()) {
+    row_[place].clear();
+    return;
+  }
+  if (const auto what = lost_in_cell(value); !what.empty()) shortened(place, what);
+  fill(place, cell_of(value), value.is_number());
+}
+
+void JsonCells::set(std::size_t place, std::string_view text) {
+  if (std::any_of(text.begin(), text.end(), is_control)) {
+    shortened(place, "a control character");
+  }
+  fill(place, text_cell(text), false);
+}
+
+void JsonCells::fill(std::size_t place, std::string cell, bool number) {
+  row_[place] = std::move(cell);
   contents_.resize(names_.size(), ColumnContent::kUnknown);
   if (contents_[place] == ColumnContent::kNumber) return;
-  contents_[place] = value.is_number() ? ColumnContent::kNumber : ColumnContent::kText;
+  contents_[place] = number ? ColumnContent::kNumber : ColumnContent::kText;
+}
+
+void JsonCells::shortened(std::size_t place, std::string_view what) {
+  shortened_.push_back({place, text_.size(), what});
+}
+
+void JsonCells::require_ids(std::size_t place) {
+  std::string text;
+  std::size_t kept = 0;
+  for (const Shortened& cell : shortened_) {
+    if (cell.place != place) continue;
+    text.append(text_, kept, cell.row - kept).append(cell.what).append(" as the id");
+    kept = text_.find('\n', cell.row);
+  }
+  if (kept == 0) return;
+  text_ = text.append(text_, kept);
 }
 
 std::vector<ColumnContent> JsonCells::contents() const {
@@ -68,7 +129,7 @@ std::vector<ColumnContent> JsonCells::contents() const {
   return contents;
 }
 
-void JsonCells::add(JsonElement record) {
+void JsonCells::add(JsonElement record, std::string_view id) {
   JsonMap object;
   if (!record.get(object)) {
     text_.append(json_kind(record)).append(" where an object should be\n");
@@ -90,6 +151,7 @@ void JsonCells::add(JsonElement record) {
     expected = place + 1;
     set(place, value);
   }
+  if (id_place_) set(*id_place_, id);
   end_row();
 }
 

@@ -4,6 +4,7 @@
 #include "io/problems/excerpt.hpp"
 #include "io/table/column_names.hpp"
 #include "io/tracks/json_cells.hpp"
+#include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_columns.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_table.hpp"
@@ -83,9 +84,40 @@ Form form_of(JsonElement root) {
   return root.get(object) ? form_of_object(object) : Form::kNone;
 }
 
+// ---- The keys of rows ------------------------------------------------------------------------
+
+// A key that numbers a row, as pandas writes the index of a frame: "0", "17". Not "004123".
+bool numbers_row(std::string_view key) {
+  if (key.starts_with('-')) key.remove_prefix(1);
+  if (key.empty() || key.find_first_not_of("0123456789") != std::string_view::npos) return false;
+  return key.size() == 1 || key.front() != '0';
+}
+
+// A flight is no id here: many have none, or that of another day.
+bool has_id_column(const JsonCells& cells) {
+  return std::any_of(cells.names().begin(), cells.names().end(), [](const std::string& name) {
+    return read_column_name(track_columns(), name).role == Role::kId && !names_flight(name);
+  });
+}
+
+// Where no column says who a row is of, keys that number no rows do.
+std::optional<Error> learn_keys(const std::vector<std::string_view>& keys, JsonCells& cells) {
+  if (has_id_column(cells) || std::all_of(keys.begin(), keys.end(), numbers_row)) {
+    return std::nullopt;
+  }
+  for (const std::string_view key : keys) {
+    // Several at once are an id for each row.
+    if (!key.starts_with('(') || !key.ends_with(')') || key.find(',') == key.npos) continue;
+    return Error{ErrorCode::kMalformedRecord,
+                 "rows are named by several values at once, as " + excerpt(key) +
+                     "; write them as columns (with pandas, after reset_index())",
+                 {}};
+  }
+  return cells.learn_id();
+}
+
 // ---- Records -------------------------------------------------------------------------------
 
-// Of a list, or of the members of an object.
 template <class Elements>
 std::optional<Error> take_records(const Elements& elements, JsonCells& cells) {
   for (const JsonElement element : elements) {
@@ -97,11 +129,19 @@ std::optional<Error> take_records(const Elements& elements, JsonCells& cells) {
   return std::nullopt;
 }
 
-std::vector<JsonElement> values_of(JsonMap object) {
-  std::vector<JsonElement> values;
-  values.reserve(object.size());
-  for (const auto [key, value] : object) values.push_back(value);
-  return values;
+// Records that are members of an object.
+std::optional<Error> take_index(JsonMap object, JsonCells& cells) {
+  std::vector<std::string_view> keys;
+  keys.reserve(object.size());
+  for (const auto [key, value] : object) {
+    keys.push_back(key);
+    JsonMap record;
+    if (!value.get(record)) continue;
+    if (auto error = cells.learn(record)) return error;
+  }
+  if (auto error = learn_keys(keys, cells)) return error;
+  for (const auto [key, value] : object) cells.add(value, key);
+  return std::nullopt;
 }
 
 // ---- Columns -------------------------------------------------------------------------------
@@ -153,12 +193,35 @@ std::optional<Error> take_columns(JsonMap object, JsonCells& cells) {
     }
     if (keys != rows) return bad_column(name, "has other rows than " + excerpt(first));
   }
+  if (auto error = learn_keys(rows, cells)) return error;
   for (std::size_t row = 0; !columns.empty() && row < columns.front().size(); ++row) {
     cells.begin_row();
     for (std::size_t i = 0; i < columns.size(); ++i) cells.set(i, columns[i][row]);
+    if (cells.id_place()) cells.set(*cells.id_place(), rows[row]);
     cells.end_row();
   }
   return std::nullopt;
+}
+
+// Of any length; that of size() has 24 bits.
+std::size_t length_of(JsonArray list) {
+  std::size_t length = 0;
+  for (auto at = list.begin(); at != list.end(); ++at) ++length;
+  return length;
+}
+
+// 'index' names the rows, by numbers or by who they are of; nothing where it does not say that.
+std::vector<JsonElement> ids_beside(JsonMap object, const JsonCells& cells) {
+  std::vector<JsonElement> ids;
+  const auto index = list_in(object, "index");
+  if (!index || has_id_column(cells)) return ids;
+  bool numbers = true;
+  for (const JsonElement of : *index) {
+    ids.push_back(of);
+    numbers = numbers && of.is_number();
+  }
+  if (numbers) ids.clear();
+  return ids;
 }
 
 std::optional<Error> take_split(JsonMap object, JsonCells& cells) {
@@ -178,6 +241,16 @@ std::optional<Error> take_split(JsonMap object, JsonCells& cells) {
   const std::size_t columns = cells.names().size();
   std::uint64_t index = 0;
   const JsonArray rows = list_in(object, "data").value_or(JsonArray());
+  const std::vector<JsonElement> ids = ids_beside(object, cells);
+  if (!ids.empty()) {
+    if (ids.size() != length_of(rows)) {
+      return Error{ErrorCode::kMalformedRecord,
+                   "'index' names " + std::to_string(ids.size()) + " rows, but 'data' has " +
+                       std::to_string(length_of(rows)) + "; correct it",
+                   {}};
+    }
+    if (auto error = cells.learn_id()) return error;
+  }
   for (const JsonElement element : rows) {
     JsonArray values;
     if (!element.get(values) || values.size() != columns) {
@@ -190,6 +263,7 @@ std::optional<Error> take_split(JsonMap object, JsonCells& cells) {
     cells.begin_row();
     std::size_t place = 0;
     for (const JsonElement value : values) cells.set(place++, value);
+    if (cells.id_place()) cells.set(place, ids[index]);
     cells.end_row();
     ++index;
   }
@@ -207,9 +281,8 @@ TableLayout layout_of(const JsonCells& cells) {
   return table;
 }
 
-std::optional<Error> read_cells(const JsonCells& cells, std::string description,
-                                const std::string& stem, RecordPlace place,
-                                RecordingAssembly& assembly) {
+std::optional<Error> read_cells(JsonCells& cells, std::string description, const std::string& stem,
+                                RecordPlace place, RecordingAssembly& assembly) {
   const RecordingOptions& options = assembly.options();
   if (options.progress != nullptr) options.progress->total += cells.text().size();
   auto layout = choose_track_layout(layout_of(cells), cells.text(), options);
@@ -220,7 +293,13 @@ std::optional<Error> read_cells(const JsonCells& cells, std::string description,
   }
   if (auto error = assembly.agree(facts_of(*layout, std::move(description)))) return error;
   for (std::string& note : layout->notes) assembly.note(std::move(note));
-  if (!layout->table.choice.id) {
+  const std::optional<std::size_t> id = layout->table.choice.id;
+  if (id && id == cells.id_place()) {
+    assembly.note("no column is an id: the keys of the rows are taken for the ids");
+  }
+  if (id) {
+    cells.require_ids(*id);
+  } else {
     assembly.note(layout->time ? "there is no id: each file is taken for one bee, named after it"
                                : "there is no id: bees are numbered in their order, from 0");
   }
@@ -280,7 +359,7 @@ std::optional<Error> read_json_table(JsonElement root, const std::string& stem,
         error = take_split(object, cells);
         break;
       case Form::kIndex:
-        error = take_records(values_of(object), cells);
+        error = take_index(object, cells);
         break;
       case Form::kOneRecord:
       case Form::kNone:

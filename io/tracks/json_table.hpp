@@ -8,6 +8,9 @@
 // - index: {"0": {"timestamp": ...}, "1": {...}};
 // - split: {"columns": [...], "data": [[...], ...]};
 // - lines: an object a line.
+//
+// Where no column is an id, the keys of the rows are (of split its "index"), unless they only
+// number them.
 #pragma once
 
 #include "io/json/json_document.hpp"

@@ -39,6 +39,31 @@ TEST(Encounters, AScenarioOfUnknownAircraftIsNoAllClear) {
   expect_parts(finished.err, {"none of those that are known; 1 record was left out"});
 }
 
+// Each hides where somebody flies: "none" is no all-clear.
+TEST(Encounters, WhatAScenarioDoesNotSayIsNoAllClear) {
+  for (const std::string command : {"HDG NORTH 90", "NORTH SPD 250", "ADDWPT WEST 1.0 1.0"}) {
+    const Finished finished =
+        run({"predict", "--threshold", "10", "--horizon", "60", "--fail-on-risk"},
+            std::string(kScenario) + "00:00:10.00>" + command + "\n");
+    EXPECT_EQ(finished.exit_code, 1) << command << finished.err;
+    expect_parts(finished.err,
+                 {"checked for now only", "none of those that are known", "is not followed"});
+  }
+  const Finished all = run({"predict", "--threshold", "10", "--fail-on-risk"},
+                           std::string(kScenario) + "00:00:10.00>ALT ALL FL300\n");
+  EXPECT_EQ(all.exit_code, 3) << all.err;
+  expect_parts(all.err, {"there is no velocity"});
+  const Finished unknown = run({"predict", "--threshold", "10", "--fail-on-risk"},
+                               std::string(kScenario) + "00:00:00.00>SPAWN EAST 0 2\n");
+  EXPECT_EQ(unknown.exit_code, 1) << unknown.err;
+  expect_parts(unknown.err, {"none of those that are known; 1 record was left out"});
+  const Finished created =
+      run({"predict", "--threshold", "1NM", "--vertical", "1000ft", "--fail-on-risk"},
+          std::string(kScenario) + "00:00:00.00>CREATE NEAR B744 0. 0. 0. FL200 400\n");
+  EXPECT_EQ(created.exit_code, 1) << created.err;
+  expect_parts(created.err, {"conflicts  1, of 2 bees\n"});
+}
+
 // Where aircraft begin is no flight: no verdict about one follows from it.
 TEST(Encounters, AScenarioIsNoFlight) {
   for (const char* const command : {"replay", "verify"}) {

@@ -89,7 +89,9 @@ TEST(Scenario, WhatIsNotFollowedIsSaid) {
              "00:00:05>ADDWPT A,52.5,4.5\n00:00:06>B HDG 120\n00:00:07>ALT B,FL200\n"));
   EXPECT_TRUE(has_note(routed,
                        "2 aircraft are told how to fly from there, the first by ADDWPT in "
-                       "line 3; that is not followed"));
+                       "line 3; that is not followed, so no velocity is known"));
+  EXPECT_TRUE(std::isnan(routed.bees.at(0).velocities.at(0).x));
+  EXPECT_TRUE(std::isnan(routed.bees.at(1).velocities.at(0).x));
   EXPECT_TRUE(has_note(routed, "replay its log as a table"));
   const Recording windy =
       recording_of(record("00:00:00>WIND 0,0,,180,25\n00:00:00>CRE A,B744,52,4,90,FL100,250\n"));
@@ -103,6 +105,58 @@ TEST(Scenario, WhatIsNotFollowedIsSaid) {
                           "00:03:00>DEL ALL\n"));
   EXPECT_EQ(ids_of(deleted), std::vector<std::string>{"A"});
   EXPECT_TRUE(has_note(deleted, "deleted later, and taken as if not"));
+}
+
+constexpr std::string_view kOne = "00:00:00>CRE A,B744,52,4,90,FL100,250\n";
+
+// The wind that blew when it was created is not taken back by its end.
+TEST(Scenario, WindThatEndsHasBlown) {
+  const Recording recording = recording_of(
+      record("00:00:00>WIND 0,0,,180,25\n" + std::string(kOne) + "00:00:10>DEL WIND\n"));
+  EXPECT_TRUE(std::isnan(recording.bees.at(0).velocities.at(0).x));
+  EXPECT_TRUE(has_note(recording, "there is a command WIND"));
+}
+
+TEST(Scenario, CommandsHaveSeveralNames) {
+  const Recording recording =
+      recording_of(record("00:00:00>CREATE A,B744,52,4,90,FL100,250\n00:00:10>DELETE A\n"
+                          "00:00:20>create A,B744,1,2,90,FL100,250\n"));
+  ASSERT_EQ(ids_of(recording), std::vector<std::string>{"A"});
+  EXPECT_EQ(recording.bees[0].fixes.at(0).position, (Point{2, 1, 3048.0}));
+  EXPECT_EQ(recording.missing.count, 0u);
+}
+
+TEST(Scenario, AircraftMayStandBeforeTheCommand) {
+  const Recording moved = recording_of(record(std::string(kOne) + "00:00:20>A MOVE 53 5\n"));
+  EXPECT_EQ(moved.bees.at(0).fixes, (std::vector<Fix>{{20.0, {5, 53, 3048.0}}}));
+  EXPECT_FALSE(std::isnan(moved.bees[0].velocities.at(0).x));
+  const Recording deleted = recording_of(record(std::string(kOne) + "00:00:20>A DEL\n"));
+  EXPECT_TRUE(has_note(deleted, "1 aircraft is deleted later"));
+  const Recording asked = recording_of(record(std::string(kOne) + "00:00:20>A;A POS\n"));
+  EXPECT_FALSE(has_note(asked, "that is not followed"));
+  EXPECT_FALSE(std::isnan(asked.bees.at(0).velocities.at(0).x));
+}
+
+TEST(Scenario, AllMayBeToldToManoeuvre) {
+  for (const char* const command : {"HDG ALL 90", "SPD * 250", "ALL ALT FL200"}) {
+    const Recording recording =
+        recording_of(record(std::string(kOne) + "00:00:01>" + command + "\n"));
+    EXPECT_TRUE(std::isnan(recording.bees.at(0).velocities.at(0).x)) << command;
+    EXPECT_EQ(recording.missing.count, 0u) << command;
+  }
+}
+
+// What is not known may create or move one.
+TEST(Scenario, UnknownCommandsAreMissing) {
+  const Recording recording =
+      recording_of(record(std::string(kOne) + "00:00:00>SPAWN B,B744,52,4\n00:00:00>HDG B 90\n"));
+  EXPECT_EQ(recording.missing.count, 2u);
+  EXPECT_TRUE(has_note(recording, "2 records of commands that are not known here, or are for"));
+  EXPECT_FALSE(std::isnan(recording.bees.at(0).velocities.at(0).x));
+  const Recording harmless = recording_of(record(
+      std::string(kOne) +
+      "00:00:00>ASAS ON;RESO MVP;ZONER 5;DT 0.1;FF 60;OP;HOLD;PAN A;ZOOM 2;SCEN x;ECHO hello\n"));
+  EXPECT_EQ(harmless.missing.count, 0u);
 }
 
 // Aircraft that are not known are never passed over.

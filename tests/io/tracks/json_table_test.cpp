@@ -46,8 +46,62 @@ TEST(JsonTable, NumbersAreTheSameDoubles) {
 TEST(JsonTable, TextsMayHoldWhatTablesAreMadeOf) {
   const Recording recording = recording_of(record(
       R"([{"id": "a, \"b\"", "time_s": 0, "x": 1, "y": 2, "z": 3},
-          {"id": "c\nd\u001fe", "time_s": 0, "x": 1, "y": 2, "z": 9}])"));
-  EXPECT_EQ(ids_of(recording), (std::vector<std::string>{"a, \"b\"", "c?d?e"}));
+          {"id": "c", "note": "d\n\u001fe", "time_s": 0, "x": 1, "y": 2, "z": 9}])"));
+  EXPECT_EQ(ids_of(recording), (std::vector<std::string>{"a, \"b\"", "c"}));
+  EXPECT_EQ(recording.bees[1].fixes.at(0), (Fix{0.0, {1, 2, 9}}));
+}
+
+// With pandas: set_index("icao24"), then to_json().
+TEST(JsonTable, KeysOfRowsAreIdsWhereNoColumnIs) {
+  for (const std::string_view text : {
+           R"({"3c6501": {"time_s": 0, "x": 1, "y": 2, "z": 3},
+               "406102": {"time_s": 1, "x": 4.5, "y": 5, "z": 6}})",
+           R"({"time_s": {"3c6501": 0, "406102": 1}, "x": {"3c6501": 1, "406102": 4.5},
+               "y": {"3c6501": 2, "406102": 5}, "z": {"3c6501": 3, "406102": 6}})",
+           R"({"columns": ["time_s", "x", "y", "z"], "index": ["3c6501", "406102"],
+               "data": [[0, 1, 2, 3], [1, 4.5, 5, 6]]})",
+       }) {
+    const Recording recording = recording_of(record(text));
+    ASSERT_EQ(ids_of(recording), (std::vector<std::string>{"3c6501", "406102"})) << text;
+    EXPECT_EQ(recording.bees[1].fixes.at(0), (Fix{1.0, {4.5, 5, 6}})) << text;
+    EXPECT_TRUE(has_note(recording, "the keys of the rows are taken for the ids")) << text;
+  }
+}
+
+TEST(JsonTable, AFlightIsNoIdBesideKeys) {
+  const Recording recording = recording_of(record(
+      R"({"3c6501": {"time_s": 0, "lat": 47, "lon": 8, "alt_m": 900, "callsign": "BEE1"},
+          "406102": {"time_s": 0, "lat": 48, "lon": 8, "alt_m": 900, "callsign": "BEE1"}})"));
+  EXPECT_EQ(ids_of(recording), (std::vector<std::string>{"3c6501", "406102"}));
+}
+
+// Rows of a frame that was filtered are numbered with gaps.
+TEST(JsonTable, NumbersOfRowsAreNoIds) {
+  for (const std::string_view text : {
+           R"({"5": {"time_s": 0, "x": 1, "y": 2, "z": 3},
+               "17": {"time_s": 1, "x": 4.5, "y": 5, "z": 6}})",
+           R"({"time_s": {"5": 0, "17": 1}, "x": {"5": 1, "17": 4.5}, "y": {"5": 2, "17": 5},
+               "z": {"5": 3, "17": 6}})",
+           R"({"columns": ["time_s", "x", "y", "z"], "index": [5, 17],
+               "data": [[0, 1, 2, 3], [1, 4.5, 5, 6]]})",
+           R"({"columns": ["time_s", "x", "y", "z"], "data": [[0, 1, 2, 3], [1, 4.5, 5, 6]]})",
+       }) {
+    const Recording recording = recording_of(record(text));
+    EXPECT_EQ(ids_of(recording), std::vector<std::string>{"bees"}) << text;
+  }
+  // Nor is anything beside an id.
+  expect_two(R"({"first": {"id": "a", "time_s": 0, "x": 1, "y": 2, "z": 3},
+                 "second": {"id": "b", "time_s": 1, "x": 4.5, "y": 5, "z": 6}})");
+  expect_two(R"({"columns": ["id", "time_s", "x", "y", "z"], "index": ["first", "second"],
+                 "data": [["a", 0, 1, 2, 3], ["b", 1, 4.5, 5, 6]]})");
+}
+
+TEST(JsonTable, WholeNumbersAreIdsToTheirLastDigit) {
+  const Recording recording =
+      recording_of(record(R"([{"id": -9007199254740993, "time_s": 0, "x": 1, "y": 2, "z": 3},
+                 {"id": -9007199254740992, "time_s": 0, "x": 1, "y": 2, "z": 3}])"));
+  EXPECT_EQ(ids_of(recording),
+            (std::vector<std::string>{"-9007199254740993", "-9007199254740992"}));
 }
 
 void expect_problem(std::string_view text, ErrorCode code, std::string_view part) {
@@ -90,6 +144,33 @@ TEST(JsonTable, WhatIsBrokenSaysWhere) {
                  "a list, but no table");
   expect_problem(R"([{"x": 1, "y": 2}])", ErrorCode::kMissingColumn,
                  "there is neither a time nor a velocity");
+}
+
+// Two of them would be written alike.
+TEST(JsonTable, WhatIsNoIdIsABadRecord) {
+  const auto expect_no_id = [](const std::string& id, std::string_view what) {
+    const std::string rest = R"(, "time_s": 0, "x": 1, "y": 2, "z": 3})";
+    const std::string text =
+        R"([{"id": "a")" + rest + R"(, {"id": )" + id + rest + R"(, {"id": "b")" + rest + "]";
+    expect_problem(text, ErrorCode::kColumnCount, std::string("point 1: ") + "1 column where");
+    expect_problem(text, ErrorCode::kColumnCount, what);
+    const Recording skipped = recording_of(record(text, skipping_bad()));
+    EXPECT_EQ(ids_of(skipped), (std::vector<std::string>{"a", "b"})) << id;
+    EXPECT_EQ(skipped.missing.count, 1u) << id;
+  };
+  expect_no_id(R"("d\u0001")", "a control character as the id");
+  expect_no_id(R"("d\n")", "a control character as the id");
+  expect_no_id("[1]", "an array as the id");
+  expect_no_id("{}", "an object as the id");
+  expect_no_id("9007199254740993.0", "a rounded number as the id");
+  expect_problem(R"({"d\u0001": {"time_s": 0, "x": 1, "y": 2}})", ErrorCode::kColumnCount,
+                 "a control character as the id");
+  expect_problem(R"({"columns": ["time_s", "x", "y"], "index": [["a", 0]], "data": [[0, 1, 2]]})",
+                 ErrorCode::kColumnCount, "an array as the id");
+  expect_problem(R"({"columns": ["time_s", "x", "y"], "index": ["a"], "data": []})",
+                 ErrorCode::kMalformedRecord, "'index' names 1 rows, but 'data' has 0");
+  expect_problem(R"json({"('a', 0)": {"time_s": 0, "x": 1, "y": 2}})json",
+                 ErrorCode::kMalformedRecord, "rows are named by several values at once");
 }
 
 TEST(JsonTable, LinesHaveTheirNumbers) {
