@@ -23,7 +23,7 @@ Unit unit_since_1970(double value);
 Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Header& header,
                                               Unit asked);
 
-// What was chosen, to be said aloud.
+// What was chosen, for the notes.
 std::string time_note(const TableLayout& table, const TimeChoice& time, bool asked);
 
 }  // namespace beespace::io

@@ -82,7 +82,7 @@ TEST_F(CMovers, AreWhereTheyAreAtTheLastTime) {
   expect_row(movers.velocities, 1, {2, 0, -1});
   expect_row(movers.xyz, 2, {10, 0, 5});
   expect_row(movers.velocities, 2, {1, 0, 0.5});
-  // Where they were last heard of, and nobody knows where they go.
+  // Where they were last heard of, and it is not known where they go.
   expect_row(movers.xyz, 3, {7, 8, 9});
   expect_row(movers.xyz, 4, {1, 2, 3});
   expect_row(movers.xyz, 5, {4, 5, 6});

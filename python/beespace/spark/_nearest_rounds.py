@@ -1,7 +1,7 @@
 """What workers do to find the nearest points: functions for `mapInArrow`.
 
 First round: each cell, with its halo, finds the nearest ones of its home points. Those that are within
-the reach of halos are the answer: whoever is not in the cell is farther than that, as a real number. So are
+the reach of halos are the answer: a point that is not in the cell is farther than that, as a real number. So are
 those that no other cell comes nearer than. The other points are open.
 
 Second round: an open point asks each cell in which a nearer one may be, and the cell tells the nearest ones
