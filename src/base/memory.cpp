@@ -90,10 +90,8 @@ void Memory::release() {
 
 std::size_t Memory::free_all_kept() {
   const std::lock_guard lock(mutex_);
-  std::size_t bytes = 0;
-  for (const Block& block : kept_) bytes += block.bytes;
+  std::size_t bytes = free_kept();
   for (const auto& memory : of_workers_) bytes += memory->free_all_kept();
-  free_kept();
   return bytes;
 }
 
@@ -119,9 +117,14 @@ std::size_t Memory::find_kept(std::size_t bytes) const {
   return static_cast<std::size_t>(found - kept_.begin());
 }
 
-void Memory::free_kept() {
-  for (const Block& block : kept_) free_block(block.data, block.bytes);
+std::size_t Memory::free_kept() {
+  std::size_t bytes = 0;
+  for (const Block& block : kept_) {
+    free_block(block.data, block.bytes);
+    bytes += block.bytes;
+  }
   kept_.clear();
+  return bytes;
 }
 
 void Memory::start_call() {
@@ -145,7 +148,12 @@ void* Memory::do_allocate(std::size_t bytes, std::size_t /*alignment: a cache li
     kept_[found] = kept_.back();
     kept_.pop_back();
   } else {
-    if (calls_ <= 1 || is_full(whole)) free_kept();
+    if (is_full(whole)) {
+      // Else the allocator keeps them for blocks of the same size, and the bound is none.
+      trim_freed_memory(free_kept());
+    } else if (calls_ <= 1) {
+      free_kept();
+    }
     // Room for all blocks in either list first: giving back must not fail.
     const std::size_t blocks = kept_.size() + lent_.size() + 1;
     if (kept_.capacity() < blocks) kept_.reserve(2 * blocks);

@@ -58,9 +58,9 @@ class Memory final : public std::pmr::memory_resource {
     std::uint64_t last_call;
   };
 
-  // Says how many bytes.
+  // These say how many bytes it was.
   std::size_t free_all_kept();
-  void free_kept();
+  std::size_t free_kept();
   // Whether one more of so many bytes would be too much.
   [[nodiscard]] bool is_full(std::size_t bytes) const;
 

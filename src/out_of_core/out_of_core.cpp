@@ -124,7 +124,7 @@ class __attribute__((visibility("hidden"))) OutOfCore::State {
   // Searches cell after cell. No two cells have as many points, and what one of them has used would
   // wait for another one in vain.
   Status ask(CellQuestion& question, const Reach& reach, const Workplace& at) {
-    engine_.bound_memory(at.plan.work);
+    engine_.bound_memory(at.plan.kept);
     auto status = search_cells(stored_, reach, at, question, facts_);
     engine_.release_memory();
     return status;

@@ -16,6 +16,11 @@ namespace {
 // (docs of find_at_risk).
 constexpr std::uint64_t kBytesOfSearch = 124;
 
+// Unused blocks go back to the system beyond this share of what a search takes at most. Cells are
+// never quite alike, so that blocks of one seldom fit the next; and each thread has some.
+constexpr std::uint64_t kKeptNumerator = 3;
+constexpr std::uint64_t kKeptDenominator = 4;
+
 // What the program, its threads and the segments take besides.
 constexpr std::uint64_t kShareOfTheRest = 8;
 
@@ -44,7 +49,7 @@ Result<Plan> plan_for(std::uint64_t memory_bytes, unsigned workers, bool heights
   Plan plan;
   plan.cell =
       static_cast<std::size_t>(std::min<std::uint64_t>(used / in_cell, std::uint64_t{1} << 31U));
-  plan.work = plan.cell * kBytesOfSearch;
+  plan.kept = plan.cell * kBytesOfSearch * kKeptNumerator / kKeptDenominator;
   // So that a segment is never more than a part of a cell.
   plan.batch =
       static_cast<std::size_t>(std::min({used / (Cells::bytes_a_batch_point(heights) * workers),

@@ -13,7 +13,7 @@ struct Plan {
   std::size_t batch = 0;   // points that are distributed at a time, by each worker
   std::size_t cell = 0;    // points of a cell with its halo that are searched at a time
   std::size_t sample = 0;  // points that say where to cut
-  std::size_t work = 0;    // bytes of working memory for searching a cell
+  std::size_t kept = 0;    // bytes of working memory that are kept from one cell to the next
   std::size_t pairs = 0;   // pairs that are found at a time between two pieces of a crowded cell
 };
 
