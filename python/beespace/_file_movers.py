@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from beespace import _io_library
 from beespace._calls import seconds
 from beespace._file_columns import converted
+from beespace._placed_array import placed
 from beespace._tables import plural
 
 
@@ -60,7 +61,7 @@ class FileMovers:
     ) -> None:
         self.ids = ids
         self.frame = frame
-        self.positions: NDArray[np.float64] = np.empty((len(ids), 3))
+        self.positions: NDArray[np.float64] = placed(np.empty((len(ids), 3)), frame)
         self.velocities: NDArray[np.float64] = np.empty((len(ids), 3))
         how = np.empty(len(ids), np.uint8)
         time = ctypes.c_double()

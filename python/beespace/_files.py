@@ -15,6 +15,7 @@ from beespace._calls import whole
 from beespace._file_columns import array_of, converted, text_of, texts_of
 from beespace._file_facts import Facts
 from beespace._file_movers import FileMovers
+from beespace._placed_array import placed
 
 PathLike = str | bytes | os.PathLike[str] | os.PathLike[bytes]
 
@@ -29,7 +30,8 @@ class FilePoints(Facts):
     Attributes
     ----------
     positions : ndarray of float64, shape (n, 3)
-        Metres; of degrees those of ECEF, whose z is not a height. Read-only, and not copied.
+        Metres; of degrees those of ECEF, whose z is not a height. Read-only, and not copied. Rows of
+        it know the frame, too; what is computed of it does not.
     ids : ndarray, shape (n,)
         What the file calls each point, as str objects; rows as int64 where it has no ids.
     rows : ndarray of int64, shape (n,)
@@ -64,7 +66,7 @@ class FilePoints(Facts):
     @property
     def positions(self) -> NDArray[np.float64]:
         address = _io_library.load().at_once.beespace_io_points_xyz(self._handle)
-        return array_of(self._handle, address, (len(self), 3), np.float64)
+        return placed(array_of(self._handle, address, (len(self), 3), np.float64), self.frame)
 
     @property
     def degrees(self) -> NDArray[np.float64] | None:
@@ -113,7 +115,7 @@ class FileRecording(Facts):
     times : ndarray of float64, shape (n,)
         Seconds: since 1970 in UTC where `since_1970`, otherwise from a zero of the file's.
     positions : ndarray of float64, shape (n, 3)
-        Metres; of degrees those of ECEF, whose z is not a height.
+        Metres; of degrees those of ECEF, whose z is not a height. Rows of it know the frame, too.
     velocities : ndarray of float64, shape (n, 3), or None
         Metres per second, along the axes of the positions, whatever the file has: speed, track and
         climb rate, too. All three are NaN where that of a fix is not known as a whole; None where no
@@ -173,7 +175,7 @@ class FileRecording(Facts):
 
     @property
     def positions(self) -> NDArray[np.float64]:
-        return self._column("xyz", (len(self), 3), np.float64)
+        return placed(self._column("xyz", (len(self), 3), np.float64), self.frame)
 
     @property
     def velocities(self) -> NDArray[np.float64] | None:

@@ -8,10 +8,11 @@ from typing import Any, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from beespace import _library
+from beespace import _frames, _library
 from beespace._calls import check, number_of
 from beespace._errors import invalid
 from beespace._library import library
+from beespace._placed_array import placed
 from beespace._points import Points, PointsLike
 from beespace._reals import check_numbers
 from beespace._units import DEGREES, METRES, plain
@@ -48,7 +49,8 @@ def to_ecef(
     Returns
     -------
     ndarray of float64, shape (n, 3)
-        Coordinates in metres; of shape (3,) where all three are single numbers. With velocities a
+        Coordinates in metres; of shape (3,) where all three are single numbers. They know that their
+        z is no height, which `vertical=` asks; what is computed of them does not. With velocities a
         tuple: coordinates, and velocities along the same axes, in metres per second.
 
     Examples
@@ -93,7 +95,7 @@ def to_ecef(
         check(code, error)
         return xyz[0] if one else xyz
 
-    xyz = converted(library.beespace_to_ecef)
+    xyz = placed(converted(library.beespace_to_ecef), _frames.DEGREES)
     if velocities is None:
         return xyz
     speeds = Points([velocities] if one else velocities, "velocities")

@@ -301,7 +301,7 @@ class Guide(GuideCalls):
         beespace._errors.BeespaceError: agents[8]: agent 8 is not in the fleet; ...
         """
         self._tell(
-            at_once.beespace_guide_set_goal, integer(agent, "agent"), three(goal, "goal")
+            at_once.beespace_guide_set_goal, integer(agent, "agent"), self._place(goal, "goal")
         )
 
     def set_preferred(self, agent: int, velocity: Sequence[float] | NDArray[Any]) -> None:

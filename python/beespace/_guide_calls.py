@@ -17,6 +17,7 @@ from beespace._advice_arguments import (
     ArrayReader,
     above_zero,
     check_fences,
+    check_shape,
     clearance_of,
     shape_of,
     time_above_zero,
@@ -24,11 +25,11 @@ from beespace._advice_arguments import (
 from beespace._calls import length, number_of, threads_of
 from beespace._errors import invalid
 from beespace._fleet import FleetFigures, LinkFigures, c_figures, c_link, check_fleet, integer
-from beespace._frames import Known
+from beespace._frames import Known, check_alike, frame_of
 from beespace._guidance import JoinAnswer
 from beespace._library import at_once
 from beespace._messages import three
-from beespace._obstacles import handle_of_obstacles
+from beespace._obstacles import check_frame_of_obstacles, handle_of_obstacles
 from beespace._ranges import zero_or_more
 from beespace._turns import InTurn
 from beespace._units import ACCELERATIONS, METRES, SPEEDS
@@ -79,7 +80,7 @@ class GuideCalls(InTurn):
         options.intruder_horizon_s = time_above_zero(intruder_horizon, "intruder_horizon")
         self._take_turns(_c.CGuide(), threaded=threads != 1)
         self._shows = False
-        self._known = Known(axes=3)  # of intruders
+        self._known = Known(axes=3)  # of agents, goals and intruders
         self._shape = (*shape, planar)
         self._obstacles = obstacles
         error = _library.new_error()
@@ -99,7 +100,7 @@ class GuideCalls(InTurn):
     ) -> _c.CJoinRequest:
         request = _c.CJoinRequest(ctypes.sizeof(_c.CJoinRequest))
         request.agent = integer(agent, "agent")
-        request.position = three(position, "position")
+        request.position = self._place(position, "position")
         request.radius_m = zero_or_more(number_of(radius, "radius", METRES), "radius")
         if figures is not None:
             request.figures = ctypes.pointer(c_figures(figures))
@@ -116,6 +117,17 @@ class GuideCalls(InTurn):
                 else above_zero(max_acceleration, "max_acceleration", ACCELERATIONS)
             )
         return request
+
+    def _place(self, place: Any, what: str) -> _c.CThree:
+        """A place of one agent, in the frame of all others as far as they say."""
+        given = Known(frame=frame_of(place))
+        check_alike(given, self._known, what, "fleet")
+        if given.frame is not None:
+            check_frame_of_obstacles(self._obstacles, given)
+            check_shape(given, *self._shape)
+        numbers = three(place, what)
+        self._known.take(given)
+        return numbers
 
     def _ask_to_join(self, function: Any, request: _c.CJoinRequest) -> JoinAnswer:
         answer = _c.CJoinAnswer(ctypes.sizeof(_c.CJoinAnswer))

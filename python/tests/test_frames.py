@@ -3,10 +3,14 @@ are not those of another. A question that does not ask would answer that all is 
 
 from __future__ import annotations
 
+import copy
+import pickle
+
 import numpy as np
 import pytest
 
 import beespace
+from beespace.compat.scipy import KDTree
 from tests.test_reading import readers
 
 
@@ -20,7 +24,7 @@ class Metres(np.ndarray):
 
 # 55.6 m apart, at one height.
 LON, LAT, HEIGHT = np.array([8.0, 8.0]), np.array([45.0, 45.0005]), np.array([500.0, 500.0])
-PLACES = beespace.to_ecef(LON, LAT, HEIGHT)
+PLACES = np.asarray(beespace.to_ecef(LON, LAT, HEIGHT))  # which does not say in which frame it is
 degrees, metres = PLACES.view(Degrees), PLACES.view(Metres)
 still = np.zeros((2, 3))
 limits = {"max_speed": 5.0, "max_acceleration": 2.0}
@@ -101,6 +105,31 @@ def test_z_of_degrees_is_no_height(ask, argument):
     ask(metres)
 
 
+def refuses(places):
+    try:
+        beespace.at_risk(places, 100, vertical=30)
+    except beespace.BeespaceError as error:
+        assert "is not a height" in str(error)
+        return True
+    return False
+
+
+def test_rows_of_positions_know_their_frame_and_what_is_computed_does_not():
+    places = beespace.to_ecef(LON, LAT, HEIGHT)
+    for rows in (
+        places, places[:1], places[[1, 0]], places[places[:, 0] > 0], places.copy(), places[::-1],
+        copy.deepcopy(places), pickle.loads(pickle.dumps(places)),
+        beespace.to_ecef(LON, LAT, HEIGHT, velocities=still)[0],
+    ):  # fmt: skip
+        assert refuses(rows)
+    turned = places - places[0]
+    places += 0.0
+    for computed in (turned, places @ np.eye(3), np.asarray(places), np.add(places, 1, out=turned)):
+        assert type(computed) is np.ndarray
+        assert not refuses(computed)
+    assert repr(places) == repr(np.asarray(places))
+
+
 def test_heights_that_are_apart_are_heights():
     flat = beespace.to_ecef(LON, LAT, 0.0).view(Degrees)
     assert len(recording(flat, heights=HEIGHT).conflicts(100, vertical=30)) == 1
@@ -134,8 +163,41 @@ def guide_of(first, second):
     guide.set_intruders(second, still)
 
 
+def joined(first, second):
+    guide = beespace.Guide(3, **limits)
+    guide.join(1, first[0])
+    guide.join(2, second[1])
+
+
+def with_goal(first, second):
+    guide = beespace.Guide(3, **limits)
+    guide.join(1, first[0])
+    guide.set_goal(1, second[1])
+
+
+def intruded(first, second):
+    guide = beespace.Guide(3, **limits)
+    guide.join(1, first[0])
+    guide.set_intruders(second, still)
+
+
+def restored(first, second):
+    pickle.loads(pickle.dumps(KDTree(first))).query(second)
+
+
 # Positions that are compared with each other.
 TWO = [
+    joined,
+    with_goal,
+    intruded,
+    restored,
+    lambda a, b: KDTree(a).query(b),
+    lambda a, b: KDTree(a).query(b[0]),
+    lambda a, b: KDTree(a).query_ball_point(b, 10),
+    lambda a, b: KDTree(a).query_ball_point(b[0], 10),
+    lambda a, b: KDTree(a).query_ball_tree(KDTree(b), 10),
+    lambda a, b: KDTree(a).count_neighbors(KDTree(b), 10),
+    lambda a, b: KDTree(a).sparse_distance_matrix(KDTree(b), 10),
     lambda a, b: beespace.at_risk(a, 10, others=b),
     lambda a, b: beespace.nearest(a, others=b),
     lambda a, b: beespace.closest_pair(a, others=b),
@@ -227,9 +289,11 @@ def file(tmp_path):
 @readers
 @pytest.mark.parametrize(("ask", "argument"), UPRIGHT)
 def test_points_of_a_file_in_degrees_have_no_heights(ask, argument, file):
-    with pytest.raises(beespace.BeespaceError, match="is not a height") as caught:
-        ask(beespace.read(file))
-    assert caught.value.place == argument
+    points = beespace.read(file)
+    for given in (points, points.positions, points.positions[::-1]):
+        with pytest.raises(beespace.BeespaceError, match="is not a height") as caught:
+            ask(given)
+        assert caught.value.place == argument
 
 
 @readers
@@ -244,8 +308,10 @@ def test_a_recording_of_a_file_knows_its_frame(tmp_path):
     for asked in (made, plain):
         found = asked.conflicts(100)
         assert (found.i.tolist(), found.j.tolist()) == (["a"], ["b"])
-    with pytest.raises(beespace.BeespaceError, match="is not a height"):
-        made.conflicts(100, vertical=30)
+    for asked in (made, plain):
+        with pytest.raises(beespace.BeespaceError, match="is not a height"):
+            asked.conflicts(100, vertical=30)
+    assert refuses(flown.positions) and refuses(flown.movers().positions)
     ground = beespace.Obstacles([beespace.Ground(0)])
     with pytest.raises(beespace.BeespaceError, match="stands upright"):
         made.verify(5, obstacles=ground, clearance=10)

@@ -10,6 +10,7 @@ from typing import Any, ClassVar, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from beespace._frames import Known, check_alike, frame_of
 from beespace.compat.scipy import _handing
 from beespace.compat.scipy._arguments import REFUSED
 from beespace.compat.scipy._handing import HandOver, scipy_class
@@ -47,6 +48,7 @@ class Tree(metaclass=_NodesOfScipy):
         boxsize: ArrayLike | None,
     ) -> None:
         self._options = (leafsize, compact_nodes, False, balanced_tree, boxsize)
+        self._frame = frame_of(data)
         self._scipy: Any = None
         self._reason = ""
         try:
@@ -116,10 +118,11 @@ class Tree(metaclass=_NodesOfScipy):
         return f"<beespace.compat.scipy.{type(self).__name__}: {self.n:,} points of {self.m} axes>"
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"data": self.data, "options": self._options}
+        return {"data": self.data, "options": self._options, "frame": self._frame}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         Tree.__init__(self, state["data"], *state["options"])
+        self._frame = state["frame"]
 
     def to_scipy(self) -> Any:
         """The tree of SciPy itself, of the same points; for what wants one."""
@@ -127,6 +130,11 @@ class Tree(metaclass=_NodesOfScipy):
         return self._tree_of_scipy("to_scipy")
 
     # ---- How it is answered ----------------------------------------------------------------------
+
+    def _check_frame(self, places: Any, place: str) -> None:
+        """Refuses places of which it is known that they are in another frame: nothing is near them."""
+        if self._frame is not None:
+            check_alike(Known(frame=frame_of(places)), Known(frame=self._frame), place, "points")
 
     def _answer(self, method: str, ask: Callable[[], _Answer], *arguments: Any) -> _Answer:
         """The answer of beespace; of SciPy where that is not for beespace."""
@@ -156,6 +164,8 @@ class Tree(metaclass=_NodesOfScipy):
     def _points_of(self, other: Any) -> TreePoints:
         """The points of another tree, ours or SciPy's, which have as many coordinates."""
         if isinstance(other, Tree):
+            if self._frame is not None:
+                check_alike(Known(frame=other._frame), Known(frame=self._frame), "other", "points")
             if other._reason or other.m != self.m:
                 raise HandOver(other._reason or REFUSED)
             return other._points

@@ -69,6 +69,7 @@ class cKDTree(Tree):
             The indices of the points; of equally far ones the lower first, `n` where there are fewer.
         """
 
+        self._check_frame(x, "x")
         if type(k) is int and 1 <= k <= self.n and type(distance_upper_bound) is float:
             place = _arguments.one_place(x, self.m, p, eps, workers)
             if place is not None and distance_upper_bound == math.inf:
@@ -128,6 +129,7 @@ class cKDTree(Tree):
             The indices of the points. With `return_length` their number, as intp.
         """
 
+        self._check_frame(x, "x")
         place = None if return_length else _arguments.one_place(x, self.m, p, eps, workers)
         radius_of_one = _arguments.plain_radius(r)
         if place is not None and radius_of_one is not None and not self._reason:
