@@ -118,7 +118,7 @@ class GuideCalls(InTurn):
             )
         return request
 
-    def _place(self, place: Any, what: str) -> _c.CThree:
+    def _place(self, place: Any, what: str) -> Any:
         """A place of one agent, in the frame of all others as far as they say."""
         given = Known(frame=frame_of(place))
         check_alike(given, self._known, what, "fleet")

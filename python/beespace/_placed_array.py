@@ -38,4 +38,7 @@ def placed(positions: NDArray[np.float64], frame: str | None) -> NDArray[np.floa
 
 
 def _plain(given: Any) -> Any:
-    return given.view(np.ndarray) if isinstance(given, PlacedArray) else given
+    if not isinstance(given, PlacedArray):
+        return given
+    plain: NDArray[np.float64] = given.view(np.ndarray)
+    return plain
