@@ -38,7 +38,4 @@ def placed(positions: NDArray[np.float64], frame: str | None) -> NDArray[np.floa
 
 
 def _plain(given: Any) -> Any:
-    if not isinstance(given, PlacedArray):
-        return given
-    plain: NDArray[np.float64] = given.view(np.ndarray)
-    return plain
+    return np.asarray(given) if isinstance(given, PlacedArray) else given
