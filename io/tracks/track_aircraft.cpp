@@ -47,6 +47,10 @@ bool says_yes(std::string_view text) {
   return is_one_of("true t yes y 1 1.0", lower_case(without_padding(text)));
 }
 
+bool says_no(std::string_view text) {
+  return is_one_of("false f no n 0 0.0", lower_case(without_padding(text)));
+}
+
 bool names_flight(std::string_view column) {
   const auto words = split_words(column);
   return (words.size() == 1 && is_one_of("callsign flight", words[0])) ||

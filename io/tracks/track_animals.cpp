@@ -1,0 +1,24 @@
+#include "io/tracks/track_animals.hpp"
+
+#include "io/problems/unplaced.hpp"
+#include "io/table/column_names.hpp"
+#include "io/table/table_sources.hpp"
+
+namespace beespace::io {
+
+void settle_animals(const Header& header, TrackLayout& layout) {
+  if (layout.of_aircraft || !layout.time) return;
+  layout.places_may_be_unknown = true;
+  layout.no_height = &kUnknownHeight;
+  const TableSource* const source = header.source();
+  if (source == nullptr || !source->of_animals) return;
+  layout.ids_may_be_empty = true;
+  layout.infinite_is_unknown = source->infinite_is_unknown;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (split_words(header.table().names[i]) == std::vector<std::string>{"visible"}) {
+      layout.visible = i;
+    }
+  }
+}
+
+}  // namespace beespace::io
