@@ -171,6 +171,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   swarm.title = title;
   swarm.origin = request.origin;
   swarm.source = recording.format_description;
+  swarm.flat = recording.flat;
   swarm.heights = height_words(recording.height_unit, recording.heights);
   swarm.threshold_m =
       request.threshold_m.value_or(recording.declared_threshold_m.value_or(kDefaultThreshold_m));

@@ -246,7 +246,7 @@ std::vector<std::string> write_czml(const SnapshotFacts& facts, io::AtomicOutput
   const auto place = [&](PointId bee) { return places.of(facts.positions[bee]); };
   Packets packets(output);
   packets.add([&](io::JsonWriter& json) {
-    write_document(json, facts.swarm, document_words(kept_words(facts), notes));
+    write_document(json, facts.swarm, document_words(facts.swarm, kept_words(facts), notes));
   });
   for (std::size_t i = 0; i < bees; ++i) {
     const PointId bee = facts.at_risk[i];
@@ -283,7 +283,7 @@ std::vector<std::string> write_czml(const RecordingFacts& facts, io::AtomicOutpu
   const TimeSpan time = time_of(map);
   Packets packets(output);
   packets.add([&](io::JsonWriter& json) {
-    write_document(json, facts.swarm, document_words(kept_words(facts), notes));
+    write_document(json, facts.swarm, document_words(facts.swarm, kept_words(facts), notes));
     write_clock(json, time);
   });
   for (const MapTrack& track : map.tracks) {

@@ -222,6 +222,21 @@ TEST(Animals, ClocksDoNotMix) {
   expect_parts(days.err, {"from       2015-03-28 00:00:00.000 to 2015-03-29 00:00:00.000"});
 }
 
+// No side is drawn of what has none, and times are rounded to what they say.
+TEST(Animals, FlatTracksAreDrawnFlat) {
+  const TemporaryFolder folder;
+  const std::string svg = folder.path("flat.svg");
+  EXPECT_EQ(run({"plot", table("movebank_r.csv"), "--output", svg}).exit_code, 0);
+  const std::string drawn = folder.read("flat.svg");
+  expect_parts(drawn, {"From above"});
+  EXPECT_EQ(drawn.find("From the side"), std::string::npos);
+  EXPECT_EQ(drawn.find("heights are above"), std::string::npos);
+  const std::string czml = folder.path("flat.czml");
+  EXPECT_EQ(run({"export", table("movebank_r.csv"), "--output", czml}).exit_code, 0);
+  expect_parts(folder.read("flat.czml"), {"The input has no heights: all are shown at height 0.",
+                                  R"("multiplier":20)", R"("label":{"text":"Anna")"});
+}
+
 // Pages and pictures need nothing more than the answer did.
 TEST(Animals, AnswersHavePictures) {
   const TemporaryFolder folder;
