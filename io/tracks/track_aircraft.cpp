@@ -39,6 +39,8 @@ const LeftOutReason* reason_without_height(const Header& header, HeightDatum dat
 }  // namespace
 
 bool is_unknown(std::string_view text) {
+  // Signs and digits come before letters: nearly all texts are numbers.
+  if (!text.empty() && text.front() <= '9') return false;
   const std::string lower = lower_case(text);
   return lower.empty() || is_one_of("nan nat none null na n/a <na>", lower);
 }

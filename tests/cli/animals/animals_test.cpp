@@ -222,6 +222,16 @@ TEST(Animals, ClocksDoNotMix) {
   expect_parts(days.err, {"from       2015-03-28 00:00:00.000 to 2015-03-29 00:00:00.000"});
 }
 
+// Who asks 'detect' is told whom to ask.
+TEST(Animals, DetectNamesReplay) {
+  for (const std::string name :
+       {"movebank.csv", "pixels.csv", "trackdf.csv", "idtracker.csv", "logger.csv"}) {
+    const Finished finished = run({"detect", table(name)});
+    EXPECT_EQ(finished.exit_code, 3) << name;
+    expect_parts(finished.err, {"this is a recording", "ask 'beespace replay' about it"});
+  }
+}
+
 // No side is drawn of what has none, and times are rounded to what they say.
 TEST(Animals, FlatTracksAreDrawnFlat) {
   const TemporaryFolder folder;
@@ -234,7 +244,7 @@ TEST(Animals, FlatTracksAreDrawnFlat) {
   const std::string czml = folder.path("flat.czml");
   EXPECT_EQ(run({"export", table("movebank_r.csv"), "--output", czml}).exit_code, 0);
   expect_parts(folder.read("flat.czml"), {"The input has no heights: all are shown at height 0.",
-                                  R"("multiplier":20)", R"("label":{"text":"Anna")"});
+                                          R"("multiplier":20)", R"("label":{"text":"Anna")"});
 }
 
 // Pages and pictures need nothing more than the answer did.
