@@ -136,8 +136,10 @@ std::string length_text(double metres, double limit_m) {
 std::string horizontal_text(double metres, const Distances& distances) {
   const double limit_m = distances.threshold_m;
   if (distances.small != io::Unit::kUnstated) {
-    return in_unit(metres, limit_m, distances.small,
-                   distances.small == io::Unit::kMillimetre ? 1 : 2);
+    const bool millimetres = distances.small == io::Unit::kMillimetre;
+    if (metres == 0.0) return millimetres ? "0 mm" : "0 cm";
+    if (metres < 1e-4) return millimetres ? "under 0.1 mm" : "under 0.01 cm";
+    return in_unit(metres, limit_m, distances.small, millimetres ? 1 : 2);
   }
   if (!distances.aviation) return length_text(metres, limit_m);
   return in_unit(metres, limit_m, io::Unit::kNauticalMile, 3) + " (" +
