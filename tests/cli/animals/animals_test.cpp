@@ -51,9 +51,10 @@ TEST(Animals, TimesAreToldInTheZoneThatIsAskedFor) {
   // It would be the zone of times that name none, which Movebank's are then taken for.
   expect_parts(finished.err, {"are of +02:00: as --time-zone says",
                               "from       2015-09-10T07:00:00.000+02:00 to"});
-  const Finished told = run({"replay", "--threshold", "1", "--time-zone", "+02:00"},
-                            "id,time,x,y\na,2015-09-10T07:00:00Z,0,0\na,2015-09-10T07:00:02Z,2,0\n"
-                            "b,2015-09-10T07:00:00Z,0,1.5\nb,2015-09-10T07:00:02Z,0,-1\n");
+  const Finished told =
+      run({"replay", "--threshold", "1", "--time-zone", "+02:00"},
+          "id,time,x_m,y_m\na,2015-09-10T07:00:00Z,0,0\na,2015-09-10T07:00:02Z,2,0\n"
+          "b,2015-09-10T07:00:00Z,0,1.5\nb,2015-09-10T07:00:02Z,0,-1\n");
   expect_parts(told.err, {"from       2015-09-10T09:00:00.000+02:00 to"});
 }
 
@@ -72,7 +73,7 @@ TEST(Animals, MovebankFromRIsFlatWhereHeightsAreEmpty) {
 // What no header says is asked for, all at once; then the answer is right.
 TEST(Animals, FramesAndPixelsAreAskedForAndThenRead) {
   const Finished asked = run({"replay", table("pixels.csv"), "--threshold", "3mm"});
-  EXPECT_EQ(asked.exit_code, 3);
+  EXPECT_EQ(asked.exit_code, 2);
   expect_parts(asked.err, {"column 1 'frame' counts the frames of a video", "--fps 25",
                            "are they pixels?", "--scale 0.1mm"});
   const Finished finished = run({"replay", table("pixels.csv"), "--threshold", "3mm", "--fps", "25",
@@ -87,15 +88,15 @@ TEST(Animals, FramesAndPixelsAreAskedForAndThenRead) {
 
 TEST(Animals, AColumnOfFramesGoesWithFps) {
   const std::string rows = "time_s,id,x_cm,y_cm\n0,a,1,2\n1,a,2,2\n";
-  expect_failure({"replay", "--fps", "25"}, rows, 3,
+  expect_failure({"replay", "--fps", "25"}, rows, 2,
                  "<stdin>: --fps is given, but no column counts frames; leave it out, or say which "
                  "does with --columns frame=N (the columns are 1 'time_s', 2 'id', 3 'x_cm', 4 "
                  "'y_cm')");
   const Finished scaled = run({"replay", "--scale", "2"}, rows);
-  EXPECT_EQ(scaled.exit_code, 3);
+  EXPECT_EQ(scaled.exit_code, 2);
   expect_parts(scaled.err, {"'x_cm' names its unit, cm, but --scale is for pixels"});
   const Finished pixels = run({"replay"}, "time_s,id,x_px,y_px\n0,a,1,2\n1,a,2,2\n");
-  EXPECT_EQ(pixels.exit_code, 3);
+  EXPECT_EQ(pixels.exit_code, 2);
   expect_parts(pixels.err, {"column 'x_px' is in pixels: say how long one is"});
 }
 
@@ -127,7 +128,7 @@ TEST(Animals, WhoIsNowhereIsNoAllClear) {
 
 TEST(Animals, IdtrackerHasColumnsForEachAnimal) {
   const Finished asked = run({"replay", table("idtracker.csv"), "--threshold", "3mm"});
-  EXPECT_EQ(asked.exit_code, 3);
+  EXPECT_EQ(asked.exit_code, 2);
   expect_parts(asked.err, {"--scale 0.1mm"});
   const Finished finished =
       run({"replay", table("idtracker.csv"), "--threshold", "3mm", "--scale", "0.1mm", "--csv"});
@@ -212,7 +213,7 @@ TEST(Animals, ClocksDoNotMix) {
   const std::string bare =
       folder.file("bare.csv", "timestamp,id,x_m,y_m\n2015-03-28 00:00:00,b,0,0\n");
   const Finished finished = run({"replay", zoned, bare});
-  EXPECT_EQ(finished.exit_code, 3);
+  EXPECT_EQ(finished.exit_code, 2);
   expect_parts(finished.err, {"--time-zone"});
   EXPECT_EQ(run({"replay", zoned, bare, "--time-zone", "UTC"}).exit_code, 0);
   // Files of one clock count from one midnight.

@@ -147,7 +147,9 @@ TEST(AnswersForPeople, SmallThingsAreToldInTheirUnits) {
   expect_parts(run({"replay"}, cage).err, {"15.7 mm apart"});
   expect_parts(run({"replay", "--threshold", "2cm"}, cage).err, {"1.57 cm apart"});
   expect_parts(run({"replay", "--threshold", "0.03"}, cage).err, {"0.016 m apart"});
-  expect_parts(run({"replay", "--threshold", "15.721mm"}, cage).err, {"15.72 mm apart"});
+  const std::string near = "id,time_s,x_mm,y_mm\na,0,0,0\na,9,0,0\nb,0,15.76,0\nb,9,15.76,0\n";
+  expect_parts(run({"replay", "--threshold", "15.8mm"}, near).err, {"15.76 mm apart"});
+  expect_parts(run({"replay", "--threshold", "20mm"}, near).err, {"15.8 mm apart"});
 }
 
 TEST(AnswersForPeople, UnitsOfAviationMayBeAskedForOrNot) {

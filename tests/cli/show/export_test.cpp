@@ -74,7 +74,7 @@ TEST_F(Export, CzmlMovesBeesAndJoinsThoseInConflict) {
                       R"("references":["bee/0#position","bee/1#position"])",
                       R"("clock":{"interval":"2024-05-01T12:00:00Z/2024-05-01T12:01:00Z",)"
                       R"("currentTime":"2024-05-01T12:00:00Z","multiplier":1,"range":"LOOP_STOP")",
-                      R"("label":{"text":"maya")"});
+                      R"("label":{"text":"=1+1")"});
 }
 
 TEST_F(Export, GeojsonHasPointsAndLinesWithTheirProperties) {
