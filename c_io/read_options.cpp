@@ -2,8 +2,11 @@
 
 #include "c/door/door.hpp"
 #include "c/door/structs.hpp"
+#include "io/units/stated_length.hpp"
+#include "io/units/time_zone.hpp"
 #include "io/units/unit_overrides.hpp"
 
+#include <cmath>
 #include <initializer_list>
 #include <optional>
 #include <string_view>
@@ -82,6 +85,27 @@ Status read_columns(const beespace_io_options& given, std::uint32_t known,
   return std::monostate{};
 }
 
+// How times and pixels are meant.
+Status read_clock_and_pixel(const beespace_io_options& given, io::RecordingOptions& options) {
+  if (given.time_zone != nullptr) {
+    auto zone = io::TimeZone::find(given.time_zone);
+    if (!zone) return refused("time_zone: " + zone.error().message);
+    options.time_zone = *std::move(zone);
+  }
+  if (given.scale != nullptr) {
+    options.pixel = io::parse_stated(given.scale, io::Quantity::kLength);
+    if (!options.pixel || !(options.pixel->metric > 0.0) || !std::isfinite(options.pixel->metric)) {
+      return refused("scale is the length of a pixel, above 0, as in \"0.1mm\"");
+    }
+  }
+  if (given.fps == 0.0) return std::monostate{};
+  if (!(given.fps > 0.0) || !std::isfinite(given.fps)) {
+    return refused("fps is how many frames there are in a second, above 0");
+  }
+  options.frames_per_second = given.fps;
+  return std::monostate{};
+}
+
 // All default where there are none.
 Result<beespace_io_options> given_or_default(const beespace_io_options* options) {
   if (options != nullptr) return c::read_struct(options, kOptions);
@@ -107,6 +131,9 @@ Result<io::LoadOptions> points_options(const beespace_io_options* options) {
   if (const auto unit = text_of(given->time_unit); !unit.empty() && unit != "auto") {
     return refused("time_unit is for recordings: points have no times; leave it out");
   }
+  if (given->time_zone != nullptr || given->scale != nullptr || given->fps != 0.0) {
+    return refused("time_zone, scale and fps are for recordings; leave them out");
+  }
   read.format_can_be_said = true;
   read.threads = threads_of(given->threads);
   return read;
@@ -123,6 +150,9 @@ Result<io::RecordingOptions> recording_options(const beespace_io_options* option
   }
   if (const auto format = text_of(given->format); !format.empty() && format != "auto") {
     return refused("format is for points: recordings tell it themselves; leave it out");
+  }
+  if (Status read_well = read_clock_and_pixel(*given, read); !read_well) {
+    return std::move(read_well).error();
   }
   read.grounded = (given->flags & BEESPACE_IO_GROUNDED) != 0;
   return read;

@@ -83,6 +83,9 @@ typedef struct beespace_io_options {
   const char* heights;    ///< Of several: "geometric", "pressure"; "auto".
   const char* format;     ///< Of points: "text", "npy", "bin" (raw float64); "auto".
   const char* time_unit;  ///< Of recordings: "s", "ms", "us", "ns"; "auto".
+  const char* time_zone;  ///< Of dates and times that name none: "UTC", "Europe/Madrid", "+02:00".
+  const char* scale;      ///< Of positions in pixels, how long one is: "0.1mm"; NULL: none are.
+  double fps;  ///< Of recordings in which a column counts frames: how many a second; 0: none does.
 } beespace_io_options;
 
 /* ---- What is to be said of what was read ---------------------------------------------------- */

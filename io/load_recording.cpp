@@ -19,6 +19,7 @@
 #include "io/shows/show_reading.hpp"
 #include "io/tracks/json_table.hpp"
 #include "io/tracks/track_table.hpp"
+#include "io/tracks/wide_table.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -134,6 +135,10 @@ char front_of(std::string_view bytes) {
   return first != std::string_view::npos ? text[first] : '\0';
 }
 
+bool options_name_no_columns(const RecordingAssembly& assembly) {
+  return assembly.options().columns.empty();
+}
+
 // One input, whatever it holds.
 std::optional<Error> read_source(Bytes bytes, const std::string& path,
                                  RecordingAssembly& assembly) {
@@ -165,6 +170,10 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
         "this is no Skybrush show: neither a zip archive nor a JSON object; name the .skyc "
         "file",
         {}};
+  }
+  if (format == RecordingFormat::kAuto && options_name_no_columns(assembly)) {
+    const std::string_view text = without_byte_order_mark(content->view);
+    if (is_wide_table(text)) return read_wide_table(text, assembly);
   }
   return read_table(*content, path, format == RecordingFormat::kSkybrushCsv, assembly);
 }

@@ -40,6 +40,7 @@ struct SwarmFacts {
   // along the ground, and heights (EarthFrame); otherwise positions are as given.
   std::optional<GeographicPosition> origin = {};
   HeightWords heights = {};
+  bool flat = false;  // the input has no heights: those of positions are 0, and are not shown
   double threshold_m = 0.0;
   std::optional<double> vertical_m = {};
   bool inclusive = false;

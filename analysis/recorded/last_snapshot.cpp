@@ -73,6 +73,12 @@ void bring_forward(LastState& state, double by_s) {
   state.height_m = flushed(state.height_m + state.climb_mps * by_s);
 }
 
+// Whether the input has a place for them, known or not: then nobody has forgotten a column.
+bool has_velocities(const io::Recording& recording) {
+  return std::any_of(recording.bees.begin(), recording.bees.end(),
+                     [](const io::RecordedBee& bee) { return !bee.velocities.empty(); });
+}
+
 // Of the last fix of all. Error: where the input says nothing of the present.
 Result<double> last_time(const io::Recording& recording) {
   double time_s = -std::numeric_limits<double>::infinity();
@@ -154,7 +160,8 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
     snapshot.heights_m.push_back(state->height_m);
     snapshot.climbs_mps.push_back(state->climb_mps);
   }
-  if (snapshot.movers.empty() && no_velocity) return *std::move(no_velocity);
+  const bool now_will_do = wanted == Wanted::kMotionOrNow && has_velocities(recording);
+  if (snapshot.movers.empty() && no_velocity && !now_will_do) return *std::move(no_velocity);
   return snapshot;
 }
 

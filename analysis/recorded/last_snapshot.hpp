@@ -41,7 +41,11 @@ struct Snapshot {
 };
 
 // Whether velocities matter of bees that need not be brought there.
-enum class Wanted : std::uint8_t { kMotion, kPlaces };
+enum class Wanted : std::uint8_t {
+  kMotion,
+  kMotionOrNow,  // where the input has velocities, of which none is known, the present moment alone
+  kPlaces,
+};
 
 // Errors: kMissingColumn where no bee has a velocity that is wanted, or two fixes to tell it from.
 Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, double max_age_s,

@@ -9,6 +9,7 @@
 #include "analysis/scene/uprights.hpp"
 #include "analysis/snapshot/worst_pairs.hpp"
 #include "analysis/text/bee_name.hpp"
+#include "analysis/text/moment_text.hpp"
 #include "analysis/text/unit_notes.hpp"
 #include "io/bytes/number_text.hpp"
 #include "report/earth_frame.hpp"
@@ -170,6 +171,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   swarm.title = title;
   swarm.origin = request.origin;
   swarm.source = recording.format_description;
+  swarm.flat = recording.flat;
   swarm.heights = height_words(recording.height_unit, recording.heights);
   swarm.threshold_m =
       request.threshold_m.value_or(recording.declared_threshold_m.value_or(kDefaultThreshold_m));
@@ -182,6 +184,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
     swarm.notes.push_back("bad records left out: " + io::grouped(recording.skipped_count));
   }
   facts.since_1970 = recording.since_1970;
+  if (recording.clock) swarm.notes.push_back("times are " + clock_text(recording));
   if (are_all_there_for_a_moment(*in_space)) {
     swarm.notes.emplace_back(
         "each bee is there for a moment only, as it has one fix; to compare them as if they were "

@@ -125,6 +125,12 @@ Error or_recording(Error error, const std::string& path, const io::LoadOptions& 
   if (!recording) {
     // It is known for what it is to be, but damaged: that says more than that it is no table.
     const ErrorCode code = recording.error().code;
+    if (recording.error().message.find("are of a video") != std::string::npos ||
+        recording.error().message.find("the frames of a video") != std::string::npos) {
+      return blamed_on(path,
+                       "this is a recording of animals that move, frame by frame; ask 'beespace "
+                       "replay' about it");
+    }
     const bool damaged = code == ErrorCode::kTruncated || code == ErrorCode::kCorrupt ||
                          code == ErrorCode::kMalformedRecord;
     if (error.code != ErrorCode::kUnsupportedFormat || !damaged) return error;
@@ -135,6 +141,13 @@ Error or_recording(Error error, const std::string& path, const io::LoadOptions& 
   // Of a table the reader of snapshots knows better what is wrong; a zip of tables it does not
   // know.
   const bool table = recording->format_description.starts_with("text");
+  const auto moves = std::find_if(recording->bees.begin(), recording->bees.end(),
+                                  [](const io::RecordedBee& bee) { return bee.fixes.size() > 1; });
+  if (table && moves != recording->bees.end()) {
+    return blamed_on(path, "this is a recording: bee " + io::excerpt(moves->id) +
+                               " is in it at more than one time; ask 'beespace replay' about it, "
+                               "or leave one time in it");
+  }
   if (table && error.code != ErrorCode::kUnsupportedFormat) return error;
   const bool at_an_instant =
       std::all_of(recording->bees.begin(), recording->bees.end(),

@@ -3,6 +3,7 @@
 
 #include "io/recording/recording.hpp"
 
+#include <optional>
 #include <string>
 
 namespace beespace::analysis {
@@ -10,7 +11,25 @@ namespace beespace::analysis {
 // "2024-05-01T12:00:00.250Z"; nothing for what is not within a few thousand years of 1970.
 std::string utc_text(double since_1970_s);
 
-// "12.5 s", or the date and time where seconds count from 1970.
+// How times of a recording are told to people where they are more than seconds.
+struct Calendar {
+  bool since_1970 = false;
+  std::optional<io::TimeZone> zone = {};    // of those since 1970; none: UTC
+  std::optional<io::WallClock> clock = {};  // or they count from a midnight of a clock
+
+  // Whether they are told as dates, or times of day.
+  [[nodiscard]] bool tells() const { return since_1970 || clock; }
+  // "2024-05-01T12:00:00.250Z", "2024-05-01T14:00:00.250+02:00"; of a clock whose zone is not known
+  // "2024-05-01 12:00:00.250", or "12:00:00.250"; nothing where there is no such text.
+  [[nodiscard]] std::string text(double time_s) const;
+};
+
+Calendar calendar_of(const io::Recording& recording);
+
+// "seconds since 1970-01-01T00:00:00Z", "seconds", ...: what the numbers are.
+std::string clock_text(const io::Recording& recording);
+
+// "12.5 s", or the date and time where seconds count from 1970 or a midnight.
 std::string moment_text(double time_s, const io::Recording& recording);
 
 }  // namespace beespace::analysis

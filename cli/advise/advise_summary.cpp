@@ -151,7 +151,8 @@ void append_findings(std::string& out, const AdviceAnswer& answer) {
         const auto intruder = static_cast<PointId>(conflict.intruder);
         return names.bee(conflict.agent) + " and the intruder " +
                answer.given.intruder_names.bee(intruder) + ", in " +
-               io::grouped(conflict.begins_s, 2) + " s, closest " + io::length(conflict.closest_m);
+               io::grouped(conflict.begins_s, 2) + " s, closest " +
+               io::length_below(answer.request.advice.threshold_m, conflict.closest_m);
       });
 }
 

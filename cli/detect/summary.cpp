@@ -33,13 +33,14 @@ std::string frame_line(const io::LoadedPoints& loaded) {
   return frame + ": " + printable(loaded.frame_reason);
 }
 
-std::string closest_line(const Inputs& inputs, const ClosestPair& pair) {
+std::string closest_line(const Inputs& inputs, const ClosestPair& pair, double threshold_m) {
   const std::vector<PointId> first = {pair.first};
   const std::vector<PointId> second = {pair.second};
   const analysis::ShownIds ours(inputs.ours, first);
   const analysis::ShownIds theirs(inputs.theirs(), second);
   return printable(ours.text(pair.first)) + " and " + (inputs.others ? "their " : "") +
-         printable(theirs.text(pair.second)) + ", " + io::length(pair.distance_m) + " apart";
+         printable(theirs.text(pair.second)) + ", " +
+         io::length_below(threshold_m, pair.distance_m) + " apart";
 }
 
 std::string time_line(const Inputs& inputs, const Timings& timings) {
@@ -125,7 +126,7 @@ std::string summary(const Inputs& inputs, const Detection& detection,
   if (detection.closest) {
     const bool kept_apart = request.search.vertical_m && detection.at_risk.empty();
     append_summary_line(out, "closest",
-                        closest_line(inputs, *detection.closest) +
+                        closest_line(inputs, *detection.closest, request.search.threshold_m) +
                             (kept_apart ? " in a straight line, not too close" : ""));
   }
   append_summary_line(out, "time", time_line(inputs, detection.timings));

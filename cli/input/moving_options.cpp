@@ -5,6 +5,7 @@
 #include "io/bytes/number_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace beespace::cli {
 namespace {
@@ -13,6 +14,19 @@ Result<io::UnitOverrides> read_units(const Typed& typed) {
   return io::read_unit_overrides(typed.text).transform_error([&](const Error& error) {
     return usage_error(typed.command, error.message);
   });
+}
+
+Result<io::TimeZone> read_time_zone(const Typed& typed) {
+  return io::TimeZone::find(typed.text).transform_error([&](const Error& error) {
+    return usage_error(typed.command, "--time-zone: " + error.message);
+  });
+}
+
+Result<io::StatedLength> read_pixel(const Typed& typed) {
+  const auto stated = io::parse_stated(typed.text, io::Quantity::kLength);
+  if (stated && stated->metric > 0.0 && std::isfinite(stated->metric)) return *stated;
+  return usage_error(typed.command, "--scale is the length of a pixel, above 0, as in 0.1mm; '" +
+                                        typed.text + "' is none");
 }
 
 }  // namespace
@@ -34,6 +48,16 @@ void add_time_unit_option(Command& command, io::Unit& unit) {
                  "Of times, where the input does not say");
 }
 
+void add_clock_and_pixel_options(Command& command, io::RecordingOptions& load) {
+  command.option("--time-zone", "ZONE", load.time_zone, read_time_zone,
+                 "Of dates and times that name none, and in which\ntimes are told: UTC, "
+                 "Europe/Madrid, +02:00");
+  command.option("--fps", "N", load.frames_per_second, amount("frames a second", kAboveZero),
+                 "Where a column counts frames: how many a second");
+  command.option("--scale", "LENGTH", load.pixel, read_pixel,
+                 "Of positions in pixels: how long one is, as 0.1mm");
+}
+
 void add_units_options(Command& command, io::UnitOverrides& units, io::HeightSource& heights) {
   command.option("--units", "LIST", units, read_units,
                  "Where the header names none: height=ft,speed=kt,\nclimb=ft/min, position=m; or "
@@ -51,6 +75,7 @@ void add_input_options(Command& command, MovingRequest& request) {
   command.option("--columns", "LIST", request.load.columns,
                  "By number or name: id=1,time=2,x=3,y=4,z=5,vx=6");
   add_time_unit_option(command, request.load.time_unit);
+  add_clock_and_pixel_options(command, request.load);
   command.flag("--grounded", request.load.grounded,
                "Count those that stand on the ground as well (shows, aircraft)");
   add_units_options(command, request.load.units, request.load.heights);

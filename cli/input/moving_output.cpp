@@ -45,7 +45,8 @@ void write_input(io::JsonWriter& json, const io::Recording& recording,
   json.member("reason", recording.frame_reason);
   json.member("heights", io::known_if(!datum.empty(), datum));
   write_units(json.key("units"), recording.units);
-  json.member("times", recording.since_1970 ? "seconds since 1970-01-01T00:00:00Z" : "seconds");
+  json.member("times", analysis::clock_text(recording));
+  json.member("dimensions", recording.flat ? 2u : 3u);
   json.member("bees", recording.bees.size()).member("skipped", recording.skipped_count);
   json.member("notes", recording.notes);
   json.end();
@@ -54,9 +55,10 @@ void write_input(io::JsonWriter& json, const io::Recording& recording,
 }  // namespace
 
 void append_frame_lines(std::string& out, io::Frame frame, const std::string& reason,
-                        io::HeightDatum heights) {
+                        io::HeightDatum heights, bool flat) {
   const bool degrees = frame == io::Frame::kWgs84;
   std::string text = degrees ? "WGS84 longitude, latitude, height" : "metres";
+  if (flat) text = degrees ? "WGS84 longitude, latitude, without heights" : "metres, in a plane";
   if (!reason.empty()) text += ": " + printable(reason);
   append_summary_line(out, "frame", text);
   const std::string_view datum = analysis::datum_text(heights);
@@ -68,7 +70,8 @@ std::string input_summary(const io::Recording& recording, const MovingRequest& r
   append_summary_line(out, "input",
                       inputs_of(request) + " (" + io::byte_count(recording.bytes) + ", " +
                           recording.format_description + ")");
-  append_frame_lines(out, recording.frame, recording.frame_reason, recording.heights);
+  append_frame_lines(out, recording.frame, recording.frame_reason, recording.heights,
+                     recording.flat);
   append_units(out, recording.units);
   append_vertical(out, request.vertical, recording.height_unit);
   for (const std::string& note : recording.notes) {
@@ -101,33 +104,73 @@ bool in_aviation(const MovingRequest& request, const io::Recording& recording) {
 
 namespace {
 
+// Whether a length is stated, or taken, in a unit of small things.
+io::Unit if_small(io::Unit unit) {
+  const bool small = unit == io::Unit::kMillimetre || unit == io::Unit::kCentimetre;
+  return small ? unit : io::Unit::kUnstated;
+}
+
+io::Unit small_unit(const MovingRequest& request, const io::Recording& recording) {
+  if (request.threshold) return if_small(request.threshold->unit);
+  for (const io::UnitTaken& taken : recording.units) {
+    if (taken.of.starts_with('x')) return if_small(taken.unit);
+  }
+  return io::Unit::kUnstated;
+}
+
+std::string in_unit(double metres, double limit_m, io::Unit unit, int decimals) {
+  const double value = io::from_metric(metres, unit);
+  const double limit = io::from_metric(limit_m, unit);
+  const std::string name = " " + std::string(io::symbol_of(unit));
+  // Both are rounded: then the limit may look reached.
+  if (metres < limit_m && !(value < limit)) return "just under " + io::grouped(limit, 0) + name;
+  return io::grouped_below(limit, value, decimals) + name;
+}
+
 // A rounding of what would be 0 has many digits that say nothing.
-std::string length_text(double metres) {
-  return metres > 0.0 && metres < 0.001 ? std::string("under 1 mm") : io::length(metres);
+std::string length_text(double metres, double limit_m) {
+  return metres > 0.0 && metres < 0.001 ? std::string("under 1 mm")
+                                        : io::length_below(limit_m, metres);
 }
 
-std::string horizontal_text(double metres, bool aviation) {
-  if (!aviation) return length_text(metres);
-  return io::grouped(io::from_metric(metres, io::Unit::kNauticalMile), 3) + " NM (" +
-         length_text(metres) + ")";
+std::string horizontal_text(double metres, const Distances& distances) {
+  const double limit_m = distances.threshold_m;
+  if (distances.small != io::Unit::kUnstated) {
+    const bool millimetres = distances.small == io::Unit::kMillimetre;
+    if (metres == 0.0) return millimetres ? "0 mm" : "0 cm";
+    if (metres < 1e-4) return millimetres ? "under 0.1 mm" : "under 0.01 cm";
+    return in_unit(metres, limit_m, distances.small, millimetres ? 1 : 2);
+  }
+  if (!distances.aviation) return length_text(metres, limit_m);
+  return in_unit(metres, limit_m, io::Unit::kNauticalMile, 3) + " (" +
+         length_text(metres, limit_m) + ")";
 }
 
-std::string vertical_text(double metres, bool aviation) {
-  if (!aviation) return length_text(metres);
-  return io::grouped(io::from_metric(metres, io::Unit::kFoot), 0) + " ft (" + length_text(metres) +
-         ")";
+std::string vertical_text(double metres, const Distances& distances) {
+  const double limit_m = distances.vertical_m.value_or(0.0);
+  if (!distances.aviation) return length_text(metres, limit_m);
+  return in_unit(metres, limit_m, io::Unit::kFoot, 0) + " (" + length_text(metres, limit_m) + ")";
 }
 
 }  // namespace
 
+Distances distances_of(const MovingRequest& request, const io::Recording& recording,
+                       double threshold_m) {
+  Distances distances;
+  distances.aviation = in_aviation(request, recording);
+  if (!distances.aviation) distances.small = small_unit(request, recording);
+  distances.threshold_m = threshold_m;
+  distances.vertical_m = request.vertical_m;
+  return distances;
+}
+
 std::string encounter_text(const Conflict& conflict, const io::Recording& recording,
                            const Distances& distances) {
-  const bool aviation = distances.aviation;
   const auto apart = distances.of(conflict);
   const std::string how_far =
-      apart ? horizontal_text(apart->horizontal_m, aviation) + " horizontally and " +
-                  vertical_text(apart->vertical_m, aviation) + " vertically apart"
-            : horizontal_text(conflict.closest_m, aviation) + " apart";
+      apart ? horizontal_text(apart->horizontal_m, distances) + " horizontally and " +
+                  vertical_text(apart->vertical_m, distances) + " vertically apart"
+            : horizontal_text(conflict.closest_m, distances) + " apart";
   return pair_text(conflict, recording) + ", " + how_far + " at " +
          analysis::moment_text(conflict.closest_s, recording);
 }
@@ -165,7 +208,7 @@ Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& 
              {"ends_s", nullptr, "ends"}},
             {},
             analysis::has_labels(recording),
-            recording.since_1970};
+            analysis::calendar_of(recording)};
   if (with_certain) rows.columns.push_back({"certain"});
   add_apart_columns(rows.columns, distances);
   rows.rows.reserve(conflicts.size());

@@ -22,7 +22,7 @@ namespace beespace::cli {
 
 // What positions are in, and why where that is known; what heights are counted from.
 void append_frame_lines(std::string& out, io::Frame frame, const std::string& reason,
-                        io::HeightDatum heights);
+                        io::HeightDatum heights, bool flat = false);
 
 // The lines about what was read.
 std::string input_summary(const io::Recording& recording, const MovingRequest& request);
@@ -40,11 +40,18 @@ bool in_aviation(const MovingRequest& request, const io::Recording& recording);
 struct Distances {
   analysis::ApartOf apart = {};  // where there is a vertical threshold
   bool aviation = false;
+  io::Unit small = io::Unit::kUnstated;  // or in mm or cm, where the threshold or positions are
+  // What they are shown beside: what is below one of these is never rounded up to it.
+  double threshold_m = 0.0;
+  std::optional<double> vertical_m = {};
 
   [[nodiscard]] std::optional<analysis::Apart> of(const Conflict& conflict) const {
     return apart ? apart(conflict) : std::nullopt;
   }
 };
+
+Distances distances_of(const MovingRequest& request, const io::Recording& recording,
+                       double threshold_m);
 
 // "drone_01 and drone_02"; "drone_01 and drone_02, 4.31 m apart at 63.2 s".
 std::string pair_text(const Conflict& conflict, const io::Recording& recording);

@@ -1,6 +1,5 @@
 #include "cli/output/rows.hpp"
 
-#include "analysis/text/moment_text.hpp"
 #include "cli/output/block_writer.hpp"
 #include "io/table/table_writer.hpp"
 
@@ -23,14 +22,14 @@ void write_field(io::TableWriter& table, const Value& value, bool with_label) {
 
 // Whether the values are dates to people.
 bool has_dates(const Rows& rows, const RowColumn& column) {
-  return rows.since_1970 && column.moment != nullptr;
+  return rows.calendar.tells() && column.moment != nullptr;
 }
 
 // A time as a date; any other value as it is.
-Value as_date(const Value& value) {
+Value as_date(const Value& value, const analysis::Calendar& calendar) {
   const auto* time_s = std::get_if<double>(&value);
   if (time_s == nullptr) return value;
-  std::string date = analysis::utc_text(*time_s);
+  std::string date = calendar.text(*time_s);
   return date.empty() ? value : Value(std::move(date));
 }
 
@@ -45,7 +44,7 @@ void write_table(const Rows& rows, char delimiter, io::TableText text, io::Atomi
   for (const auto& row : rows.rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       const bool date = for_people && has_dates(rows, rows.columns[i]);
-      write_field(table, date ? as_date(row[i]) : row[i], for_people);
+      write_field(table, date ? as_date(row[i], rows.calendar) : row[i], for_people);
     }
     table.end_row();
     out.pass_on();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analysis/text/bee_name.hpp"
+#include "analysis/text/moment_text.hpp"
 #include "io/bytes/atomic_output.hpp"
 #include "io/json/json_writer.hpp"
 
@@ -26,8 +27,8 @@ struct RowColumn {
 struct Rows {
   std::vector<RowColumn> columns;
   std::vector<std::vector<Value>> rows;
-  bool labelled = false;    // whether any bee of the input has a label
-  bool since_1970 = false;  // whether times count from there: for people they are dates, in UTC
+  bool labelled = false;             // whether any bee of the input has a label
+  analysis::Calendar calendar = {};  // how times are told to people
 };
 
 // For programs, to whom a bee is its id: labels go into columns of their own, behind all others.

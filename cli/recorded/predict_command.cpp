@@ -188,7 +188,7 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
   if (!recording) return recording.error();
   const analysis::Geometry geometry = analysis::geometry_for(*recording, moving.vertical);
   const auto snapshot =
-      snapshot_of(*recording, geometry, request.max_age_s, analysis::Wanted::kMotion);
+      snapshot_of(*recording, geometry, request.max_age_s, analysis::Wanted::kMotionOrNow);
   if (!snapshot) return snapshot.error();
 
   progress.enter_stage("predicting");
@@ -207,7 +207,7 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
   const double search_s = watch.lap();
   translate(*conflicts, *snapshot);
 
-  Distances distances{.aviation = in_aviation(moving, *recording)};
+  Distances distances = distances_of(moving, *recording, threshold_m);
   if (moving.vertical) {
     distances.apart = apart_of(*snapshot, height_unit_m(geometry, recording->height_unit));
   }

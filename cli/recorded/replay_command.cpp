@@ -159,7 +159,7 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
                                     *closest,
                                     coverage,
                                     has_encounters(*closest, *in_space, max_gap.seconds, request)};
-  Distances distances{.aviation = in_aviation(moving, *recording)};
+  Distances distances = distances_of(moving, *recording, threshold_m);
   if (moving.vertical) {
     distances.apart = analysis::apart_of(*tracks, height_unit_m(geometry, recording->height_unit));
   }

@@ -188,7 +188,7 @@ class Replaying {
                                       closest_,   coverage, facts.encounters};
     // Where two were when they were closest is not kept: with a vertical threshold, columns of how
     // far apart they are horizontally and vertically are empty.
-    Distances distances{.aviation = in_aviation(moving_, recording_)};
+    Distances distances = distances_of(moving_, recording_, threshold_m_);
     if (moving_.vertical) {
       distances.apart = [](const Conflict& /*conflict*/) {
         return std::optional<analysis::Apart>();

@@ -41,7 +41,8 @@ std::string closest_text(const Verification& verification) {
     return printable(text_of(analysis::name_of(bee, verification.recording)));
   };
   return shown(verdict.closest_pair->first) + " and " + shown(verdict.closest_pair->second) + ", " +
-         io::length(*verdict.closest_m) + " apart in the step from " +
+         io::length_below(verification.options.threshold_m, *verdict.closest_m) +
+         " apart in the step from " +
          analysis::moment_text(verdict.closest_step_s, verification.recording);
 }
 

@@ -102,8 +102,8 @@ std::string contracts_text(const sim::FleetLoop& loop, const FlightNames& names)
 std::string closest_text(const sim::FleetLoop& loop) {
   const auto& verdict = loop.verdict();
   if (!verdict.closest_m) return "no two came near each other";
-  return io::length(*verdict.closest_m) + " apart in the step from " +
-         io::grouped(verdict.closest_s, 2) + " s";
+  return io::length_below(loop.options().threshold_m, *verdict.closest_m) +
+         " apart in the step from " + io::grouped(verdict.closest_s, 2) + " s";
 }
 
 std::string losses_text(const sim::FleetLoop& loop) {

@@ -86,7 +86,8 @@ Status check_apart(const SimulateRequest& request, const FlightNames& names,
     who = "the bees '" + names.bee((*closest)->first) + "' and '" + names.bee((*closest)->second) +
           "'";
   }
-  return misplaced(request, who + " " + words.two + " " + io::length((*closest)->distance_m) +
+  return misplaced(request, who + " " + words.two + " " +
+                                io::length_below(threshold_m, (*closest)->distance_m) +
                                 " apart, and the threshold is " + io::exact(threshold_m) + " m; " +
                                 (request.from_file ? "correct the file, or give a smaller "
                                                      "--threshold"
@@ -107,7 +108,9 @@ Status check_clear(const SimulateRequest& request, const FlightNames& names, con
     if (distance_m < 0.0) {
       text.append("inside ").append(obstacle).append("; move one of the two");
     } else {
-      text.append(io::length(distance_m)).append(" from ").append(obstacle);
+      text.append(io::length_below(request.loop.advice.clearance_m, distance_m))
+          .append(" from ")
+          .append(obstacle);
       text.append(", and the clearance is ").append(io::exact(request.loop.advice.clearance_m));
       text.append(" m; move one of the two, or give another --clearance");
     }

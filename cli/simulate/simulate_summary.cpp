@@ -82,7 +82,8 @@ std::string closest_text(const SimulatedFlight& flight) {
            " m";
   }
   return flight.names().bee(verdict.closest_pair->first) + " and " +
-         flight.names().bee(verdict.closest_pair->second) + ", " + io::length(*verdict.closest_m) +
+         flight.names().bee(verdict.closest_pair->second) + ", " +
+         io::length_below(flight.request().loop.advice.threshold_m, *verdict.closest_m) +
          " apart in the step from " + io::grouped(verdict.closest_step_s, 2) + " s";
 }
 
@@ -100,11 +101,13 @@ void append_nearness(std::string& out, const SimulatedFlight& flight) {
                      " m to any obstacle";
   if (watched.nearest) {
     const auto& [bee, obstacle, distance_m, time_s] = *watched.nearest;
-    text = flight.names().bee(bee) + ", " +
-           (distance_m < 0.0 ? io::length(-distance_m) + " inside "
-                             : io::length(distance_m) + " from ") +
-           flight.names().obstacle(obstacle, map->obstacles()[obstacle]) + ", at " +
-           io::grouped(time_s, 2) + " s";
+    text =
+        flight.names().bee(bee) + ", " +
+        (distance_m < 0.0
+             ? io::length(-distance_m) + " inside "
+             : io::length_below(flight.request().loop.advice.clearance_m, distance_m) + " from ") +
+        flight.names().obstacle(obstacle, map->obstacles()[obstacle]) + ", at " +
+        io::grouped(time_s, 2) + " s";
   }
   append_summary_line(out, "nearest", text);
 }
@@ -214,11 +217,14 @@ std::string sweep_row(const SimulatedFlight& flight) {
   const sim::ClosedLoop& loop = flight.loop();
   const double arrived =
       static_cast<double>(loop.arrived()) / static_cast<double>(loop.movers().size());
-  return row_of({io::exact(flight.request().spacing_m) + " m", io::grouped(verdict.losses),
-                 verdict.closest_m ? io::length(*verdict.closest_m) : "-", io::percentage(arrived),
-                 outcome.path_ratio ? io::grouped(*outcome.path_ratio, 3) : "-",
-                 io::grouped(outcome.stuck_s, 2),
-                 outcome.advice_us ? io::grouped(*outcome.advice_us, 2) : "-"});
+  return row_of(
+      {io::exact(flight.request().spacing_m) + " m", io::grouped(verdict.losses),
+       verdict.closest_m
+           ? io::length_below(flight.request().loop.advice.threshold_m, *verdict.closest_m)
+           : "-",
+       io::percentage(arrived), outcome.path_ratio ? io::grouped(*outcome.path_ratio, 3) : "-",
+       io::grouped(outcome.stuck_s, 2),
+       outcome.advice_us ? io::grouped(*outcome.advice_us, 2) : "-"});
 }
 
 }  // namespace beespace::cli

@@ -62,6 +62,26 @@ std::string grouped(double value, int decimals) {
   return group_digits(fixed(value, decimals));
 }
 
+std::string grouped_below(double limit, double value, int decimals) {
+  constexpr int kMostDecimals = 17;
+  if (!(value < limit)) return grouped(value, decimals);
+  for (; decimals <= kMostDecimals; ++decimals) {
+    const std::string digits = fixed(value, decimals);
+    if (parse_number(digits).value_or(limit) < limit) return group_digits(digits);
+  }
+  return exact(value);
+}
+
+std::string length_below(double limit_m, double metres) {
+  if (metres == 0.0 || metres < 0.001 || metres >= 1e12) return length(metres);
+  if (metres < 10'000.0) return grouped_below(limit_m, metres, 3) + " m";
+  // Divided, both are rounded: the limit may then be as far away as the value.
+  const double limit_km = limit_m / 1'000.0;
+  const double value_km = metres / 1'000.0;
+  if (metres < limit_m && !(value_km < limit_km)) return grouped_below(limit_m, metres, 3) + " m";
+  return grouped_below(limit_km, value_km, 1) + " km";
+}
+
 std::string length(double metres) {
   if (metres == 0.0) return "0 m";
   if (metres < 0.001) return exact(metres) + " m";

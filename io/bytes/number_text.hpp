@@ -25,6 +25,11 @@ std::string grouped(double value, int decimals);
 // A length from millimetres to kilometres, with its unit: "57.294 m". 0 is "0 m".
 std::string length(double metres);
 
+// The same of what is shown beside a limit: with more decimals where fewer would round a value that
+// is below the limit up to it.
+std::string grouped_below(double limit, double value, int decimals);
+std::string length_below(double limit_m, double metres);
+
 // "0.4 ms", "12.3 ms", "1.25 s".
 std::string duration(double seconds);
 

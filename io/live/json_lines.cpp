@@ -15,12 +15,12 @@
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
-#include "io/units/iso_time.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace beespace::io {
@@ -229,18 +229,19 @@ class JsonLines final : public LineReader {
     const TimeChoice& time = *layout_.time;
     const auto& value = values_[TrackSlot::kTime];
     if (!value || value->is_null()) return missing(time.column);
-    if (time.iso) {
+    if (time.form == TimeForm::kDatesAndTimes || time.form == TimeForm::kClock) {
       std::string_view text;
+      std::string_view day;
+      if (const auto& date = values_[TrackSlot::kDate]; date) std::ignore = date->get(day);
       if (!value->get(text)) {
         return Error{ErrorCode::kNotANumber,
                      name_of(time.column) + " is " + std::string(json_kind(*value)) +
                          " where a date and time should be, as in the lines before; correct it",
                      {}};
       }
-      const auto problem = parse_iso_time(text, report.time_s);
+      const std::string problem = read_wall_time(time, text, day, report.time_s);
       if (problem.empty()) return std::nullopt;
-      return Error{
-          ErrorCode::kNotANumber, excerpt(text) + " is not a time: " + std::string(problem), {}};
+      return Error{ErrorCode::kNotANumber, excerpt(text) + " is not a time: " + problem, {}};
     }
     double number = 0.0;
     if (value->get(number)) {
@@ -252,7 +253,8 @@ class JsonLines final : public LineReader {
                          "it",
                      {}};
       }
-      report.time_s = without_dust(in_metric(number, time.unit));
+      report.time_s = without_dust(time.form == TimeForm::kFrames ? number / time.frames_per_second
+                                                                  : in_metric(number, time.unit));
       if (in_motion_domain(report.time_s)) return std::nullopt;
     }
     return json_number_problem(*value, name_of(time.column));

@@ -22,6 +22,15 @@ std::optional<Error> live_problem(const TrackLayout& layout) {
                  "--columns time=...",
                  {}};
   }
+  if (layout.time->clock) {
+    return Error{ErrorCode::kMissingColumn,
+                 layout.time->clock->dated
+                     ? "the times name no time zone; say which it is, as in --time-zone UTC or "
+                       "--time-zone Europe/Madrid"
+                     : "the times of day have no date, and after midnight would come again; add a "
+                       "column with the date",
+                 {}};
+  }
   if (layout.frame == Frame::kAuto) {
     return Error{ErrorCode::kUnknownFrame,
                  "degrees or metres? The names do not tell; say it with --crs wgs84 (longitude, "

@@ -111,6 +111,7 @@ class TableLines final : public LineReader {
     }
     layout_found_ = true;
     layout_ = std::move(layout).value();
+    layout_.places_may_be_unknown = false;  // who reports one does not know where it is
     reader_.emplace(layout_);
     auto report = read_record(line);
     // A bad record may have misled the layout: the next one is asked again.

@@ -1,4 +1,4 @@
-// Why a report of an aircraft becomes no fix, the same for all formats.
+// Why a record becomes no fix without being a mistake, the same for all formats.
 #pragma once
 
 #include "io/problems/left_out.hpp"
@@ -6,6 +6,16 @@
 namespace beespace::io {
 
 inline constexpr LeftOutReason kNoPosition = {"without a position"};
+// Of those who look for it in every picture: no more than if the record were not there.
+inline constexpr LeftOutReason kUnknownPlace = {
+    "without a place (empty, NA or NaN)",
+    "the track is unknown there as if there were no record: for longer than --max-gap it has a gap",
+    true};
+inline constexpr LeftOutReason kNeverPlaced = {"of an animal that is known nowhere"};
+inline constexpr LeftOutReason kUnknownHeight = {
+    "without a height", "--columns with x and y, or lon and lat, only takes all as flat"};
+inline constexpr LeftOutReason kOutlier = {"with visible=false (outliers)", {}, true};
+inline constexpr LeftOutReason kNoAnimal = {"of tags that are on no animal", {}, true};
 inline constexpr LeftOutReason kNoTime = {"without the time of the position"};
 inline constexpr LeftOutReason kOnGround = {"of aircraft on the ground",
                                             "--grounded keeps those that tell a height", true};

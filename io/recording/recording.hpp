@@ -5,7 +5,9 @@
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"
+#include "io/recording/wall_clock.hpp"
 #include "io/units/heights.hpp"
+#include "io/units/time_zone.hpp"
 #include "io/units/unit_taken.hpp"
 
 #include <beespace/bezier_path.hpp>
@@ -51,6 +53,9 @@ struct Recording {
   std::string frame_reason;        // why, as a phrase
   std::string format_description;  // "text, comma-separated", "Skybrush show", ...
   bool since_1970 = false;  // times are seconds since 1970 (UTC), not from a zero of their own
+  std::optional<WallClock> clock;     // or from a midnight of a clock whose zone is not known
+  std::optional<TimeZone> time_zone;  // in which people are told times since 1970; none: UTC
+  bool flat = false;                  // no input has heights: every z, or height, is 0
   HeightDatum heights = HeightDatum::kUnstated;
   Unit height_unit = Unit::kMetre;             // of RecordedBee::stated_heights
   std::vector<UnitTaken> units;                // of what was read; heights (or z) are among them

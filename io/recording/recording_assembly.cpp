@@ -37,6 +37,11 @@ std::string height_words(HeightDatum heights) {
   return "not said to be above anything";
 }
 
+std::string clock_words(const SourceFacts& facts) {
+  if (!facts.clock) return "counted from a zero of their own";
+  return facts.clock->dated ? "dates without a time zone" : "times of day without a date";
+}
+
 std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
   return std::to_string(count) + " " + std::string(count == 1 ? one : many);
 }
@@ -47,6 +52,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   const auto disagree = [this](ErrorCode code, const std::string& message) {
     return Error{code, message, {sources_.back()}};
   };
+  flat_ = flat_ && facts.dimensions == 2;
   if (!facts_) {
     facts_ = facts;
     facts_source_ = sources_.back();
@@ -72,7 +78,16 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
                         (facts.since_1970 ? "are counted from 1970" : "have a zero of their own") +
                         ", but those of " + facts_source_ +
                         (facts.since_1970 ? " have a zero of their own" : " do not") +
-                        "; read them apart, or name the column unix_time_s if it counts from 1970");
+                        (facts.clock || facts_->clock
+                             ? "; say of dates without a time zone which it is, with --time-zone"
+                             : "; read them apart, or name the column unix_time_s if it counts "
+                               "from 1970"));
+  }
+  if (facts.clock.has_value() != facts_->clock.has_value() ||
+      (facts.clock && facts.clock->dated != facts_->clock->dated)) {
+    return disagree(ErrorCode::kInvalidArgument, "times here are " + clock_words(facts) +
+                                                     ", but those of " + facts_source_ + " are " +
+                                                     clock_words(*facts_) + "; read them apart");
   }
   if (facts_->frame == Frame::kAuto) {
     facts_->frame = facts.frame;
@@ -115,6 +130,11 @@ void RecordingAssembly::agree_on_units(const SourceFacts& facts) {
   note("inputs state heights in different units; they are compared in metres");
   facts_->height_unit = Unit::kMetre;
   several_height_units_ = true;
+}
+
+WallClock RecordingAssembly::common_clock(const WallClock& clock) const {
+  const bool known = facts_ && facts_->clock && facts_->clock->dated == clock.dated;
+  return known ? *facts_->clock : clock;
 }
 
 void RecordingAssembly::note(std::string text) {
@@ -189,9 +209,22 @@ void RecordingAssembly::declare_threshold(double metres) {
   declared = std::max(declared.value_or(metres), metres);
 }
 
+ErrorLocation RecordingAssembly::location_of(Origin origin) const {
+  ErrorLocation location;
+  location.source = sources_[origin.source];
+  if (in_records_[origin.source]) {
+    location.record = std::uint64_t{origin.line} - 1;
+  } else {
+    location.line = std::uint64_t{origin.line};
+  }
+  return location;
+}
+
 Error RecordingAssembly::conflict_error(const TimeConflict& conflict) const {
-  const std::string first = sources_[conflict.first.source] + ", line " +
-                            std::to_string(std::uint64_t{conflict.first.line});
+  const ErrorLocation at = location_of(conflict.first);
+  const std::string first =
+      at.source + (at.record ? ", record " + std::to_string(*at.record)
+                             : ", line " + std::to_string(at.line.value_or(0)));
   std::string message = "bee " + excerpt(conflict.id) + " is at another place at the same time";
   if (facts_ && facts_->has_time) {
     message += ", " + number_text(conflict.time_s) + " s, in " + first +
@@ -201,10 +234,7 @@ Error RecordingAssembly::conflict_error(const TimeConflict& conflict) const {
     message = "bee " + excerpt(conflict.id) + " comes twice, before in " + first +
               "; without a time each bee has one record";
   }
-  Error error{ErrorCode::kTimeOrder, message + std::string(kOrLeaveOut), {}};
-  error.location.source = sources_[conflict.second.source];
-  error.location.line = conflict.second.line;
-  return error;
+  return {ErrorCode::kTimeOrder, message + std::string(kOrLeaveOut), location_of(conflict.second)};
 }
 
 std::optional<Error> RecordingAssembly::settle_times() {
@@ -234,8 +264,7 @@ std::optional<Error> RecordingAssembly::settle_frame() {
         Error error = std::move(decision).error();
         error.location.source = facts_source_;
         if (error.location.record) {
-          const Origin origin = tracks_.origin(*error.location.record);
-          error.location = {sources_[origin.source], origin.line, {}, {}};
+          error.location = location_of(tracks_.origin(*error.location.record));
         }
         return error;
       }
@@ -300,6 +329,9 @@ Result<Recording> RecordingAssembly::finish() {
     recording_.frame_reason = facts_->frame_reason;
     recording_.format_description = facts_->description;
     recording_.since_1970 = facts_->since_1970;
+    recording_.clock = facts_->clock;
+    if (facts_->since_1970) recording_.time_zone = options_.time_zone;
+    recording_.flat = flat_;
     recording_.heights = facts_->heights;
     if (!several_height_units_) recording_.height_unit = facts_->height_unit;
   }

@@ -34,6 +34,7 @@ struct SourceFacts {
   std::size_t dimensions = 3;
   bool has_time = true;
   bool since_1970 = false;
+  std::optional<WallClock> clock = {};
   HeightDatum heights = HeightDatum::kUnstated;
   Unit height_unit = Unit::kMetre;  // in which TrackGathering is told them as they are stated
   std::vector<UnitTaken> units = {};
@@ -46,7 +47,13 @@ class RecordingAssembly {
 
   [[nodiscard]] const RecordingOptions& options() const { return options_; }
   // Whatever is wrong from here on is blamed on `name`.
-  void begin_source(std::string name) { sources_.push_back(std::move(name)); }
+  void begin_source(std::string name) {
+    sources_.push_back(std::move(name));
+    in_records_.push_back(false);
+  }
+  // The lines of origins in this source are those of records, from 1: it has no lines that say
+  // anything.
+  void count_records() { in_records_.back() = true; }
   [[nodiscard]] std::uint32_t source() const {
     return static_cast<std::uint32_t>(sources_.size() - 1);
   }
@@ -66,6 +73,8 @@ class RecordingAssembly {
   std::optional<Error> agree(const SourceFacts& facts);
   // What they agree on so far; null where nothing was read.
   [[nodiscard]] const SourceFacts* facts() const { return facts_ ? &*facts_ : nullptr; }
+  // The midnight that all inputs without a time zone count from: that of the first of them.
+  [[nodiscard]] WallClock common_clock(const WallClock& clock) const;
   // Whether heights as they are stated have several units.
   [[nodiscard]] bool several_height_units() const { return several_height_units_; }
   // Of sources that were begun.
@@ -93,6 +102,7 @@ class RecordingAssembly {
   Result<Recording> finish();
 
  private:
+  [[nodiscard]] ErrorLocation location_of(Origin origin) const;
   std::optional<Error> settle_times();
   std::optional<Error> settle_frame();
   void settle_heard();
@@ -112,9 +122,11 @@ class RecordingAssembly {
   std::unordered_set<std::string> missing_known_;  // the same
   std::vector<std::pair<LeftOutReason, std::string>> heard_;
   std::vector<std::string> sources_;
+  std::vector<bool> in_records_;    // by source
   std::vector<std::string> stems_;  // those given away by name_of_source()
   bool several_ = false;
   bool frame_is_settled_ = false;
+  bool flat_ = true;                                     // all inputs so far
   std::optional<SourceFacts> facts_;                     // of all inputs so far
   std::string facts_source_;                             // who said so first
   HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by the source that states it

@@ -3,9 +3,11 @@
 
 #include "io/bytes/progress.hpp"
 #include "io/table/column_options.hpp"
+#include "io/units/time_zone.hpp"
 #include "io/units/units.hpp"
 
 #include <cstdint>
+#include <optional>
 
 namespace beespace::io {
 
@@ -20,6 +22,9 @@ enum class RecordingFormat : std::uint8_t {
 struct RecordingOptions : ColumnOptions {
   RecordingFormat format = RecordingFormat::kAuto;
   Unit time_unit = Unit::kUnstated;  // kUnstated: as the header says
+  // Of dates and times that name none; and in which people are told what counts from 1970.
+  std::optional<TimeZone> time_zone = {};
+  std::optional<double> frames_per_second = {};  // of tables that count the pictures of a video
   // Of shows, keep the time in which a drone stands on the ground; aircraft on the ground, too.
   bool grounded = false;
   Progress* progress = nullptr;  // optional; must outlive the call

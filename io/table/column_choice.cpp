@@ -127,6 +127,8 @@ Result<std::optional<std::size_t>> find_third(const Header& header, bool geograp
     return std::optional<std::size_t>(column);
   }
   for (const std::size_t column : header.columns(Role::kNone)) {
+    if (header.source() != nullptr && header.source()->of_animals) break;
+    if (names_other_quantity(table.names[column])) continue;
     const bool nameless = table.names[column].empty() && column + 1 == table.columns;
     const ColumnContent content =
         column < table.contents.size() ? table.contents[column] : ColumnContent::kUnknown;
@@ -241,17 +243,13 @@ std::optional<ColumnChoice> overridden_position(const ColumnsByRole& overrides) 
 
 Header::Header(const ColumnSchema& schema, const ColumnOptions& options, const TableLayout& table,
                const ColumnsByRole& overrides)
-    : schema_(schema), options_(options), table_(table), overrides_(overrides) {
-  const TableSource* const source = source_of(table.names);
+    : schema_(schema),
+      options_(options),
+      table_(table),
+      overrides_(overrides),
+      source_(source_of(table.names)) {
   for (std::size_t i = 0; i < table.names.size(); ++i) {
-    ColumnMeaning& meaning = meanings_.emplace_back(read_column_name(schema, table.names[i]));
-    const KnownColumn* const known = source != nullptr ? source->find(table.names[i]) : nullptr;
-    if (known != nullptr) meaning.datum = known->datum;
-    if (known != nullptr && known->role != Role::kHeight && schema.reads(known->role)) {
-      meaning.role = known->role;
-      meaning.since_1970 = known->role == Role::kTime;
-      if (meaning.since_1970) meaning.unit = known->unit;
-    }
+    ColumnMeaning& meaning = meanings_.emplace_back(meaning_of(i));
     for (std::size_t role = index_of(Role::kId); role < kRoles; ++role) {
       if (overrides[role] != i) continue;
       meaning = {};
@@ -260,6 +258,29 @@ Header::Header(const ColumnSchema& schema, const ColumnOptions& options, const T
     by_role_[index_of(meaning.role)].push_back(i);
   }
   if (!schema.strict) prefer_plain_coordinates();
+}
+
+// By its name, and by the source that it is of.
+ColumnMeaning Header::meaning_of(std::size_t column) const {
+  ColumnMeaning meaning = read_column_name(schema_, table_.names[column]);
+  if (source_ == nullptr) return meaning;
+  const KnownColumn* const known = source_->find(table_.names[column]);
+  if (known != nullptr) meaning.datum = known->datum;
+  if (known != nullptr && known->role != Role::kHeight && schema_.reads(known->role)) {
+    meaning.role = known->role;
+    // Of OpenSky; animals are filmed from a zero of their own.
+    meaning.since_1970 = known->role == Role::kTime && !source_->of_animals;
+    if (known->role == Role::kTime) meaning.unit = known->unit;
+    if (known->role == Role::kX || known->role == Role::kY) {
+      meaning.frame = Frame::kMetres;
+      meaning.says_length = true;
+    }
+  }
+  if (!source_->of_animals) return meaning;
+  // Of several the one that is meant; who is who is told by no other.
+  const auto first = source_->first(meaning.role, table_.names);
+  const bool other = first ? *first != column : meaning.role == Role::kId;
+  return other && meaning.role != Role::kHeight ? ColumnMeaning() : meaning;
 }
 
 // Where a coordinate comes several times, the one that can be read is meant, the one without "uav"
@@ -273,11 +294,23 @@ void Header::prefer_plain_coordinates() {
   };
   for (std::size_t role = index_of(Role::kLongitude); role <= index_of(Role::kZ); ++role) {
     auto& columns = by_role_[role];
+    const auto is_empty = [this](std::size_t column) {
+      return column < table_.contents.size() && table_.contents[column] == ColumnContent::kUnknown;
+    };
+    if (!std::all_of(columns.begin(), columns.end(), is_empty)) std::erase_if(columns, is_empty);
     leave_out(columns, [](const ColumnMeaning& of) { return !of.foreign_unit.empty(); });
     leave_out(columns, [](const ColumnMeaning& of) { return !of.prefix.empty(); });
     leave_out(columns, [pressure_wanted](const ColumnMeaning& of) {
       return (of.datum == HeightDatum::kPressure) != pressure_wanted;
     });
+    // Longitude and latitude are of the ellipsoid.
+    const bool ellipsoid = std::any_of(columns.begin(), columns.end(), [this](std::size_t column) {
+      return meanings_[column].datum == HeightDatum::kEllipsoid;
+    });
+    if (ellipsoid) {
+      leave_out(columns,
+                [](const ColumnMeaning& of) { return of.datum == HeightDatum::kMeanSeaLevel; });
+    }
     leave_out(columns, [](const ColumnMeaning& of) {
       return of.unit != Unit::kUnstated && of.unit != Unit::kMetre;
     });

@@ -7,6 +7,7 @@
 #include "io/table/column_overrides.hpp"
 #include "io/table/column_schema.hpp"
 #include "io/table/table_layout.hpp"
+#include "io/table/table_sources.hpp"
 
 #include <beespace/result.hpp>
 
@@ -45,16 +46,20 @@ class Header {
     if (columns(role).size() != 1) return std::nullopt;
     return columns(role).front();
   }
+  // Whose documented header it is; null where that is not known.
+  [[nodiscard]] const TableSource* source() const { return source_; }
   // What its name says, whatever the caller takes it for; nothing without a name.
   [[nodiscard]] ColumnMeaning stated(std::size_t column) const;
 
  private:
+  ColumnMeaning meaning_of(std::size_t column) const;
   void prefer_plain_coordinates();
 
   const ColumnSchema& schema_;
   const ColumnOptions& options_;
   const TableLayout& table_;
   const ColumnsByRole& overrides_;
+  const TableSource* source_;
   std::vector<ColumnMeaning> meanings_;
   std::array<std::vector<std::size_t>, kRoles> by_role_;
 };

@@ -3,8 +3,10 @@
 
 #include "io/frames/coordinate_frame.hpp"
 #include "io/units/heights.hpp"
+#include "io/units/stated_length.hpp"
 #include "io/units/unit_overrides.hpp"
 
+#include <optional>
 #include <string>
 
 namespace beespace::io {
@@ -13,6 +15,7 @@ struct ColumnOptions {
   Frame frame = Frame::kAuto;
   std::string columns = {};  // "lon=1,lat=2,height=3", by number (from 1) or name; empty: automatic
   UnitOverrides units = {};  // where the header names none
+  std::optional<StatedLength> pixel = {};      // coordinates are pixels, each so long
   HeightSource heights = HeightSource::kAuto;  // of tables, and of aircraft, that have several
   bool skip_bad = false;  // leave bad records out and list them, instead of failing at the first
 };

@@ -48,9 +48,11 @@ enum class Role : std::uint8_t {
   kPreferredZ,
   kMaxSpeed,
   kMaxAcceleration,
+  kDate,   // the day to a time of day
+  kFrame,  // which picture of a video
 };
 
-inline constexpr std::size_t kRoles = static_cast<std::size_t>(Role::kMaxAcceleration) + 1;
+inline constexpr std::size_t kRoles = static_cast<std::size_t>(Role::kFrame) + 1;
 
 constexpr std::size_t index_of(Role role) {
   return static_cast<std::size_t>(role);

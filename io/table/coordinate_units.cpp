@@ -21,13 +21,28 @@ ColumnMeaning stated(const ColumnSchema& schema, const TableLayout& table, std::
   return meaning.role <= Role::kZ ? std::move(meaning) : ColumnMeaning();
 }
 
+bool is_pixel(std::string_view word) {
+  return word == "px" || word == "pixel" || word == "pixels";
+}
+
 // Of what is named: a unit that is not read, or one of length where degrees are.
 std::optional<Error> unit_problem(const ColumnSchema& schema, const TableLayout& table,
-                                  const ColumnChoice& choice, bool geographic) {
+                                  const ColumnChoice& choice, bool geographic,
+                                  bool pixels_are_told) {
   for (std::size_t axis = 0; axis < choice.dimensions && !table.names.empty(); ++axis) {
     const std::size_t column = choice.axes[axis];
     const ColumnMeaning word = stated(schema, table, column);
     std::string unit = word.foreign_unit;
+    if (!geographic && is_pixel(unit)) {
+      if (pixels_are_told) continue;
+      Error error{ErrorCode::kInvalidArgument,
+                  "column " + excerpt(table.names[column]) +
+                      " is in pixels: say how long one is, as in --scale 0.1mm (--scale 1 takes it "
+                      "for a metre)",
+                  {}};
+      error.location.column = column + 1;
+      return error;
+    }
     if (geographic && axis < 2 && word.unit != Unit::kUnstated) unit = symbol_of(word.unit);
     if (unit.empty()) continue;
     Error error{ErrorCode::kUnsupportedFormat,
@@ -45,6 +60,15 @@ Error no_override(std::string_view what, const std::string& why) {
   return {ErrorCode::kInvalidArgument,
           "--units " + std::string(what) + "=... is given, but " + why + "; leave it out",
           {}};
+}
+
+Error not_in_pixels(const TableLayout& table, std::size_t column, Unit unit) {
+  Error error{ErrorCode::kInvalidArgument,
+              "column " + excerpt(table.names[column]) + " names its unit, " +
+                  std::string(symbol_of(unit)) + ", but --scale is for pixels; leave it out",
+              {}};
+  error.location.column = column + 1;
+  return error;
 }
 
 // Says of x, y and z together what holds for all of them.
@@ -73,11 +97,27 @@ std::optional<Error> settle_units(const ColumnSchema& schema, const TableLayout&
     choice.evidence = Frame::kMetres;
     choice.reason = "--units gives positions a unit of length";
   }
+  if (overrides.position != Unit::kUnstated && choice.evidence == Frame::kMetres) {
+    choice.naming = Naming::kSure;
+  }
   const Frame frame = options.frame != Frame::kAuto ? options.frame : choice.evidence;
   const bool geographic = frame == Frame::kWgs84;
-  if (auto problem = unit_problem(schema, table, choice, geographic)) return problem;
+  const bool pixels = options.pixel.has_value();
+  if (auto problem = unit_problem(schema, table, choice, geographic, pixels)) return problem;
+  if (pixels && (geographic || overrides.position != Unit::kUnstated)) {
+    return Error{ErrorCode::kInvalidArgument,
+                 std::string("--scale says how long a pixel is, but ") +
+                     (geographic ? "positions are in degrees" : "--units gives positions a unit") +
+                     "; leave one of them out",
+                 {}};
+  }
   if (geographic && overrides.position != Unit::kUnstated) {
     return no_override("position", "positions are in degrees");
+  }
+  if (options.frame == Frame::kAuto && pixels) {
+    choice.evidence = Frame::kMetres;
+    choice.naming = Naming::kSure;
+    choice.reason = "--scale says how long a pixel is";
   }
   if (choice.dimensions == 2 && overrides.height != Unit::kUnstated) {
     return no_override("height", "there is no height");
@@ -94,6 +134,14 @@ std::optional<Error> settle_units(const ColumnSchema& schema, const TableLayout&
     const bool height =
         axis == 2 && (geographic || word.role == Role::kHeight || word.unit != Unit::kUnstated ||
                       overrides.height != Unit::kUnstated);
+    if (pixels && !(height && overrides.height != Unit::kUnstated)) {
+      if (word.unit != Unit::kUnstated) return not_in_pixels(table, column, word.unit);
+      choice.units[axis] = Unit::kPixel;
+      choice.pixel_m = options.pixel->metric;
+      taken.push_back({kAxes[axis], Unit::kPixel, UnitEvidence::kAsked,
+                       text_of(*options.pixel) + " each, as --scale says"});
+      continue;
+    }
     const auto unit = chooser.choose(height ? UnitRole::kHeight : UnitRole::kPosition,
                                      geographic ? "heights" : kAxes[axis], column, word.unit);
     if (!unit) return unit.error();
@@ -137,8 +185,11 @@ std::optional<Error> settle_coordinate_units(const ColumnSchema& schema, const T
 }
 
 Point in_metric(const Point& point, const ColumnChoice& choice) {
-  return {in_metric(point.x, choice.units[0]), in_metric(point.y, choice.units[1]),
-          in_metric(point.z, choice.units[2])};
+  const auto metres = [&choice](double value, std::size_t axis) {
+    const Unit unit = choice.units[axis];
+    return unit == Unit::kPixel ? value * choice.pixel_m : in_metric(value, unit);
+  };
+  return {metres(point.x, 0), metres(point.y, 1), metres(point.z, 2)};
 }
 
 }  // namespace beespace::io

@@ -70,6 +70,9 @@ NamePattern coordinate() {
       {Says::kBeside, "geo geom geometric geodetic ellipsoidal ellipsoid", Role::kNone, "aviation",
        HeightDatum::kEllipsoid},
       {Says::kBeside, "msl amsl", Role::kNone, "aviation", HeightDatum::kMeanSeaLevel},
+      // "height-above-ellipsoid"
+      {Says::kBeside, "above", Role::kNone, "Movebank"},
+      {Says::kForeign, "px pixel pixels"},
       // What may stand beside a coordinate without changing what it is.
       {Says::kBeside, "gps wgs84 decimal drone aircraft coord* koord*"},
       {Says::kBeside, kBees},
@@ -106,6 +109,7 @@ NamePattern mover() {
   pattern.words = {
       {Says::kNoun, "bee boid agent object", Role::kId, "English"},
       {Says::kNoun, "drone uav vehicle robot aircraft", Role::kId, "robotics"},
+      {Says::kNoun, "animal individual subject fish bird ant bat insect tag", Role::kId, "biology"},
       {Says::kNoun, "abeja", Role::kId, "Spanish"},
       {Says::kNoun, "biene", Role::kId, "German"},
       {Says::kNoun, "abeille", Role::kId, "French"},

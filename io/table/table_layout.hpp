@@ -34,11 +34,14 @@ struct ColumnChoice {
   std::array<Unit, 3> units = {Unit::kMetre, Unit::kMetre, Unit::kMetre};
   std::vector<UnitTaken> units_taken = {};
   HeightDatum datum = HeightDatum::kUnstated;
+  double pixel_m = 1.0;  // of those that are in pixels
 
   [[nodiscard]] bool is_metric() const {
     return units == std::array<Unit, 3>{Unit::kMetre, Unit::kMetre, Unit::kMetre};
   }
-  [[nodiscard]] Unit height_unit() const { return dimensions == 3 ? units[2] : Unit::kMetre; }
+  [[nodiscard]] Unit height_unit() const {
+    return dimensions == 3 && units[2] != Unit::kPixel ? units[2] : Unit::kMetre;
+  }
 };
 
 // What the first records hold in a column. An empty field, or "N/A", is unknown: a number may
@@ -51,9 +54,10 @@ struct TableLayout {
   std::string_view header = {};         // the header line, empty when there is none
   std::vector<std::string> names = {};  // of the columns, when there is a header
   std::vector<ColumnContent> contents = {};
-  std::size_t columns = 0;         // in every record
-  std::size_t data_offset = 0;     // where the first line after the header begins
-  std::uint64_t lines_before = 0;  // how many lines lie before that place
+  std::size_t columns = 0;             // in every record
+  std::size_t data_offset = 0;         // where the first line after the header begins
+  std::uint64_t lines_before = 0;      // how many lines lie before that place
+  std::uint64_t records_per_line = 1;  // where each line was taken apart into several
   ColumnChoice choice = {};
 };
 

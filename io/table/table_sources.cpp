@@ -10,10 +10,20 @@
 namespace beespace::io {
 namespace {
 
+// A column that the source may leave out.
+KnownColumn perhaps(std::string_view name, Role role, Unit unit = Unit::kUnstated,
+                    HeightDatum datum = HeightDatum::kUnstated) {
+  return {name, role, unit, datum, false};
+}
+
 // traffic: https://traffic-viz.github.io (columns of its Flight and Traffic tables).
 // OpenSky: the history tables state_vectors_data4, as its documentation lists them.
-const std::array<TableSource, 2>& known_sources() {
-  static const std::array<TableSource, 2> sources = {
+// Movebank: its attribute dictionary (https://www.movebank.org/cms/movebank-content/
+// movebank-attribute-dictionary); packages of R write dots for its hyphens. Times are UTC.
+// TRex: https://trex.run/docs/formats.html; a file an individual. Of several places of a body that
+// of the weighted centroid is taken; where it was not seen they are infinite.
+const std::array<TableSource, 4>& known_sources() {
+  static const std::array<TableSource, 4> sources = {
       TableSource{"traffic",
                   "velocity vertrate baroaltitude",
                   {{"icao24"},
@@ -30,7 +40,33 @@ const std::array<TableSource, 2>& known_sources() {
                    {"heading", Role::kTrack},
                    {"vertrate", Role::kClimb, Unit::kMetrePerSecond},
                    {"baroaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kPressure},
-                   {"geoaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kEllipsoid}}}};
+                   {"geoaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kEllipsoid}}},
+      TableSource{
+          "Movebank",
+          "",
+          {{"timestamp"},
+           {"location_long"},
+           {"location_lat"},
+           perhaps("individual_local_identifier", Role::kId),
+           perhaps("tag_local_identifier", Role::kId),
+           perhaps("height_above_ellipsoid", Role::kHeight, Unit::kMetre, HeightDatum::kEllipsoid),
+           perhaps("height_above_msl", Role::kHeight, Unit::kMetre, HeightDatum::kMeanSeaLevel),
+           perhaps("ground_speed", Role::kGroundSpeed, Unit::kMetrePerSecond),
+           perhaps("heading", Role::kTrack)},
+          true,
+          true},
+      TableSource{"TRex",
+                  "",
+                  {{"frame"},
+                   {"missing"},
+                   {"time", Role::kTime, Unit::kSecond},
+                   perhaps("x_wcentroid_cm", Role::kX, Unit::kCentimetre),
+                   perhaps("y_wcentroid_cm", Role::kY, Unit::kCentimetre),
+                   perhaps("x_cm", Role::kX, Unit::kCentimetre),
+                   perhaps("y_cm", Role::kY, Unit::kCentimetre)},
+                  false,
+                  true,
+                  true}};
   return sources;
 }
 
@@ -52,8 +88,16 @@ constexpr std::string_view kAviationPairs =
     "baro-altitude baro-alt alt-baro alt-geom geo-altitude geom-altitude pressure-altitude "
     "on-ground flight-level call-sign mode-s n-number";
 
+// What trackers and tags measure beside places.
+constexpr std::string_view kOtherQuantities =
+    "speed velocity acceleration heading angle theta orientation direction likelihood confidence "
+    "score prob probability temperature temp humidity battery voltage satellites sats hdop vdop "
+    "pdop dop accuracy area width length count missing error";
+
 std::string plain_name(std::string_view name) {
-  return lower_case(without_padding(name));
+  std::string plain;
+  for (const std::string& word : split_words(name)) plain.append(plain.empty() ? "" : "_") += word;
+  return plain;
 }
 
 bool has_name(const std::vector<std::string>& names, std::string_view wanted) {
@@ -77,10 +121,28 @@ const KnownColumn* TableSource::find(std::string_view column) const {
   const std::string plain = plain_name(column);
   const auto found =
       std::find_if(columns.begin(), columns.end(), [&plain](const KnownColumn& known) {
-        const bool says_more = known.unit != Unit::kUnstated || known.role == Role::kTrack;
+        const bool says_more =
+            known.unit != Unit::kUnstated || known.role == Role::kTrack || known.role == Role::kId;
         return says_more && known.name == plain;
       });
   return found == columns.end() ? nullptr : &*found;
+}
+
+std::optional<std::size_t> TableSource::first(Role role,
+                                              const std::vector<std::string>& names) const {
+  for (const KnownColumn& known : columns) {
+    if (known.role != role) continue;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (plain_name(names[i]) == known.name) return i;
+    }
+  }
+  return std::nullopt;
+}
+
+bool names_other_quantity(std::string_view name) {
+  const std::vector<std::string> words = split_words(name);
+  return std::any_of(words.begin(), words.end(),
+                     [](const std::string& word) { return is_one_of(kOtherQuantities, word); });
 }
 
 const TableSource* source_of(const std::vector<std::string>& names) {
@@ -101,6 +163,8 @@ bool speaks_of_aviation(std::string_view name) {
 
 std::string words_of_aviation(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 3;
+  const TableSource* const source = source_of(names);
+  if (source != nullptr && source->of_animals) return {};
   std::vector<std::string> found;
   for (const std::string& name : names) {
     if (found.size() < kMost && speaks_of_aviation(name)) found.push_back(excerpt(name));

@@ -7,6 +7,7 @@
 #include "io/units/units.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,9 +27,16 @@ struct TableSource {
   std::string_view name;      // "traffic"
   std::string_view contrary;  // a word that its headers never have; blanks between several
   std::vector<KnownColumn> columns;
+  bool in_utc = false;      // dates and times that name no zone
+  bool of_animals = false;  // what else it has is neither a place nor an id, nor of aircraft
+  bool infinite_is_unknown = false;  // of places
 
-  // Nothing for columns that say all by themselves.
+  // Nothing for columns that say all by themselves. Of several of a role the first one counts.
   [[nodiscard]] const KnownColumn* find(std::string_view column) const;
+  // The column that is meant where several may be of that role; nothing where none of those that
+  // this source has is there.
+  [[nodiscard]] std::optional<std::size_t> first(Role role,
+                                                 const std::vector<std::string>& names) const;
 };
 
 // The source whose documented header this is: all its columns are there, and none that it never
@@ -40,5 +48,9 @@ bool speaks_of_aviation(std::string_view name);
 
 // The first columns that do, at most three: "'icao24' and 'groundspeed'"; empty where none does.
 std::string words_of_aviation(const std::vector<std::string>& names);
+
+// Whether a name speaks of something that is measured beside places and is none: "speed",
+// "likelihood", "temperature".
+bool names_other_quantity(std::string_view name);
 
 }  // namespace beespace::io

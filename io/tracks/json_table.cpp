@@ -285,11 +285,14 @@ std::optional<Error> read_cells(JsonCells& cells, std::string description, const
                                 RecordPlace place, RecordingAssembly& assembly) {
   const RecordingOptions& options = assembly.options();
   if (options.progress != nullptr) options.progress->total += cells.text().size();
-  auto layout = choose_track_layout(layout_of(cells), cells.text(), options);
+  auto layout = choose_track_layout(layout_of(cells), cells.text(), options, true);
   if (!layout) {
     Error error = std::move(layout).error();
     error.location.column.reset();
     return error;
+  }
+  if (layout->time && layout->time->clock) {
+    layout->time->clock = assembly.common_clock(*layout->time->clock);
   }
   if (auto error = assembly.agree(facts_of(*layout, std::move(description)))) return error;
   for (std::string& note : layout->notes) assembly.note(std::move(note));
@@ -303,6 +306,7 @@ std::optional<Error> read_cells(JsonCells& cells, std::string description, const
     assembly.note(layout->time ? "there is no id: each file is taken for one bee, named after it"
                                : "there is no id: bees are numbered in their order, from 0");
   }
+  if (place == RecordPlace::kRecordAndName) assembly.count_records();
   std::uint64_t rows = 0;
   return read_track_records(cells.text(), *layout, stem, place, rows, assembly);
 }

@@ -39,12 +39,18 @@ const LeftOutReason* reason_without_height(const Header& header, HeightDatum dat
 }  // namespace
 
 bool is_unknown(std::string_view text) {
+  // Signs and digits come before letters: nearly all texts are numbers.
+  if (!text.empty() && text.front() <= '9') return false;
   const std::string lower = lower_case(text);
   return lower.empty() || is_one_of("nan nat none null na n/a <na>", lower);
 }
 
 bool says_yes(std::string_view text) {
   return is_one_of("true t yes y 1 1.0", lower_case(without_padding(text)));
+}
+
+bool says_no(std::string_view text) {
+  return is_one_of("false f no n 0 0.0", lower_case(without_padding(text)));
 }
 
 bool names_flight(std::string_view column) {

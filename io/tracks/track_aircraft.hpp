@@ -12,8 +12,9 @@ namespace beespace::io {
 
 // Whether a text says that something is not known, as tables write it.
 bool is_unknown(std::string_view text);
-// Whether it says yes: "True", "1".
+// Whether it says yes: "True", "1"; or no.
 bool says_yes(std::string_view text);
+bool says_no(std::string_view text);
 
 // Whether the column is called as the flight is: "callsign".
 bool names_flight(std::string_view column);

@@ -31,6 +31,34 @@ NamePattern time_names() {
   return pattern;
 }
 
+// "date", "UTC_date", "Datum".
+NamePattern date_names() {
+  NamePattern pattern;
+  pattern.role = Role::kDate;
+  pattern.words = {
+      {Says::kNoun, "date day", Role::kDate, "English"},
+      {Says::kNoun, "datum", Role::kDate, "German"},
+      {Says::kNoun, "fecha", Role::kDate, "Spanish"},
+      {Says::kNoun, "data", Role::kDate, "Italian, Portuguese"},
+      {Says::kBeside, "utc gps gmt"},
+  };
+  pattern.needed = Says::kNoun;
+  return pattern;
+}
+
+// Of tables made of videos. A "frame_id" names the axes.
+NamePattern frame_names() {
+  NamePattern pattern;
+  pattern.words = {
+      {Says::kPart,
+       "frame frames frame-number frame-no frame-nr frame-num frame-index frame-idx framenumber "
+       "frameno framenr frameindex frameidx image-number imagenumber",
+       Role::kFrame, "video tracking"},
+  };
+  pattern.whole = true;
+  return pattern;
+}
+
 // "groundspeed", "ground_speed_kt", "gs", "vertical_rate", "climb rate [ft/min]".
 NamePattern speeds_over_ground() {
   NamePattern pattern;
@@ -65,6 +93,8 @@ ColumnSchema make_track_columns() {
   schema.roles = {
       {Role::kId, "id"},
       {Role::kTime, "time", "*time* *date* *stamp* *clock* *epoch* *zeit* *hora* *temps* *utc*"},
+      {Role::kDate, "date"},
+      {Role::kFrame, "frame"},
   };
   for (const RoleFacts& facts : position.roles) {
     if (facts.role != Role::kId) schema.roles.push_back(facts);
@@ -78,7 +108,8 @@ ColumnSchema make_track_columns() {
        {Role::kVelocityX, Role::kVelocityY, Role::kVelocityZ},
        Frame::kAuto,
        "a velocity needs vx and vy (or ve and vn), and vz (vu) where bees climb"});
-  schema.names = {time_names(), velocity_names(), speeds_over_ground(), directions_over_ground()};
+  schema.names = {time_names(),     date_names(),         frame_names(),
+                  velocity_names(), speeds_over_ground(), directions_over_ground()};
   schema.names.insert(schema.names.end(), position.names.begin(), position.names.end());
   return schema;
 }

@@ -1,9 +1,13 @@
 #include "io/tracks/track_layout.hpp"
 
+#include "io/bytes/characters.hpp"
+#include "io/points/record_reading.hpp"
 #include "io/table/column_choice.hpp"
 #include "io/table/record_problems.hpp"
+#include "io/table/record_walk.hpp"
 #include "io/table/unit_choice.hpp"
 #include "io/tracks/track_aircraft.hpp"
+#include "io/tracks/track_animals.hpp"
 #include "io/tracks/track_columns.hpp"
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
@@ -64,8 +68,29 @@ std::string position_note(const TableLayout& table, const ColumnChoice& choice, 
     text.append(axis == 0 ? " " : ", ").append(column_text(table, choice.axes[axis]));
   }
   if (choice.dimensions == 3) return text;
-  return text + (geographic ? "; there is no height: every height is taken as 0 m"
-                            : "; there is no z: every z is taken as 0 m");
+  return text + (geographic ? "; there is no height: distances are of the ground, at height 0"
+                            : "; there is no z: distances are within the plane");
+}
+
+// Whether that coordinate is known in no record.
+bool is_empty_throughout(std::string_view text, const TableLayout& table, std::size_t axis) {
+  const ColumnChoice& choice = table.choice;
+  const std::size_t column = choice.axes[axis];
+  if (axis >= choice.dimensions || column >= table.contents.size()) return false;
+  if (table.contents[column] != ColumnContent::kUnknown) return false;
+  RecordWalk walk(text, table.data_offset, table.line_end);
+  while (walk.next()) {
+    const Field field = field_at(walk.record(), table.delimiter, column);
+    if (!is_unknown(without_padding(field.text))) return false;
+  }
+  return true;
+}
+
+void leave_out_heights(ColumnChoice& choice) {
+  choice.dimensions = 2;
+  choice.units[2] = Unit::kMetre;
+  choice.datum = HeightDatum::kUnstated;
+  choice.units_taken.clear();
 }
 
 // ---- All together --------------------------------------------------------------------------
@@ -78,6 +103,7 @@ ColumnsByRole columns_read(const TrackLayout& layout) {
     columns[index_of(part_of(Role::kX, i))] = position.axes[i];
   }
   if (layout.time) columns[index_of(Role::kTime)] = layout.time->column;
+  if (layout.time && layout.time->date) columns[index_of(Role::kDate)] = layout.time->date;
   for (std::size_t i = 0; layout.velocity && i < layout.velocity->dimensions; ++i) {
     columns[index_of(part_of(Role::kVelocityX, i))] = layout.velocity->columns[i];
   }
@@ -152,19 +178,21 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   for (std::size_t i = 0; i < choice.dimensions; ++i) {
     fill(choice.axes[i], TrackSlot::kPosition + i);
   }
+  if (layout.visible) fill(*layout.visible, TrackSlot::kVisible);
+  if (layout.time && layout.time->date) fill(*layout.time->date, TrackSlot::kDate);
   if (layout.time) fill(layout.time->column, TrackSlot::kTime);
   if (choice.id) fill(*choice.id, TrackSlot::kId);
   return slots;
 }
 
 Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text,
-                                        const RecordingOptions& options) {
+                                        const RecordingOptions& options, bool whole) {
   TrackLayout layout;
   layout.table = std::move(table);
   const auto overrides = find_overrides(track_columns(), options, layout.table);
   if (!overrides) return overrides.error();
   const Header header(track_columns(), options, layout.table, *overrides);
-  auto time = choose_time(text, header, options.time_unit);
+  auto time = choose_time(text, header, options);
   if (!time) return time.error();
   layout.time = time.value();
   const auto id = choose_id(header, layout.notes);
@@ -177,6 +205,11 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   const FrameDecision frame = frame_before_values(options.frame, {choice.evidence, choice.reason});
   layout.frame = frame.frame;
   layout.frame_reason = frame.reason;
+  if (whole && layout.time && layout.frame == Frame::kWgs84 && !header.override_of(Role::kHeight) &&
+      is_empty_throughout(text, layout.table, 2)) {
+    layout.notes.push_back(column_text(layout.table, choice.axes[2]) + " is empty throughout");
+    leave_out_heights(choice);
+  }
   layout.units = choice.units_taken;
   UnitChoice units(layout.table.names, options.units);
   auto velocity =
@@ -184,8 +217,14 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   if (!velocity) return velocity.error();
   layout.velocity = *velocity;
   if (!layout.time && !layout.velocity) return missing(no_time(header));
+  if (layout.time) {
+    if (auto error = frames_problem(layout.table, *layout.time, choice, options)) {
+      return *std::move(error);
+    }
+  }
   if (auto error = doubly_used(track_columns(), columns_read(layout))) return *std::move(error);
   settle_aircraft(header, options, layout);
+  settle_animals(header, layout);
   if (layout.time) {
     layout.notes.push_back(
         time_note(layout.table, *layout.time, options.time_unit != Unit::kUnstated));
@@ -195,13 +234,13 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
 }
 
 Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOptions& options,
-                                      bool bare_skybrush) {
+                                      bool bare_skybrush, bool whole) {
   auto table = find_table(text, options.skip_bad);
   if (!table) return table.error();
   if (auto error = no_record_problem(text, *table)) return *std::move(error);
   auto chosen = bare_skybrush && table->names.empty() && options.columns.empty()
                     ? skybrush_layout(*table, options)
-                    : choose_track_layout(*table, text, options);
+                    : choose_track_layout(*table, text, options, whole);
   if (!chosen) return at_first_line(std::move(chosen).error(), *table);
   return chosen;
 }

@@ -5,7 +5,9 @@
 #include "io/frames/coordinate_frame.hpp"
 #include "io/problems/left_out.hpp"
 #include "io/recording/recording_options.hpp"
+#include "io/recording/wall_clock.hpp"
 #include "io/table/table_layout.hpp"
+#include "io/units/time_zone.hpp"
 #include "io/units/unit_taken.hpp"
 
 #include <beespace/result.hpp>
@@ -20,12 +22,26 @@
 
 namespace beespace::io {
 
+// What the column of the time holds.
+enum class TimeForm : std::uint8_t {
+  kNumbers,
+  kDatesAndTimes,  // as ISO 8601 has them
+  kClock,          // times of day, perhaps with the day in a column of its own
+  kFrames,         // the numbers of pictures
+};
+
 struct TimeChoice {
   std::size_t column = 0;
+  TimeForm form = TimeForm::kNumbers;
   Unit unit = Unit::kSecond;
-  bool iso = false;  // dates and times, not numbers
   bool since_1970 = false;
-  bool by_size = false;  // the unit was told by the size of the numbers
+  bool by_size = false;                  // the unit was told by the size of the numbers
+  std::optional<std::size_t> date = {};  // the column of the day
+  std::optional<TimeZone> zone = {};     // of dates and times that name none themselves
+  std::string zone_reason = {};          // why it is that one
+  // Of dates and times, or times of day, without a zone: what they are counted from.
+  std::optional<WallClock> clock = {};
+  double frames_per_second = 0.0;
 };
 
 struct VelocityChoice {
@@ -46,6 +62,12 @@ struct TrackLayout {
   // Of aircraft, what may be unknown is left out where it is: a record without a place is no
   // mistake.
   bool of_aircraft = false;
+  // Of other recordings, a record that says that its place is unknown ("NA") is no mistake either:
+  // it is as good as none.
+  bool places_may_be_unknown = false;
+  bool infinite_is_unknown = false;
+  bool ids_may_be_empty = false;              // of who is none of the animals
+  std::optional<std::size_t> visible = {};    // who says no there is an outlier
   const LeftOutReason* no_height = nullptr;   // what to say of such a record
   std::optional<std::size_t> label = {};      // what each is called beside its id: the flight
   std::optional<std::size_t> on_ground = {};  // of those that are left out
@@ -61,7 +83,9 @@ struct TrackSlot {
   static constexpr std::size_t kVelocity = 5;  // three of them
   static constexpr std::size_t kLabel = 8;
   static constexpr std::size_t kOnGround = 9;
-  static constexpr std::size_t kNothing = 10;  // where columns go that are not asked for
+  static constexpr std::size_t kDate = 10;
+  static constexpr std::size_t kVisible = 11;
+  static constexpr std::size_t kNothing = 12;  // where columns go that are not asked for
 };
 
 // By column: which slot it fills. An id may be read from a column that is something else too, but
@@ -71,12 +95,13 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout);
 // `text` has no byte-order mark. `bare_skybrush`: a table without a header is a Skybrush CSV.
 // Errors: those of find_layout(), kInvalidArgument where a unit of time must be said,
 // kUnsupportedFormat for a unit that is not read; with line, without source.
+// `whole`: nothing comes behind `text`, so that a column that is empty there is empty.
 Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOptions& options,
-                                      bool bare_skybrush);
+                                      bool bare_skybrush, bool whole = false);
 
 // The same for records whose columns are known already: `table` says how `text`, one or more of
 // them, is split, and what the columns are called and hold. Errors without line.
 Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text,
-                                        const RecordingOptions& options);
+                                        const RecordingOptions& options, bool whole = false);
 
 }  // namespace beespace::io

@@ -13,7 +13,6 @@
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
-#include "io/units/iso_time.hpp"
 
 #include <cmath>
 #include <limits>
@@ -80,6 +79,10 @@ std::optional<Error> TrackRecordReader::read_id(TrackRecord& record) {
   const ColumnChoice& choice = layout_.table.choice;
   if (!choice.id) return std::nullopt;
   const Field& field = fields_[TrackSlot::kId];
+  if (layout_.ids_may_be_empty && is_unknown(field.text)) {
+    record.left_out = &kNoAnimal;
+    return std::nullopt;
+  }
   if (field.text.empty()) {
     return at_column(ErrorCode::kMalformedRecord,
                      "the id is empty; fill it in" + std::string(kOrLeaveOut), *choice.id);
@@ -105,12 +108,21 @@ void TrackRecordReader::read_label(TrackRecord& record) {
 
 // Of what aircraft say of themselves: what is not known is no mistake.
 const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
-  if (!layout_.of_aircraft) return nullptr;
+  if (layout_.visible && says_no(fields_[TrackSlot::kVisible].text)) return &kOutlier;
+  if (!layout_.of_aircraft && !layout_.places_may_be_unknown) return nullptr;
   const auto unknown = [this](std::size_t slot) {
-    return is_unknown(without_padding(fields_[slot].text));
+    const std::string_view text = without_padding(fields_[slot].text);
+    return is_unknown(text) || (layout_.infinite_is_unknown && (text == "inf" || text == "-inf"));
   };
   if (layout_.on_ground && says_yes(fields_[TrackSlot::kOnGround].text)) return &kOnGround;
-  if (unknown(TrackSlot::kPosition) || unknown(TrackSlot::kPosition + 1)) return &kNoPosition;
+  if (unknown(TrackSlot::kPosition) || unknown(TrackSlot::kPosition + 1)) {
+    return layout_.of_aircraft ? &kNoPosition : &kUnknownPlace;
+  }
+  // Of others a bad time is a mistake.
+  if (!layout_.of_aircraft) {
+    const bool has_height = layout_.table.choice.dimensions == 3;
+    return has_height && unknown(TrackSlot::kPosition + 2) ? layout_.no_height : nullptr;
+  }
   if (layout_.time && unknown(TrackSlot::kTime)) return &kNoTime;
   const bool height = layout_.table.choice.dimensions == 3;
   return height && unknown(TrackSlot::kPosition + 2) ? layout_.no_height : nullptr;
@@ -120,13 +132,13 @@ std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
   if (!layout_.time) return std::nullopt;
   const TimeChoice& time = *layout_.time;
   const std::string_view text = without_padding(fields_[TrackSlot::kTime].text);
-  if (time.iso) {
-    const std::string_view problem = parse_iso_time(text, record.time_s);
+  if (time.form == TimeForm::kDatesAndTimes || time.form == TimeForm::kClock) {
+    const std::string_view day = without_padding(fields_[TrackSlot::kDate].text);
+    const std::string problem = read_wall_time(time, text, day, record.time_s);
     if (problem.empty()) return std::nullopt;
-    return at_column(
-        ErrorCode::kNotANumber,
-        excerpt(text) + " is not a time: " + std::string(problem) + std::string(kOrLeaveOut),
-        time.column);
+    return at_column(ErrorCode::kNotANumber,
+                     excerpt(text) + " is not a time: " + problem + std::string(kOrLeaveOut),
+                     time.column);
   }
   double value = 0.0;
   const NumberKind kind = read_number(text, value);
@@ -147,7 +159,8 @@ std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
                          std::string(kOrLeaveOut),
                      time.column);
   }
-  record.time_s = without_dust(in_metric(value, time.unit));
+  record.time_s = without_dust(time.form == TimeForm::kFrames ? value / time.frames_per_second
+                                                              : in_metric(value, time.unit));
   if (in_motion_domain(record.time_s)) return std::nullopt;
   return outside_domain(text, "time", " s", time.column);
 }
@@ -229,7 +242,9 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
     if (count < columns) fields_[slots_[count]] = field;
   }
   if (auto problem = record_problem(line, layout_.table, count, cursor.problem())) return problem;
+  record.left_out = nullptr;
   if (auto problem = read_id(record)) return problem;
+  if (record.left_out != nullptr) return std::nullopt;
   read_label(record);
   record.left_out = reason_to_leave_out();
   if (record.left_out != nullptr) return std::nullopt;

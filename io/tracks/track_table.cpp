@@ -2,11 +2,14 @@
 
 #include "io/problems/excerpt.hpp"
 #include "io/problems/text_check.hpp"
+#include "io/problems/unplaced.hpp"
 #include "io/table/record_walk.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_record.hpp"
 
 #include <algorithm>
+#include <string>
+#include <unordered_map>
 #include <utility>
 
 namespace beespace::io {
@@ -25,6 +28,37 @@ void place(Error& error, std::uint64_t line, std::uint64_t row, RecordPlace how,
   error.location.column.reset();
 }
 
+// Of times of day without a date, the last one of each bee: where they go far back, a midnight has
+// passed.
+class TimesOfDay {
+ public:
+  explicit TimesOfDay(const TrackLayout& layout)
+      : watched_(layout.time && layout.time->clock && !layout.time->clock->dated) {}
+
+  bool is_new_day(const TrackRecord& record) {
+    if (!watched_) return false;
+    constexpr double kHalfDay_s = 43'200.0;
+    double& last_s = last_s_.try_emplace(std::string(record.id), record.time_s).first->second;
+    if (record.time_s < last_s - kHalfDay_s) return true;
+    last_s = record.time_s;
+    return false;
+  }
+
+ private:
+  bool watched_;
+  std::unordered_map<std::string, double> last_s_;
+};
+
+Error midnight_passed(const TrackRecord& record, const TimeChoice& time) {
+  Error error{ErrorCode::kTimeOrder,
+              "the times of day of bee " + excerpt(record.id) +
+                  " go back here by more than half a day, as if midnight had passed; add a column "
+                  "with the date, or the date to the time",
+              {}};
+  error.location.column = time.column + 1;
+  return error;
+}
+
 }  // namespace
 
 SourceFacts facts_of(const TrackLayout& layout, std::string description) {
@@ -36,6 +70,7 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   facts.dimensions = choice.dimensions;
   facts.has_time = layout.time.has_value();
   facts.since_1970 = layout.time && layout.time->since_1970;
+  if (layout.time) facts.clock = layout.time->clock;
   facts.heights = choice.datum;
   facts.height_unit = choice.height_unit();
   facts.units = layout.units;
@@ -51,6 +86,7 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
   const bool nameless_rows = !layout.table.choice.id && !layout.time;
   const Unit height_unit = layout.table.choice.height_unit();
   TrackRecordReader reader(layout);
+  TimesOfDay days(layout);
   TrackRecord record;
   record.id = stem;
   std::string row_id;
@@ -58,7 +94,8 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
   const char* reported = text.data();
   RecordWalk walk(text, 0, layout.table.line_end);
   while (walk.next()) {
-    const std::uint64_t line = layout.table.lines_before + walk.line() + 1;
+    const std::uint64_t line =
+        layout.table.lines_before + walk.line() / layout.table.records_per_line + 1;
     const char* const here = walk.record().data();
     rows = walk.row() + 1;
     if (progress != nullptr && walk.row() % kRowsPerReport == 0) {
@@ -77,6 +114,14 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     }
     if (record.left_out != nullptr) {
       assembly.leave_out(*record.left_out, record.id);
+      // Who is nowhere else is known nowhere.
+      if (record.left_out == &kUnknownPlace) assembly.heard_of(kNeverPlaced, record.id);
+      continue;
+    }
+    if (days.is_new_day(record)) {
+      Error error = midnight_passed(record, *layout.time);
+      place(error, line, rows_before + walk.row(), place_of, layout);
+      if (auto fatal = assembly.bad(std::move(error), record.id)) return fatal;
       continue;
     }
     Origin origin;
@@ -110,8 +155,12 @@ Result<TrackTableReader> TrackTableReader::begin(const TrackTable& beginning,
                                                  RecordingAssembly& assembly) {
   if (auto problem = text_problem(beginning.bytes)) return *std::move(problem);
   const std::string_view text = without_byte_order_mark(beginning.bytes);
-  auto layout = find_track_layout(text, assembly.options(), beginning.bare_skybrush);
+  auto layout =
+      find_track_layout(text, assembly.options(), beginning.bare_skybrush, beginning.whole);
   if (!layout) return std::move(layout).error();
+  if (layout->time && layout->time->clock) {
+    layout->time->clock = assembly.common_clock(*layout->time->clock);
+  }
   std::string form = "text, " + std::string(delimiter_name(layout->table.delimiter)) + "-separated";
   if (auto error = assembly.agree(facts_of(*layout, std::move(form)))) return *std::move(error);
   for (std::string& note : layout->notes) assembly.note(std::move(note));
@@ -135,7 +184,9 @@ std::optional<Error> TrackTableReader::read(std::string_view lines) {
 }
 
 std::optional<Error> read_track_table(const TrackTable& table, RecordingAssembly& assembly) {
-  auto reader = TrackTableReader::begin(table, assembly);
+  TrackTable all = table;
+  all.whole = true;
+  auto reader = TrackTableReader::begin(all, assembly);
   if (!reader) return std::move(reader).error();
   return reader->read(table.bytes.substr(reader->data_offset()));
 }

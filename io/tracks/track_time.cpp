@@ -2,6 +2,7 @@
 
 #include "io/bytes/characters.hpp"
 #include "io/bytes/number.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/points/record_reading.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/table/fields.hpp"
@@ -16,9 +17,9 @@
 namespace beespace::io {
 namespace {
 
-// The times of the first records, those that are there.
-std::vector<std::string_view> first_times(std::string_view text, const TableLayout& table,
-                                          std::size_t column) {
+// The fields of a column in the first records, those that are there.
+std::vector<std::string_view> first_fields(std::string_view text, const TableLayout& table,
+                                           std::size_t column) {
   constexpr int kLookedAt = 16;
   std::vector<std::string_view> times;
   std::size_t offset = table.data_offset;
@@ -52,10 +53,6 @@ Unit common_unit(const std::vector<std::string_view>& times) {
 Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
                                const std::vector<std::string_view>& times, const TableLayout& table,
                                Unit asked) {
-  if (time.iso) {
-    time.since_1970 = true;
-    return time;
-  }
   time.since_1970 = meaning.since_1970;
   time.unit = asked != Unit::kUnstated ? asked : if_unit_of(meaning.unit, Quantity::kTime);
   if (asked == Unit::kUnstated && !meaning.foreign_unit.empty()) {
@@ -80,6 +77,62 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
   return time;
 }
 
+// Which zone dates and times are of that name none: the caller's, or that of a known source.
+void choose_zone(const Header& header, const RecordingOptions& options, TimeChoice& time) {
+  const TableSource* const source = source_of(header.table().names);
+  if (options.time_zone) {
+    time.zone = options.time_zone;
+    time.zone_reason = "as --time-zone says";
+  } else if (source != nullptr && source->in_utc) {
+    time.zone = TimeZone::utc();
+    time.zone_reason = "the header is that of " + std::string(source->name);
+  }
+}
+
+// Of dates and times, or times of day: whether they are instants, or else what they count from.
+std::optional<Error> settle_wall_times(std::string_view text, const TableLayout& table,
+                                       const std::vector<std::string_view>& times,
+                                       TimeChoice& time) {
+  WallTime first;
+  const bool clock = time.form == TimeForm::kClock;
+  const std::string_view problem =
+      clock ? parse_clock(times.front(), first) : parse_wall_time(times.front(), first);
+  if (!problem.empty()) {
+    return at_column(ErrorCode::kNotANumber,
+                     excerpt(times.front()) + " is not a time: " + std::string(problem),
+                     time.column);
+  }
+  std::int64_t day_s = first.seconds - (first.seconds % 86'400 + 86'400) % 86'400;
+  if (time.date) {
+    const auto days = first_fields(text, table, *time.date);
+    const std::string_view what = days.empty() ? "it is empty" : parse_day(days.front(), day_s);
+    if (!what.empty()) {
+      return at_column(
+          ErrorCode::kNotANumber,
+          (days.empty() ? "the day" : excerpt(days.front())) +
+              " is not a date: " + std::string(what) +
+              "; where there is none, say --columns time=" + std::to_string(time.column + 1),
+          *time.date);
+    }
+  }
+  const bool dated = !clock || time.date;
+  time.since_1970 = dated && (first.offset_s || time.zone);
+  if (time.since_1970) return std::nullopt;
+  time.clock = WallClock{dated, dated ? day_s : 0};
+  return std::nullopt;
+}
+
+// What is to be said of how frames and pixels are read.
+bool lengths_are_known(const TableLayout& table, const ColumnChoice& position,
+                       const RecordingOptions& options) {
+  if (options.pixel || position.dimensions == 3 || table.names.empty()) return true;
+  if (position.evidence == Frame::kWgs84 || options.frame == Frame::kWgs84) return true;
+  for (const UnitTaken& taken : position.units_taken) {
+    if (taken.evidence != UnitEvidence::kUsual) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Unit unit_since_1970(double value) {
@@ -94,11 +147,28 @@ Unit unit_since_1970(double value) {
 }
 
 Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Header& header,
-                                              Unit asked) {
+                                              const RecordingOptions& options) {
   const TableLayout& table = header.table();
   std::optional<std::size_t> column = header.override_of(Role::kTime);
   const ColumnMeaning meaning = column ? header.stated(*column) : ColumnMeaning();
   const std::vector<std::size_t>& found = header.columns(Role::kTime);
+  const std::optional<std::size_t> frames = header.override_of(Role::kFrame)
+                                                ? header.override_of(Role::kFrame)
+                                                : header.only(Role::kFrame);
+  TimeChoice time;
+  if (frames && !column && (found.empty() || options.frames_per_second)) {
+    time.column = *frames;
+    time.form = TimeForm::kFrames;
+    time.frames_per_second = options.frames_per_second.value_or(0.0);
+    return std::optional<TimeChoice>(time);
+  }
+  if (options.frames_per_second) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "--fps is given, but no column counts frames; leave it out, or say which does "
+                 "with --columns frame=N (" +
+                     list_columns(table) + ")",
+                 {}};
+  }
   if (!column && found.size() > 1) {
     return missing_column(
         "both " + column_text(table, found[0]) + " and " + column_text(table, found[1]) +
@@ -107,19 +177,108 @@ Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Heade
         std::to_string(found[0] + 1) + " or time=" + std::to_string(found[1] + 1));
   }
   if (!column && found.empty()) return std::optional<TimeChoice>();
-  TimeChoice time;
   time.column = column ? *column : found.front();
-  const std::vector<std::string_view> times = first_times(text, table, time.column);
-  time.iso = !times.empty() && looks_like_iso_time(times.front());
-  auto chosen =
-      choose_unit(time, column ? meaning : header.meaning(time.column), times, table, asked);
+  const std::vector<std::string_view> times = first_fields(text, table, time.column);
+  if (!times.empty() && looks_like_iso_time(times.front())) {
+    time.form = TimeForm::kDatesAndTimes;
+  } else if (!times.empty() && looks_like_clock(times.front())) {
+    time.form = TimeForm::kClock;
+    time.date = header.override_of(Role::kDate) ? header.override_of(Role::kDate)
+                                                : header.only(Role::kDate);
+  }
+  if (time.form != TimeForm::kNumbers) {
+    choose_zone(header, options, time);
+    if (auto error = settle_wall_times(text, table, times, time)) return *std::move(error);
+    return std::optional<TimeChoice>(std::move(time));
+  }
+  auto chosen = choose_unit(time, column ? meaning : header.meaning(time.column), times, table,
+                            options.time_unit);
   if (!chosen) return chosen.error();
   return std::optional<TimeChoice>(chosen.value());
 }
 
+std::optional<Error> frames_problem(const TableLayout& table, const TimeChoice& time,
+                                    const ColumnChoice& position, const RecordingOptions& options) {
+  if (time.form != TimeForm::kFrames) return std::nullopt;
+  const bool lengths = lengths_are_known(table, position, options);
+  if (time.frames_per_second > 0.0 && lengths) return std::nullopt;
+  std::string text;
+  if (!(time.frames_per_second > 0.0)) {
+    text = column_text(table, time.column) +
+           " counts the frames of a video, but how many are there in a second? Say it, as in "
+           "--fps 25";
+  }
+  if (!lengths) {
+    text += (text.empty() ? "x and y are of a video, but in which unit? Of"
+                          : "; and x and y, are they pixels? Of") +
+            std::string(
+                " pixels say how long one is, as in --scale 0.1mm (--scale 1 takes it for a "
+                "metre); otherwise the unit, as in --units position=cm");
+  }
+  return at_column(ErrorCode::kInvalidArgument, std::move(text), time.column);
+}
+
+std::optional<Error> lengths_problem(const TableLayout& table, const RecordingOptions& options) {
+  if (lengths_are_known(table, table.choice, options)) return std::nullopt;
+  return Error{ErrorCode::kInvalidArgument,
+               "x and y are of a video, but in which unit? Of pixels say how long one is, as in "
+               "--scale 0.1mm (--scale 1 takes it for a metre); otherwise the unit, as in --units "
+               "position=cm",
+               {}};
+}
+
+std::string read_wall_time(const TimeChoice& time, std::string_view text, std::string_view day,
+                           double& seconds) {
+  WallTime wall;
+  const bool clock = time.form == TimeForm::kClock;
+  const std::string_view problem = clock ? parse_clock(text, wall) : parse_wall_time(text, wall);
+  if (!problem.empty()) return std::string(problem);
+  if (time.date) {
+    std::int64_t day_s = 0;
+    const std::string_view what = parse_day(day, day_s);
+    if (!what.empty()) return "the day " + excerpt(day) + ": " + std::string(what);
+    wall.seconds += day_s;
+  }
+  if (time.clock) {
+    if (wall.offset_s && time.clock->dated) {
+      return "it has a time zone, but the first times have none; say with --time-zone which they "
+             "are of";
+    }
+    seconds = seconds_after(wall, time.clock->zero_s);
+    return {};
+  }
+  std::int64_t offset_s = 0;
+  if (wall.offset_s) {
+    offset_s = *wall.offset_s;
+  } else if (!time.zone) {
+    return "it has no time zone; write Z for UTC behind it, or an offset such as +02:00, or say "
+           "with --time-zone which it is";
+  } else if (std::string what = time.zone->offset_of_local(wall.seconds, offset_s); !what.empty()) {
+    return what;
+  }
+  seconds = seconds_after(wall, offset_s);
+  return {};
+}
+
 std::string time_note(const TableLayout& table, const TimeChoice& time, bool asked) {
   std::string text = "times are read from " + column_text(table, time.column);
-  if (time.iso) return text + " as dates and times (ISO 8601)";
+  if (time.form == TimeForm::kFrames) {
+    return text + " as frames, " + exact(time.frames_per_second) + " a second (--fps)";
+  }
+  if (time.date) text += " and the day from " + column_text(table, *time.date);
+  if (time.clock) {
+    text += time.clock->dated ? " as dates and times of one clock, whose time zone is not known"
+                              : " as times of day of one clock";
+    return text + (time.clock->dated
+                       ? " and which is not turned; --time-zone UTC, or Europe/Madrid, would say it"
+                       : "");
+  }
+  if (time.form != TimeForm::kNumbers) {
+    text += " as dates and times (ISO 8601)";
+    if (!time.zone) return text;
+    return text + "; those without a time zone are of " + time.zone->name() + ": " +
+           time.zone_reason;
+  }
   text += " in " + std::string(symbol_of(time.unit));
   if (asked) text += ", as asked for";
   if (time.since_1970) text += ", since 1970";

@@ -1,6 +1,7 @@
 // Which column of a table of fixes holds the time, in which unit, and whether it counts from 1970.
 #pragma once
 
+#include "io/recording/recording_options.hpp"
 #include "io/table/column_choice.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/units/units.hpp"
@@ -17,11 +18,25 @@ namespace beespace::io {
 // the units are a thousand times each other, and do not meet. kUnstated where there is none.
 Unit unit_since_1970(double value);
 
-// Nothing where there is no time. `text` are records of the table. Errors: kInvalidArgument where
-// the unit must be said (with column), kUnsupportedFormat for one that is not read, kMissingColumn
+// Nothing where there is no time. `text` are records of the table. Of frames it is left open how
+// many there are in a second, where the caller does not say. Errors: kInvalidArgument where the
+// unit must be said (with column), kUnsupportedFormat for one that is not read, kMissingColumn
 // where two columns may be it.
 Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Header& header,
-                                              Unit asked);
+                                              const RecordingOptions& options);
+
+// Frames are chosen, but not how many there are in a second, or how long a pixel is: what to say.
+// `position` is where they are.
+std::optional<Error> frames_problem(const TableLayout& table, const TimeChoice& time,
+                                    const ColumnChoice& position, const RecordingOptions& options);
+
+// Lengths of an image: where neither the header nor the caller says a unit, they may be pixels.
+std::optional<Error> lengths_problem(const TableLayout& table, const RecordingOptions& options);
+
+// A field of the time, and of the day where that has a column of its own, as seconds. What is
+// wrong, as a sentence; nothing when all is well.
+std::string read_wall_time(const TimeChoice& time, std::string_view text, std::string_view day,
+                           double& seconds);
 
 // What was chosen, for the notes.
 std::string time_note(const TableLayout& table, const TimeChoice& time, bool asked);

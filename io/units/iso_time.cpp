@@ -10,6 +10,7 @@ namespace beespace::io {
 namespace {
 
 constexpr std::int64_t kNanosPerSecond = 1'000'000'000;
+constexpr std::int64_t kSecondsPerDay = 86'400;
 constexpr std::string_view kForm = "write it as 2024-05-01T12:00:00.25Z";
 
 bool is_digit(char c) {
@@ -40,6 +41,16 @@ class Front {
     return true;
   }
 
+  // This word, in capitals or not.
+  bool word(std::string_view wanted) {
+    if (text_.size() < wanted.size()) return false;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (text_[i] != wanted[i] && text_[i] != wanted[i] - 'A' + 'a') return false;
+    }
+    text_.remove_prefix(wanted.size());
+    return true;
+  }
+
   // All digits that are there, as billionths; false when there is none.
   bool fraction(std::int64_t& nanos) {
     std::int64_t unit = kNanosPerSecond / 10;
@@ -64,8 +75,9 @@ struct Clock {
   std::int64_t nanos = 0;
 };
 
-std::string_view parse_clock(Front& front, Clock& clock) {
-  if (!front.number(2, clock.hour) || !front.any_of(":") || !front.number(2, clock.minute)) {
+std::string_view parse_clock(Front& front, std::size_t hour_digits, Clock& clock) {
+  if (!front.number(hour_digits, clock.hour) || !front.any_of(":") ||
+      !front.number(2, clock.minute)) {
     return kForm;
   }
   if (!front.any_of(":") || !front.number(2, clock.second)) {
@@ -79,12 +91,14 @@ std::string_view parse_clock(Front& front, Clock& clock) {
   return {};
 }
 
-// Minutes east of Greenwich.
-std::string_view parse_offset(Front& front, int& minutes) {
-  minutes = 0;
-  if (front.any_of("Zz")) return {};
-  if (front.rest().empty()) {
-    return "it has no time zone; write Z for UTC behind it, or an offset such as +02:00";
+// Minutes east of Greenwich, perhaps behind a blank; nothing where nothing is there.
+std::string_view parse_zone(Front& front, std::optional<int>& minutes) {
+  while (front.any_of(" ")) {
+  }
+  if (front.rest().empty()) return {};
+  if (front.word("UTC") || front.word("GMT") || front.any_of("Zz")) {
+    minutes = 0;
+    return {};
   }
   const bool west = front.rest().front() == '-';
   int hour = 0;
@@ -97,6 +111,26 @@ std::string_view parse_offset(Front& front, int& minutes) {
   if (hour > 23 || minute > 59) return "there is no such offset from UTC; correct it";
   minutes = (west ? -1 : 1) * (hour * 60 + minute);
   return {};
+}
+
+std::string_view parse_date(Front& front, std::int64_t& days) {
+  int year = 0;
+  int month = 0;
+  int day = 0;
+  if (!front.number(4, year) || !front.any_of("-") || !front.number(2, month) ||
+      !front.any_of("-") || !front.number(2, day)) {
+    return kForm;
+  }
+  const std::chrono::year_month_day date(std::chrono::year(year),
+                                         std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(day)));
+  if (!date.ok()) return "there is no such day; correct it";
+  days = std::chrono::sys_days(date).time_since_epoch().count();
+  return {};
+}
+
+std::int64_t seconds_of(const Clock& clock) {
+  return (std::int64_t{clock.hour} * 60 + clock.minute) * 60 + clock.second;
 }
 
 // `whole` + `nanos` billionths, rounded once.
@@ -128,30 +162,83 @@ bool looks_like_iso_time(std::string_view text) {
   return front.number(4, year) && front.any_of("-");
 }
 
-std::string_view parse_iso_time(std::string_view text, double& seconds) {
-  Front front(text);
-  int year = 0;
-  int month = 0;
-  int day = 0;
-  if (!front.number(4, year) || !front.any_of("-") || !front.number(2, month) ||
-      !front.any_of("-") || !front.number(2, day)) {
-    return kForm;
+bool looks_like_clock(std::string_view text) {
+  int number = 0;
+  for (const std::size_t digits : {std::size_t{1}, std::size_t{2}}) {
+    Front front(text);
+    if (front.number(digits, number) && front.any_of(":") && front.number(2, number) &&
+        front.any_of(":")) {
+      return true;
+    }
   }
-  const std::chrono::year_month_day date(std::chrono::year(year),
-                                         std::chrono::month(static_cast<unsigned>(month)),
-                                         std::chrono::day(static_cast<unsigned>(day)));
-  if (!date.ok()) return "there is no such day; correct it";
+  return false;
+}
+
+std::string_view parse_wall_time(std::string_view text, WallTime& time) {
+  Front front(text);
+  std::int64_t days = 0;
+  if (const auto problem = parse_date(front, days); !problem.empty()) return problem;
   if (front.rest().empty()) return "it is a day without a time; write it as 2024-05-01T12:00:00Z";
   if (!front.any_of("Tt ")) return kForm;
   Clock clock;
-  if (const auto problem = parse_clock(front, clock); !problem.empty()) return problem;
-  int offset_minutes = 0;
-  if (const auto problem = parse_offset(front, offset_minutes); !problem.empty()) return problem;
+  if (const auto problem = parse_clock(front, 2, clock); !problem.empty()) return problem;
+  std::optional<int> minutes;
+  if (const auto problem = parse_zone(front, minutes); !problem.empty()) return problem;
   if (!front.rest().empty()) return kForm;
+  time.seconds = days * kSecondsPerDay + seconds_of(clock);
+  time.nanos = clock.nanos;
+  time.offset_s.reset();
+  if (minutes) time.offset_s = std::int64_t{*minutes} * 60;
+  return {};
+}
 
-  const std::int64_t days = std::chrono::sys_days(date).time_since_epoch().count();
-  const std::int64_t minutes = (days * 24 + clock.hour) * 60 + clock.minute - offset_minutes;
-  seconds = nearest_double(minutes * 60 + clock.second, clock.nanos);
+std::string_view parse_clock(std::string_view text, WallTime& time) {
+  constexpr std::string_view kClockForm = "write it as 07:00:00, or 07:00:00.25";
+  const std::size_t digits = text.find(':');
+  if (digits != 1 && digits != 2) return kClockForm;
+  Front front(text);
+  Clock clock;
+  if (const auto problem = parse_clock(front, digits, clock); !problem.empty()) {
+    return problem == kForm ? kClockForm : problem;
+  }
+  std::optional<int> minutes;
+  if (!parse_zone(front, minutes).empty() || !front.rest().empty()) return kClockForm;
+  time.seconds = seconds_of(clock);
+  time.nanos = clock.nanos;
+  time.offset_s.reset();
+  if (minutes) time.offset_s = std::int64_t{*minutes} * 60;
+  return {};
+}
+
+std::string_view parse_day(std::string_view text, std::int64_t& seconds) {
+  Front front(text);
+  std::int64_t days = 0;
+  const auto problem = parse_date(front, days);
+  if (problem == kForm || !front.rest().empty()) return "write the day as 2024-05-01";
+  seconds = days * kSecondsPerDay;
+  return problem;
+}
+
+std::string_view parse_offset(std::string_view text, int& minutes) {
+  Front front(text);
+  std::optional<int> found;
+  if (const auto problem = parse_zone(front, found); !problem.empty()) return problem;
+  if (!found || !front.rest().empty()) return kForm;
+  minutes = *found;
+  return {};
+}
+
+double seconds_after(const WallTime& time, std::int64_t from_s) {
+  return nearest_double(time.seconds - from_s, time.nanos);
+}
+
+std::string_view parse_iso_time(std::string_view text, double& seconds) {
+  WallTime time;
+  if (const auto problem = parse_wall_time(text, time); !problem.empty()) return problem;
+  if (!time.offset_s) {
+    return "it has no time zone; write Z for UTC behind it, or an offset such as +02:00";
+  }
+  seconds = seconds_after(time, *time.offset_s);
   return {};
 }
 

@@ -1,12 +1,37 @@
 // Times as ISO 8601 writes them: "2024-05-01T12:00:00.25Z", "2024-05-01 14:00:00,25+02:00".
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace beespace::io {
 
 // Whether the text begins as a date does, so that it is no number.
 bool looks_like_iso_time(std::string_view text);
+
+// Whether it begins as a time of day does, alone: "07:00:00", "7:00:00.5".
+bool looks_like_clock(std::string_view text);
+
+// What a clock shows.
+struct WallTime {
+  std::int64_t seconds = 0;  // since 1970-01-01 00:00:00 on that clock, or since midnight
+  std::int64_t nanos = 0;
+  std::optional<std::int64_t> offset_s = {};  // ahead of UTC, where it says so
+};
+
+// Date, and time with seconds; behind them perhaps "Z", "UTC" or an offset. Returns what is wrong,
+// as a sentence; nothing when all is well.
+std::string_view parse_wall_time(std::string_view text, WallTime& time);
+// A time of day alone, since midnight.
+std::string_view parse_clock(std::string_view text, WallTime& time);
+// A day alone, in seconds since 1970-01-01 00:00:00.
+std::string_view parse_day(std::string_view text, std::int64_t& seconds);
+// "Z", "+02:00", "-0330": minutes east of Greenwich.
+std::string_view parse_offset(std::string_view text, int& minutes);
+
+// So many whole seconds later than `from_s`, and its fraction: the nearest double.
+double seconds_after(const WallTime& time, std::int64_t from_s);
 
 // Seconds since 1970-01-01T00:00:00Z, of which each day has 86,400: the nearest double. Date, time
 // with seconds, and "Z" or an offset must all be there; the fraction may have any length, of which

@@ -34,6 +34,7 @@ constexpr std::array kUnits = {
     UnitFacts{Unit::kInch, Quantity::kLength, "inch", 127, 5000, "inch inches"},
     UnitFacts{Unit::kMile, Quantity::kLength, "mi", 201168, 125, "mi mile miles"},
     UnitFacts{Unit::kNauticalMile, Quantity::kLength, "NM", 1852, 1, "nm nmi"},
+    UnitFacts{Unit::kPixel, Quantity::kLength, "px", 1, 1, ""},  // no word: it has no length alone
     UnitFacts{Unit::kMetrePerSecond, Quantity::kSpeed, "m/s", 1, 1, "m/s mps ms"},
     UnitFacts{Unit::kKilometrePerHour, Quantity::kSpeed, "km/h", 5, 18, "km/h kmh kph kmph"},
     UnitFacts{Unit::kMetrePerMinute, Quantity::kSpeed, "m/min", 1, 60, "m/min"},
@@ -150,7 +151,7 @@ std::optional<Unit> take_unit(std::vector<std::string>& words, Quantity quantity
 std::string list_units(Quantity quantity) {
   std::string list;
   for (const UnitFacts& facts : kUnits) {
-    if (facts.quantity != quantity) continue;
+    if (facts.quantity != quantity || facts.words.empty()) continue;
     list.append(list.empty() ? "" : ", ").append(facts.symbol);
   }
   return list;

@@ -26,6 +26,7 @@ enum class Unit : std::uint8_t {
   kInch,
   kMile,
   kNauticalMile,
+  kPixel,  // of an image: how long it is is for the caller to say
   kMetrePerSecond,
   kKilometrePerHour,
   kMetrePerMinute,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import math
 import os
 from collections.abc import Iterable, Sequence
 from typing import Any
@@ -304,7 +305,7 @@ def read(
     io = _io_library.load()
     handle = io.handles["points"]()
     code = io.unlocked.beespace_io_read_points(
-        encoded_path(path), options, ctypes.byref(handle), ctypes.byref(error)
+        encoded_path(path), ctypes.byref(options), ctypes.byref(handle), ctypes.byref(error)
     )
     _io_library.check(code, error)
     return FilePoints(os.fsdecode(path), handle)
@@ -318,6 +319,9 @@ def read_recording(
     units: str | None = None,
     heights: str | None = None,
     time_unit: str | None = None,
+    time_zone: str | None = None,
+    fps: float | None = None,
+    scale: str | None = None,
     skip_bad: bool = False,
     grounded: bool = False,
 ) -> FileRecording:
@@ -335,6 +339,13 @@ def read_recording(
         As in `read`; columns may have a time, "id=1,time=2,x=3,y=4,z=5".
     time_unit : {"s", "ms", "us", "ns"}, optional
         Of times, where the file does not say.
+    time_zone : str, optional
+        Of dates and times that name none: "UTC", "Europe/Madrid", "+02:00". Without it, such times
+        count from a midnight of their clock, and `since_1970` is False.
+    fps : float, optional
+        Where a column counts the frames of a video: how many there are in a second.
+    scale : str, optional
+        Of positions in pixels, how long one is: "0.1mm".
     grounded : bool
         Whether drones and aircraft on the ground count, too.
 
@@ -357,14 +368,16 @@ def read_recording(
     """
     options = reading_options(
         skip_bad, grounded, 1, frame=frame, columns=columns, units=units, heights=heights,
-        time_unit=time_unit,
+        time_unit=time_unit, time_zone=time_zone, scale=scale,
     )
+    if fps is not None:
+        options.fps = frames_a_second(fps)
     paths = paths_of(path)
     error = _io_library.new_error()
     io = _io_library.load()
     handle = io.handles["recording"]()
     code = io.unlocked.beespace_io_read_recording(
-        paths, len(paths), options, ctypes.byref(handle), ctypes.byref(error)
+        paths, len(paths), ctypes.byref(options), ctypes.byref(handle), ctypes.byref(error)
     )
     _io_library.check(code, error)
     return FileRecording(os.fsdecode(paths[0]), handle)
@@ -383,7 +396,15 @@ def encoded_path(path: PathLike) -> bytes:
     return encoded
 
 
-def reading_options(skip_bad: bool, grounded: bool, threads: Any, **texts: str | None) -> Any:
+def frames_a_second(fps: float) -> float:
+    if not 0.0 < fps < math.inf:
+        raise ValueError("fps is how many frames there are in a second, above 0")
+    return float(fps)
+
+
+def reading_options(
+    skip_bad: bool, grounded: bool, threads: Any, **texts: str | None
+) -> _io_library.COptions:
     options = _io_library.COptions(ctypes.sizeof(_io_library.COptions))
     if skip_bad:
         options.flags |= _io_library.SKIP_BAD
@@ -393,4 +414,4 @@ def reading_options(skip_bad: bool, grounded: bool, threads: Any, **texts: str |
     options.threads = _library.ALL_PROCESSORS if number == 0 else min(number, 256)
     for name, text in texts.items():
         setattr(options, name, _io_library.encoded(text))
-    return ctypes.byref(options)
+    return options

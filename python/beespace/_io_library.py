@@ -51,6 +51,9 @@ class COptions(ctypes.Structure):
         ("heights", c_char_p),
         ("format", c_char_p),
         ("time_unit", c_char_p),
+        ("time_zone", c_char_p),
+        ("scale", c_char_p),
+        ("fps", c_double),
     ]
 
 

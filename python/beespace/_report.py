@@ -12,7 +12,14 @@ from beespace import _io_library, _library
 from beespace._calls import length, run_of, whole
 from beespace._checks import gap_of
 from beespace._errors import invalid
-from beespace._files import FilePoints, PathLike, encoded_path, paths_of, reading_options
+from beespace._files import (
+    FilePoints,
+    PathLike,
+    encoded_path,
+    frames_a_second,
+    paths_of,
+    reading_options,
+)
 from beespace._points import Points, PointsLike
 from beespace._view import is_notebook, show_in_browser, show_in_notebook
 
@@ -143,6 +150,9 @@ def report(
     units: str | None = None,
     heights: str | None = None,
     time_unit: str | None = None,
+    time_zone: str | None = None,
+    fps: float | None = None,
+    scale: str | None = None,
     skip_bad: bool = False,
     grounded: bool = False,
 ) -> Report:
@@ -171,7 +181,7 @@ def report(
         five times the typical interval. Infinity joins all fixes.
     threads : int
         How many threads may work; 0 for one per processor.
-    frame, columns, units, heights, time_unit, skip_bad, grounded
+    frame, columns, units, heights, time_unit, time_zone, fps, scale, skip_bad, grounded
         How files are read: as in `read` and `read_recording`.
 
     Returns
@@ -198,16 +208,18 @@ def report(
     tail = (page_options, ctypes.byref(handle), ctypes.byref(error))
     texts = {
         "frame": frame, "columns": columns, "units": units, "heights": heights,
-        "time_unit": time_unit,
+        "time_unit": time_unit, "time_zone": time_zone, "scale": scale,
     }
     if _are_paths(points):
         if ids is not None:
             raise invalid("files have ids of their own: name their column with columns=", "ids")
         paths = paths_of(points)  # type: ignore[arg-type]
         options = reading_options(skip_bad, grounded, 1, **texts)
-        code = io.unlocked.beespace_io_page_of_files(paths, len(paths), options, *tail)
+        if fps is not None:
+            options.fps = frames_a_second(fps)
+        code = io.unlocked.beespace_io_page_of_files(paths, len(paths), ctypes.byref(options), *tail)
     else:
-        for name, given in {**texts, "skip_bad": skip_bad, "grounded": grounded}.items():
+        for name, given in {**texts, "fps": fps, "skip_bad": skip_bad, "grounded": grounded}.items():
             if given:
                 raise invalid("this says how a file is read, and these points are read", name)
         if isinstance(points, FilePoints) and ids is None:

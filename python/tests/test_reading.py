@@ -333,3 +333,23 @@ def test_without_readers_it_says_so(tmp_path):
         capture_output=True,
     )
     assert b"cannot read files" in ran.stdout and b"make install" in ran.stdout
+
+
+@readers
+def test_zones_frames_and_pixels_are_as_they_are_said(written):
+    dated = written("dated.csv", "id,time,x_m,y_m\na,1970-01-01 02:00:00,1,2\na,1970-01-01 02:00:01,1,2\n")
+    zoned = beespace.read_recording(dated, time_zone="+02:00")
+    assert zoned.since_1970 and zoned.times.tolist() == [0, 1]
+    bare = beespace.read_recording(dated)
+    assert not bare.since_1970 and bare.times.tolist() == [7200, 7201]
+    video = written("video.csv", "frame,id,x,y\n0,a,200,300\n1,a,NA,NA\n2,a,201,302\n")
+    filmed = beespace.read_recording(video, fps=4, scale="50cm")
+    assert filmed.times.tolist() == [0, 0.5]
+    assert filmed.positions.tolist() == [[100, 150, 0], [100.5, 151, 0]]
+    assert any("1 record without a place" in note for note in filmed.notes)
+    with pytest.raises(beespace.BeespaceFileError, match="fps 25"):
+        beespace.read_recording(video)
+    with pytest.raises(ValueError, match="frames there are in a second"):
+        beespace.read_recording(video, fps=0)
+    with pytest.raises(beespace.BeespaceError, match="time_zone"):
+        beespace.read_recording(dated, time_zone="Europe/Nowhere")

@@ -96,10 +96,10 @@ std::string as_sentence(std::string note) {
   return note;
 }
 
-std::string origin_note(const GeographicPosition& origin) {
+std::string origin_note(const GeographicPosition& origin, bool flat) {
   return "East and north are counted along the ground from " +
          degrees(origin.latitude_deg, "N", "S") + ", " + degrees(origin.longitude_deg, "E", "W") +
-         "; heights are above the ellipsoid.";
+         (flat ? "." : "; heights are above the ellipsoid.");
 }
 
 }  // namespace
@@ -167,7 +167,7 @@ void finish_sheet(const SwarmFacts& swarm, double bottom, Drawing& drawing) {
     const auto more = wrapped(as_sentence(one_line(note)), kLabelSize, kRight - kMargin);
     lines.insert(lines.end(), more.begin(), more.end());
   };
-  if (swarm.origin) say(origin_note(*swarm.origin));
+  if (swarm.origin) say(origin_note(*swarm.origin, swarm.flat));
   for (const std::string& note : swarm.notes) say(note);
   if (lines.size() > kMostLines) {
     lines.resize(kMostLines);

@@ -106,6 +106,10 @@ std::vector<View> views_of(const Extent& extent, const SwarmFacts& swarm, Spot c
   const Axis east = axis_across(on_earth ? "East" : "x", x);
   Axis unnamed = east;
   unnamed.title.clear();
+  if (swarm.flat) {
+    const Axis north = axis_upwards(on_earth ? "North" : "y", y);
+    return {{View::From::kAbove, {above, "From above", east, north}}};
+  }
   return {{View::From::kAbove,
            {above, "From above", unnamed, axis_upwards(on_earth ? "North" : "y", y)}},
           {View::From::kSide,

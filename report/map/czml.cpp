@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <utility>
@@ -22,6 +23,8 @@ constexpr Colour kRiskColour = {200, 80, 10, 255};
 constexpr Colour kBeeColour = {111, 136, 163, 255};
 constexpr Colour kPathColour = {111, 136, 163, 120};
 constexpr Colour kOutlineColour = {255, 255, 255, 255};
+constexpr Colour kLabelOutline = {0, 0, 0, 255};
+constexpr double kLabelsFrom_m = 500'000.0;
 
 // A list of packets, the first of which is about the document.
 class Packets {
@@ -115,9 +118,43 @@ TimeSpan time_of(const MapTracks& map) {
   return time;
 }
 
+// So that all of it is seen in a minute or two: 1, 2, 5, 10, 20, ... times as fast as it was.
+double multiplier_for(const TimeSpan& time) {
+  constexpr double kShown_s = 120.0;
+  const double wanted = (time.ends_s - time.begins_s) / kShown_s;
+  double multiplier = 1.0;
+  for (double power = 1.0; power < wanted && power < 1e9; power *= 10.0) {
+    for (const double step : {1.0, 2.0, 5.0}) {
+      if (power * step <= wanted) multiplier = power * step;
+    }
+  }
+  return multiplier;
+}
+
 void write_clock(io::JsonWriter& json, const TimeSpan& time) {
   json.begin_object("clock").member("interval", interval(time.begins_s, time.ends_s));
-  json.member("currentTime", map_instant(time.begins_s)).member("multiplier", 1u);
+  json.member("currentTime", map_instant(time.begins_s));
+  json.member("multiplier", multiplier_for(time));
+  json.member("range", "LOOP_STOP").member("step", "SYSTEM_CLOCK_MULTIPLIER");
+  json.end();
+}
+
+// To the microsecond, as globes read times: differences of doubles have digits that say nothing.
+double rounded(double time_s) {
+  constexpr double kPerSecond = 1e6;
+  return std::round(time_s * kPerSecond) / kPerSecond;
+}
+
+// What it is called, beside its dot.
+void write_label(io::JsonWriter& json, const std::string& name) {
+  json.begin_object("label").member("text", name).member("font", "12px sans-serif");
+  json.member("style", "FILL_AND_OUTLINE").member("outlineWidth", 2u);
+  write_colour(json, "outlineColor", kLabelOutline);
+  json.member("horizontalOrigin", "LEFT");
+  json.begin_object("pixelOffset").member("cartesian2", std::array{9.0, 0.0}).end();
+  // From far away names would hide the bees.
+  json.begin_object("distanceDisplayCondition");
+  json.member("distanceDisplayCondition", std::array{0.0, kLabelsFrom_m}).end();
   json.end();
 }
 
@@ -136,7 +173,7 @@ void write_samples(io::JsonWriter& json, const MapTrack& track, double epoch_s,
   json.begin_array("cartographicDegrees");
   for (const auto& run : track.runs) {
     for (const Fix& fix : run) {
-      json.value(fix.time_s - epoch_s);
+      json.value(rounded(fix.time_s - epoch_s));
       write_place(json, places.of(fix.position));
     }
   }
@@ -165,6 +202,7 @@ void write_bee(io::JsonWriter& json, const MapTrack& track, const RecordingFacts
   write_availability(json, track);
   write_samples(json, track, epoch_s, places);
   write_dot(json, 7.0, [&] { write_colours(json, track, facts.at_risk); });
+  write_label(json, facts.swarm.names.of(track.bee));
   json.begin_object("path").member("width", 1u);
   write_material(json, kPathColour);
   json.end();
@@ -208,7 +246,7 @@ std::vector<std::string> write_czml(const SnapshotFacts& facts, io::AtomicOutput
   const auto place = [&](PointId bee) { return places.of(facts.positions[bee]); };
   Packets packets(output);
   packets.add([&](io::JsonWriter& json) {
-    write_document(json, facts.swarm, document_words(kept_words(facts), notes));
+    write_document(json, facts.swarm, document_words(facts.swarm, kept_words(facts), notes));
   });
   for (std::size_t i = 0; i < bees; ++i) {
     const PointId bee = facts.at_risk[i];
@@ -219,6 +257,7 @@ std::vector<std::string> write_czml(const SnapshotFacts& facts, io::AtomicOutput
       write_places(json, {place(bee)});
       json.end();
       write_dot(json, 8.0, [&] { write_colour(json, "color", kRiskColour); });
+      write_label(json, names.of(bee));
     });
   }
   for (std::size_t i = 0; i < pairs; ++i) {
@@ -244,7 +283,7 @@ std::vector<std::string> write_czml(const RecordingFacts& facts, io::AtomicOutpu
   const TimeSpan time = time_of(map);
   Packets packets(output);
   packets.add([&](io::JsonWriter& json) {
-    write_document(json, facts.swarm, document_words(kept_words(facts), notes));
+    write_document(json, facts.swarm, document_words(facts.swarm, kept_words(facts), notes));
     write_clock(json, time);
   });
   for (const MapTrack& track : map.tracks) {

@@ -39,7 +39,7 @@ class Document {
         "<kml xmlns=\"http://www.opengis.net/kml/2.2\" "
         "xmlns:gx=\"http://www.google.com/kml/ext/2.2\">\n<Document>\n");
     output_.write(element("name", swarm.title) +
-                  element("description", document_words(kept, notes)) + '\n');
+                  element("description", document_words(swarm, kept, notes)) + '\n');
     output_.write(kStyles);
   }
 

@@ -47,11 +47,14 @@ std::string kept_words(const RecordingFacts& facts) {
                       facts.unknown);
 }
 
-std::string document_words(const std::string& kept, const std::vector<std::string>& notes) {
+std::string document_words(const SwarmFacts& swarm, const std::string& kept,
+                           const std::vector<std::string>& notes) {
   std::string html =
-      "Heights are those of the input, taken as metres above the WGS84 ellipsoid. Globes that "
-      "count "
-      "altitudes from mean sea level show bees some tens of metres higher or lower.";
+      swarm.flat ? "The input has no heights: all are shown at height 0."
+                 : "Heights are those of the input, taken as metres above the WGS84 ellipsoid. "
+                   "Globes that "
+                   "count "
+                   "altitudes from mean sea level show bees some tens of metres higher or lower.";
   if (!kept.empty()) html += "<br/>" + xml_text(kept);
   for (const std::string& note : notes) html += "<br/>" + xml_text(note);
   return html;

@@ -22,6 +22,7 @@ std::string kept_words(const SnapshotFacts& facts);
 std::string kept_words(const RecordingFacts& facts);
 
 // What heights mean, and the notes, one a line, none for those that are empty: HTML.
-std::string document_words(const std::string& kept, const std::vector<std::string>& notes);
+std::string document_words(const SwarmFacts& swarm, const std::string& kept,
+                           const std::vector<std::string>& notes);
 
 }  // namespace beespace::report

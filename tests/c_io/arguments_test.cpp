@@ -64,6 +64,9 @@ TEST_F(CIoArguments, UnknownFlagsAndWordsAreRefused) {
   options.time_unit = "ms";
   expect_refused(options, "time_unit is for recordings");
   options = io_options();
+  options.fps = 25;
+  expect_refused(options, "time_zone, scale and fps are for recordings");
+  options = io_options();
   options.units = "height=cubits";
   expect_refused(options, "units: 'cubits'");
 }

@@ -112,6 +112,41 @@ TEST_F(CReadRecording, TimesAreInTheUnitThatIsAsked) {
             (std::vector<double>{0, 0.25}));
 }
 
+TEST_F(CReadRecording, ZonesFramesAndPixelsAreAsTheyAreSaid) {
+  auto options = io_options();
+  options.time_zone = "+02:00";
+  const std::string dated = folder_.file(
+      "dated.csv", "id,time,x [m],y [m]\na,1970-01-01 02:00:00,1,2\na,1970-01-01 02:00:01,1,2\n");
+  const auto zoned = read_recording({dated}, &options);
+  ASSERT_EQ(zoned.code, BEESPACE_OK) << text_of(zoned.error);
+  EXPECT_EQ(beespace_io_recording_since_1970(zoned.recording.get()), 1);
+  EXPECT_EQ(numbers_of(beespace_io_recording_times_s(zoned.recording.get()), 2),
+            (std::vector<double>{0, 1}));
+  const auto bare = read_recording({dated}, nullptr);
+  ASSERT_EQ(bare.code, BEESPACE_OK) << text_of(bare.error);
+  EXPECT_EQ(beespace_io_recording_since_1970(bare.recording.get()), 0);
+  EXPECT_EQ(numbers_of(beespace_io_recording_times_s(bare.recording.get()), 2),
+            (std::vector<double>{7200, 7201}));
+  options = io_options();
+  options.fps = 4;
+  options.scale = "50cm";
+  const auto video = read_recording(
+      {folder_.file("video.csv", "frame,id,x,y\n0,a,200,300\n1,a,201,302\n")}, &options);
+  ASSERT_EQ(video.code, BEESPACE_OK) << text_of(video.error);
+  EXPECT_EQ(numbers_of(beespace_io_recording_times_s(video.recording.get()), 2),
+            (std::vector<double>{0, 0.25}));
+  EXPECT_EQ(numbers_of(beespace_io_recording_xyz(video.recording.get()), 6),
+            (std::vector<double>{100, 150, 0, 100.5, 151, 0}));
+  options.fps = -1;
+  EXPECT_EQ(read_recording({dated}, &options).code, BEESPACE_INVALID_ARGUMENT);
+  options = io_options();
+  options.time_zone = "Nowhere";
+  EXPECT_EQ(read_recording({dated}, &options).code, BEESPACE_INVALID_ARGUMENT);
+  options = io_options();
+  options.scale = "long";
+  EXPECT_EQ(read_recording({dated}, &options).code, BEESPACE_INVALID_ARGUMENT);
+}
+
 TEST_F(CReadRecording, ArgumentsThatMakeNoSenseAreRefused) {
   auto error = io_error();
   beespace_io_recording* recording = nullptr;

@@ -129,6 +129,17 @@ TEST(Figure, MarksThoseAtRiskWhereTheyAreInBothViews) {
   expect_inside(drawing);
 }
 
+// What has no heights has no side.
+TEST(Figure, WhatIsFlatIsSeenFromAboveOnly) {
+  SnapshotFacts facts = three_bees();
+  facts.swarm.flat = true;
+  const Drawing drawing = figure_of(facts);
+  EXPECT_TRUE(says(drawing, "From above"));
+  EXPECT_FALSE(says(drawing, "From the side"));
+  EXPECT_EQ(named_marks(drawing).size(), 2u);
+  expect_inside(drawing);
+}
+
 TEST(Figure, FromAboveAMetreIsAsLongOnBothAxes) {
   for (const double wide : {10.0, 1000.0, 1e6}) {
     for (const double deep : {1.0, 500.0, 2e6}) {

@@ -208,7 +208,7 @@ class Detecting {
     if (!closest) return "none: there is one point only";
     const auto& [pair, distance_m] = *closest;
     return printable(shown_.text(pair.first)) + " and " + printable(shown_.text(pair.second)) +
-           ", " + io::length(distance_m) + " apart";
+           ", " + io::length_below(request_.search.threshold_m, distance_m) + " apart";
   }
 
   [[nodiscard]] std::string memory_text() const {

@@ -118,6 +118,40 @@ TEST(AnswersForPeople, TimesSince1970AreDatesInTextAndNumbersForPrograms) {
   }
 }
 
+// In conflict, and so shown below the limits, whatever the digits cost.
+TEST(AnswersForPeople, RoundingNeverReachesALimit) {
+  const std::string levels =
+      "icao24,time_s,lat,lon,alt_ft\na,0,0,0,10000\na,10,0,0,10000\nb,0,0,0.01,10999.9996\n"
+      "b,10,0,0.01,10999.9996\n";
+  const Finished finished = run({"replay", "--separation", "enroute"}, levels);
+  expect_parts(finished.err, {"horizontally and 999.9996 ft ("});
+  EXPECT_EQ(finished.err.find("1,000 ft ("), std::string::npos) << finished.err;
+  const std::string metres =
+      "id,time_s,x,y,z\na,0,0,0,0\na,9,0,0,0\nb,0,99.9999,0,0\n"
+      "b,9,99.9999,0,0\n";
+  expect_parts(run({"replay", "--threshold", "100"}, metres).err,
+               {"closest    a and b, 99.9999 m apart"});
+  expect_parts(run({"replay", "--threshold", "0.05NM"},
+                   "id,time_s,x,y,z\na,0,0,0,0\na,9,0,0,0\nb,0,92.59,0,0\nb,9,92.59,0,0\n")
+                   .err,
+               {"0.04999 NM (92.590 m) apart"});
+  expect_parts(
+      run({"detect", "--threshold", "100", "--crs", "metres"}, "x,y,z\n0,0,0\n99.9999,0,0\n").err,
+      {"closest    0 and 1, 99.9999 m apart"});
+}
+
+// Who speaks of millimetres is told in millimetres.
+TEST(AnswersForPeople, SmallThingsAreToldInTheirUnits) {
+  const std::string cage = "id,time_s,x [mm],y [mm]\na,0,0,0\na,9,0,0\nb,0,15.72,0\nb,9,15.72,0\n";
+  expect_parts(run({"replay", "--threshold", "30mm"}, cage).err, {"15.7 mm apart"});
+  expect_parts(run({"replay"}, cage).err, {"15.7 mm apart"});
+  expect_parts(run({"replay", "--threshold", "2cm"}, cage).err, {"1.57 cm apart"});
+  expect_parts(run({"replay", "--threshold", "0.03"}, cage).err, {"0.016 m apart"});
+  const std::string near = "id,time_s,x_mm,y_mm\na,0,0,0\na,9,0,0\nb,0,15.76,0\nb,9,15.76,0\n";
+  expect_parts(run({"replay", "--threshold", "15.8mm"}, near).err, {"15.76 mm apart"});
+  expect_parts(run({"replay", "--threshold", "20mm"}, near).err, {"15.8 mm apart"});
+}
+
 TEST(AnswersForPeople, UnitsOfAviationMayBeAskedForOrNot) {
   const Arguments question = {"replay", "--threshold", "9260", "--vertical",
                               "300",    "--max-gap",   "never"};

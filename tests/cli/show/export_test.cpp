@@ -71,7 +71,10 @@ TEST_F(Export, CzmlMovesBeesAndJoinsThoseInConflict) {
                       R"("availability":"2024-05-01T12:00:00Z/2024-05-01T12:01:00Z")",
                       R"("epoch":"2024-05-01T12:00:00Z")",
                       R"("cartographicDegrees":[0,-75.5,6.25,1500,60,-75.49,6.25,1500])",
-                      R"("references":["bee/0#position","bee/1#position"])"});
+                      R"("references":["bee/0#position","bee/1#position"])",
+                      R"("clock":{"interval":"2024-05-01T12:00:00Z/2024-05-01T12:01:00Z",)"
+                      R"("currentTime":"2024-05-01T12:00:00Z","multiplier":1,"range":"LOOP_STOP")",
+                      R"("label":{"text":"=1+1")"});
 }
 
 TEST_F(Export, GeojsonHasPointsAndLinesWithTheirProperties) {

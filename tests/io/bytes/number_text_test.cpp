@@ -37,6 +37,21 @@ TEST(NumberText, LengthsKeepTheirMeaningAtEveryScale) {
   EXPECT_EQ(length(73.19845), "73.198 m");
   EXPECT_EQ(length(0.0001), "1e-04 m");  // never rounded to zero
   EXPECT_EQ(length(12'345.6), "12.3 km");
+}
+
+// What is below a limit is told below it, with as many digits as that needs.
+TEST(NumberText, RoundingNeverReachesALimit) {
+  EXPECT_EQ(length_below(100.0, 99.9994), "99.999 m");
+  EXPECT_EQ(length_below(100.0, 99.9996), "99.9996 m");
+  EXPECT_EQ(length_below(100.0, 99.99999999), "99.99999999 m");
+  EXPECT_EQ(length_below(100.0, std::nextafter(100.0, 0.0)), "99.99999999999999 m");
+  EXPECT_EQ(length_below(100.0, 100.0), "100.000 m");
+  EXPECT_EQ(length_below(100.0, 100.0001), "100.000 m");
+  EXPECT_EQ(length_below(18'520.0, 18'519.9), "18.5 km");
+  EXPECT_EQ(length_below(18'500.0, 18'499.9), "18.4999 km");
+  EXPECT_EQ(grouped_below(1000.0, 999.6, 0), "999.6");
+  EXPECT_EQ(grouped_below(1000.0, 999.4, 0), "999");
+  EXPECT_EQ(grouped_below(1e-20, 9.99e-21, 3), "0.000");
   EXPECT_EQ(length(1e20), "1e+20 m");
 }
 

@@ -207,5 +207,13 @@ TEST(JsonTable, OneObjectIsOneRecord) {
   EXPECT_EQ(ids_of(one), (std::vector<std::string>{"a"}));
 }
 
+// A list has no lines that say anything: places are records.
+TEST(JsonTable, TwoPlacesAtOneTimeAreNamedByTheirRecords) {
+  expect_error(record(R"([{"id": "a", "time_s": 0, "x": 1, "y": 2}, {"id": "b", "time_s": 0,
+                         "x": 1, "y": 9}, {"id": "a", "time_s": 0, "x": 5, "y": 2}])"),
+               {ErrorCode::kTimeOrder, "bees.csv: point 2",
+                "bee 'a' is at another place at the same time, 0 s, in bees.csv, record 0"});
+}
+
 }  // namespace
 }  // namespace beespace::io

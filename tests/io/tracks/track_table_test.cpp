@@ -120,9 +120,9 @@ TEST(TrackTable, OfSeveralIdsTheWholeWordIsTakenAndThatIsReported) {
 TEST(TrackTable, WithoutHeightsTheyAreZero) {
   const auto flat = recording_of(record("id,time_s,x [m],y [m]\na,0,1,2\n"));
   EXPECT_EQ(flat.bees[0].fixes, (Fixes{{0, {1, 2, 0}}}));
-  EXPECT_TRUE(has_note(flat, "there is no z: every z is taken as 0 m"));
+  EXPECT_TRUE(has_note(flat, "there is no z: distances are within the plane"));
   const auto globe = recording_of(record("id,time_s,lon,lat\na,0,1,2\n"));
-  EXPECT_TRUE(has_note(globe, "there is no height: every height is taken as 0 m"));
+  EXPECT_TRUE(has_note(globe, "there is no height: distances are of the ground"));
 }
 
 TEST(TrackTable, TheCallerMaySayTheColumns) {

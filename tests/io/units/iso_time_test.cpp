@@ -54,6 +54,9 @@ TEST(IsoTime, OffsetsAreEastOfGreenwich) {
   EXPECT_EQ(seconds_of("2024-05-01T06:30:00-05:30"), 1714564800.0);
   EXPECT_EQ(seconds_of("2024-05-01t12:00:00z"), 1714564800.0);
   EXPECT_EQ(seconds_of("2024-05-01 12:00:00Z"), 1714564800.0);
+  EXPECT_EQ(seconds_of("2024-05-01 12:00:00 UTC"), 1714564800.0);
+  EXPECT_EQ(seconds_of("2024-05-01 12:00:00.000 GMT"), 1714564800.0);
+  EXPECT_EQ(seconds_of("2024-05-01 14:00:00 +02:00"), 1714564800.0);
 }
 
 TEST(IsoTime, AMissingZoneIsNotGuessed) {
@@ -75,7 +78,7 @@ TEST(IsoTime, OtherFormsAreRefusedAndTheRightOneIsShown) {
        {"", "2024", "2024-05", "20240501T120000Z", "2024-5-1T12:00:00Z", "2024-05-01X12:00:00Z",
         "2024-05-01T12Z", "2024-05-01T12:00:00.Z", "2024-05-01T12:00:00Zulu",
         "2024-05-01T12:00:00+2", "2024-05-01T12:00:00+02:0", "2024-05-01T-1:00:00Z",
-        "2024-05-01T12:00:00 UTC"}) {
+        "2024-05-01T12:00:00 UTC+2", "2024-05-01T12:00:00 CET"}) {
     EXPECT_NE(problem_of(text).find("write it as 2024-05-01T12:00:00.25Z"), std::string::npos)
         << text;
   }

@@ -1,0 +1,26 @@
+#include "io/tracks/track_animals.hpp"
+
+#include "io/problems/unplaced.hpp"
+#include "io/table/column_names.hpp"
+#include "io/table/table_sources.hpp"
+
+namespace beespace::io {
+
+void settle_animals(const Header& header, TrackLayout& layout) {
+  if (layout.of_aircraft || !layout.time) return;
+  const TableSource* const source = header.source();
+  const bool of_animals = source != nullptr && source->of_animals;
+  // Who tells how fast it is is no animal in a picture: it should know where it is.
+  layout.places_may_be_unknown = of_animals || !layout.velocity;
+  layout.no_height = &kUnknownHeight;
+  if (!of_animals) return;
+  layout.ids_may_be_empty = true;
+  layout.infinite_is_unknown = source->infinite_is_unknown;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (split_words(header.table().names[i]) == std::vector<std::string>{"visible"}) {
+      layout.visible = i;
+    }
+  }
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,144 @@
+#include "io/tracks/wide_table.hpp"
+
+#include "io/bytes/characters.hpp"
+#include "io/problems/text_check.hpp"
+#include "io/table/column_names.hpp"
+#include "io/table/fields.hpp"
+#include "io/table/record_problems.hpp"
+#include "io/table/record_walk.hpp"
+#include "io/tracks/track_columns.hpp"
+#include "io/tracks/track_layout.hpp"
+#include "io/tracks/track_table.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace beespace::io {
+namespace {
+
+constexpr char kBetween = '\x1F';
+
+// Where an animal's coordinates are.
+struct AnimalColumns {
+  std::string number;
+  std::size_t x;
+  std::size_t y;
+};
+
+struct WideLayout {
+  TableLayout table;
+  std::optional<std::size_t> time;  // none: rows are frames
+  std::vector<AnimalColumns> animals;
+};
+
+// "12" of "x12", where the letter is that.
+std::string number_behind(char letter, std::string_view name) {
+  const std::string lower = lower_case(without_padding(name));
+  if (lower.size() < 2 || lower.front() != letter) return {};
+  const std::string number = lower.substr(1);
+  return number.find_first_not_of("0123456789") == std::string::npos ? number : std::string();
+}
+
+std::optional<WideLayout> wide_layout(std::string_view text) {
+  auto table = find_table(text, false);
+  if (!table || table->names.size() < 4) return std::nullopt;
+  WideLayout wide{*std::move(table), std::nullopt, {}};
+  const std::vector<std::string>& names = wide.table.names;
+  std::size_t first = 0;
+  if (number_behind('x', names.front()).empty()) {
+    const Role role = read_column_name(track_columns(), names.front()).role;
+    if (role != Role::kTime && role != Role::kFrame) return std::nullopt;
+    wide.time = 0;
+    first = 1;
+  }
+  if ((names.size() - first) % 2 != 0 || names.size() - first < 4) return std::nullopt;
+  for (std::size_t i = first; i < names.size(); i += 2) {
+    std::string number = number_behind('x', names[i]);
+    if (number.empty() || number != number_behind('y', names[i + 1])) return std::nullopt;
+    wide.animals.push_back({std::move(number), i, i + 1});
+  }
+  return wide;
+}
+
+// The same as a table with a record for each animal in each row; rows that are too short or long
+// are left as they are, so that who reads it says so.
+std::string long_text(std::string_view text, const WideLayout& wide) {
+  std::string out;
+  out.reserve(2 * text.size());
+  std::vector<std::string_view> fields;
+  std::size_t frame = 0;
+  std::uint64_t lines = 0;
+  RecordWalk walk(text, wide.table.data_offset, wide.table.line_end);
+  while (walk.next()) {
+    // Blank lines count, as many for each as there are animals.
+    out.append((walk.line() - lines) * wide.animals.size(), '\n');
+    lines = walk.line() + 1;
+    fields.clear();
+    FieldCursor cursor(walk.record(), wide.table.delimiter);
+    for (Field field; cursor.next(field);) fields.push_back(without_padding(field.text));
+    const std::string row = std::to_string(frame++);
+    const bool whole = fields.size() == wide.table.columns && cursor.problem().empty();
+    for (const AnimalColumns& animal : wide.animals) {
+      if (!whole) {
+        out.append("a row of ").append(std::to_string(fields.size())).append(" values\n");
+        continue;
+      }
+      const std::string_view time = wide.time ? fields[*wide.time] : std::string_view(row);
+      for (const std::string_view field :
+           {time, std::string_view(animal.number), fields[animal.x], fields[animal.y]}) {
+        out.append(field) += kBetween;
+      }
+      out.back() = '\n';
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+bool is_wide_table(std::string_view text) {
+  return wide_layout(text).has_value();
+}
+
+std::optional<Error> read_wide_table(std::string_view text, RecordingAssembly& assembly) {
+  if (auto problem = text_problem(text)) return problem;
+  const auto wide = wide_layout(text);
+  if (!wide) return Error{ErrorCode::kUnsupportedFormat, "this is no table of animals", {}};
+  if (auto error = no_record_problem(text, wide->table)) return error;
+  const RecordingOptions& options = assembly.options();
+  const std::string records = long_text(text, *wide);
+  if (options.progress != nullptr) options.progress->total += records.size();
+  TableLayout table;
+  table.delimiter = kBetween;
+  table.names = {wide->time ? wide->table.names[*wide->time] : "frame", "id", "x", "y"};
+  // idtracker.ai counts seconds.
+  const std::string time = lower_case(without_padding(table.names.front()));
+  if (time == "time" && options.time_unit == Unit::kUnstated) table.names.front() = "time_s";
+  table.columns = table.names.size();
+  table.contents = {ColumnContent::kNumber, ColumnContent::kText, ColumnContent::kNumber,
+                    ColumnContent::kNumber};
+  table.lines_before = wide->table.lines_before;
+  table.records_per_line = wide->animals.size();
+  auto layout = choose_track_layout(std::move(table), records, options, true);
+  if (!layout) {
+    Error error = std::move(layout).error();
+    error.location.column.reset();
+    return error;
+  }
+  if (auto error = lengths_problem(layout->table, options)) return error;
+  assembly.note("columns of " + std::to_string(wide->animals.size()) +
+                " animals stand beside each other, as idtracker.ai writes them" +
+                (wide->time ? "" : "; there is no time: rows are taken for frames"));
+  if (auto error = assembly.agree(facts_of(*layout, "text, columns for each animal"))) {
+    return error;
+  }
+  for (std::string& note : layout->notes) assembly.note(std::move(note));
+  std::uint64_t rows = 0;
+  return read_track_records(records, *layout, {}, RecordPlace::kLineAndName, rows, assembly);
+}
+
+}  // namespace beespace::io

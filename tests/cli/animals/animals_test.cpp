@@ -1,0 +1,261 @@
+// Tables of animals as their tools write them, by the first command that somebody would type. The
+// distances are those that make-tables, beside the tables, finds by itself.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/expectations.hpp"
+#include "tests/cli/run/json_check.hpp"
+#include "tests/cli/run/temporary_folder.hpp"
+
+namespace beespace::cli_test {
+namespace {
+
+std::string table(const std::string& name) {
+  return std::string(BEESPACE_ANIMAL_TABLES "/") + name;
+}
+
+// Of each row the closest instant and distance.
+void expect_closest(const Finished& finished, const std::string& first, const std::string& second,
+                    double closest_s, double closest_m) {
+  for (const auto& row : rows_of(finished.out, ',')) {
+    if (row.size() < 5 || row[0] != first || row[1] != second) continue;
+    if (std::abs(std::stod(row[4]) - closest_m) > 1e-5) continue;
+    EXPECT_NEAR(std::stod(row[3]), closest_s, 1e-4);
+    return;
+  }
+  ADD_FAILURE() << first << " and " << second << " are not " << closest_m << " m apart in\n"
+                << finished.out << finished.err;
+}
+
+// Movebank's times are UTC, its ids the individuals; outliers, records without a place and tags on
+// no animal are counted.
+TEST(Animals, MovebankIsReadAsItComes) {
+  const Finished finished = run({"replay", table("movebank.csv"), "--threshold", "100", "--csv"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_closest(finished, "Anna", "Bert", 1441869883.778540, 54.132138);
+  expect_parts(finished.err, {"are of UTC: the header is that of Movebank", "bees       2\n",
+                              "above the WGS84 ellipsoid", "heights in m",
+                              "1 record with visible=false (outliers) is left out",
+                              "1 record without a place (empty, NA or NaN) is left out",
+                              "1 record of tags that are on no animal is left out",
+                              "from       2015-09-10T07:00:00.000Z to 2015-09-10T07:55:00.000Z",
+                              "at 2015-09-10T07:24:43.779Z"});
+}
+
+TEST(Animals, TimesAreToldInTheZoneThatIsAskedFor) {
+  const Finished finished =
+      run({"replay", table("movebank.csv"), "--threshold", "100", "--time-zone", "+02:00"});
+  // It would be the zone of times that name none, which Movebank's are then taken for.
+  expect_parts(finished.err, {"are of +02:00: as --time-zone says",
+                              "from       2015-09-10T07:00:00.000+02:00 to"});
+  const Finished told =
+      run({"replay", "--threshold", "1", "--time-zone", "+02:00"},
+          "id,time,x_m,y_m\na,2015-09-10T07:00:00Z,0,0\na,2015-09-10T07:00:02Z,2,0\n"
+          "b,2015-09-10T07:00:00Z,0,1.5\nb,2015-09-10T07:00:02Z,0,-1\n");
+  expect_parts(told.err, {"from       2015-09-10T09:00:00.000+02:00 to"});
+}
+
+// Packages of R write dots for hyphens, and NA where nothing is known: of heights, of all of them.
+TEST(Animals, MovebankFromRIsFlatWhereHeightsAreEmpty) {
+  const Finished finished = run({"replay", table("movebank_r.csv"), "--threshold", "100", "--csv"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_closest(finished, "Anna", "Bert", 1441869878.285584, 53.565826);
+  expect_parts(finished.err, {"'height.above.ellipsoid' is empty throughout",
+                              "WGS84 longitude, latitude, without heights"});
+  const Finished json = run({"replay", table("movebank_r.csv"), "--json"});
+  EXPECT_TRUE(is_json(json.out)) << json.out;
+  expect_parts(json.out, {"\"dimensions\": 2", "\"heights\": null"});
+}
+
+// What no header says is asked for, all at once; then the answer is right.
+TEST(Animals, FramesAndPixelsAreAskedForAndThenRead) {
+  const Finished asked = run({"replay", table("pixels.csv"), "--threshold", "3mm"});
+  EXPECT_EQ(asked.exit_code, 2);
+  expect_parts(asked.err, {"column 1 'frame' counts the frames of a video", "--fps 25",
+                           "are they pixels?", "--scale 0.1mm"});
+  const Finished finished = run({"replay", table("pixels.csv"), "--threshold", "3mm", "--fps", "25",
+                                 "--scale", "0.1mm", "--csv"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_closest(finished, "1", "2", 1.871660, 0.002797);
+  expect_closest(finished, "1", "3", 2.080000, 0.001867);
+  EXPECT_EQ(rows_of(finished.out, ',').size(), 3u) << finished.out;
+  expect_parts(finished.err, {"as frames, 25 a second (--fps)", "in px: 0.1 mm each",
+                              "metres, in a plane", "2.8 mm apart", "1 bee in 1 gap"});
+}
+
+TEST(Animals, AColumnOfFramesGoesWithFps) {
+  const std::string rows = "time_s,id,x_cm,y_cm\n0,a,1,2\n1,a,2,2\n";
+  expect_failure({"replay", "--fps", "25"}, rows, 2,
+                 "<stdin>: --fps is given, but no column counts frames; leave it out, or say which "
+                 "does with --columns frame=N (the columns are 1 'time_s', 2 'id', 3 'x_cm', 4 "
+                 "'y_cm')");
+  const Finished scaled = run({"replay", "--scale", "2"}, rows);
+  EXPECT_EQ(scaled.exit_code, 2);
+  expect_parts(scaled.err, {"'x_cm' names its unit, cm, but --scale is for pixels"});
+  const Finished pixels = run({"replay"}, "time_s,id,x_px,y_px\n0,a,1,2\n1,a,2,2\n");
+  EXPECT_EQ(pixels.exit_code, 2);
+  expect_parts(pixels.err, {"column 'x_px' is in pixels: say how long one is"});
+}
+
+// A second without a place is a second without a record: what is longer than a gap is one.
+TEST(Animals, TrackdfHasNaAndTimesOfAClock) {
+  const Finished finished = run({"replay", table("trackdf.csv"), "--threshold", "30", "--csv"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_closest(finished, "1", "2", 43246.791501, 27.968892);
+  expect_closest(finished, "1", "3", 43252.000000, 18.673202);
+  expect_parts(finished.err, {"22 records without a place (empty, NA or NaN) are left out",
+                              "1 bee in 1 gap", "one clock, whose time zone is not known",
+                              "from       2021-03-01 12:00:00.000 to 2021-03-01 12:01:14.000",
+                              "at 2021-03-01 12:00:52.000"});
+  const Finished zoned =
+      run({"replay", table("trackdf.csv"), "--threshold", "30", "--time-zone", "UTC", "--csv"});
+  expect_closest(zoned, "1", "2", 1614556800.0 + 43246.791501, 27.968892);
+  const Finished json = run({"replay", table("trackdf.csv"), "--json"});
+  expect_parts(json.out, {R"("times": "seconds since 2021-03-01 00:00:00 of a clock whose time )"
+                          R"(zone is not known")"});
+}
+
+TEST(Animals, WhoIsNowhereIsNoAllClear) {
+  const Finished finished = run({"replay", "--fail-on-risk", "--threshold", "1"},
+                                "id,time_s,x,y\na,0,0,0\na,1,1,0\nb,0,NA,NA\nb,1,,\n"
+                                "c,0,50,0\nc,1,51,0\n");
+  EXPECT_EQ(finished.exit_code, 1) << finished.err;
+  expect_parts(finished.err, {"2 records without a place", "known nowhere"});
+}
+
+TEST(Animals, IdtrackerHasColumnsForEachAnimal) {
+  const Finished asked = run({"replay", table("idtracker.csv"), "--threshold", "3mm"});
+  EXPECT_EQ(asked.exit_code, 2);
+  expect_parts(asked.err, {"--scale 0.1mm"});
+  const Finished finished =
+      run({"replay", table("idtracker.csv"), "--threshold", "3mm", "--scale", "0.1mm", "--csv"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_closest(finished, "1", "2", 1.871660, 0.002797);
+  expect_closest(finished, "1", "3", 2.080000, 0.001867);
+  expect_parts(finished.err,
+               {"columns of 3 animals", "22 records without a place", "bees       3"});
+  const Finished bad =
+      run({"replay", "--scale", "1"}, "time,x1,y1,x2,y2\n0,1,2,3,4\n\n1,1,2,3,b\n");
+  EXPECT_EQ(bad.exit_code, 3);
+  expect_parts(bad.err, {"<stdin>:4: 'y': 'b' is not a number"});
+  const Finished rows = run({"replay", "--scale", "1", "--fps", "2", "--threshold", "9"},
+                            "x1,y1,x2,y2\n0,0,8,0\n2,0,6,0\n");
+  expect_parts(rows.err, {"rows are taken for frames", "4.000 m apart at 0.50 s"});
+}
+
+// A file an individual; where it was not seen it is at infinity.
+TEST(Animals, TrexHasAFileForEachFish) {
+  const TemporaryFolder folder;
+  const std::string header =
+      "frame,time,X (cm),Y (cm),X#wcentroid (cm),Y#wcentroid (cm),SPEED (cm/s),missing\n";
+  folder.file("tank_fish0.csv", header +
+                                    "0,0,9,9,1,2,0,0\n1,0.04,9,9,1.1,2,2.5,0\n"
+                                    "2,0.08,inf,inf,inf,inf,inf,1\n");
+  folder.file("tank_fish1.csv", header + "0,0,9,9,1,3,0,0\n1,0.04,9,9,1.1,2.5,12.5,0\n");
+  const Finished finished = run({"replay", folder.path(""), "--threshold", "6mm", "--csv"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_closest(finished, "tank_fish0", "tank_fish1", 0.04, 0.005);
+  expect_parts(finished.err, {"x and y in cm", "1 record without a place", "5.0 mm apart"});
+}
+
+TEST(Animals, DateAndTimeMayHaveColumnsOfTheirOwn) {
+  const Finished finished = run({"replay", table("logger.csv"), "--threshold", "50", "--max-gap",
+                                 "3000", "--time-zone", "Europe/Madrid", "--csv"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_closest(finished, "rook", "crow", 1445745800.000099, 11.104232);
+  expect_parts(finished.err, {"and the day from column 1 'date'", "Europe/Madrid",
+                              "from       2015-10-25T04:30:00.000+01:00 to"});
+}
+
+TEST(Animals, TimesOfDayAloneAreOfOneDay) {
+  const std::string rows =
+      "time,id,x_m,y_m\n07:00:00,a,0,0\n07:00:02,a,2,0\n7:00:00,b,0,1\n"
+      "07:00:02,b,2,-1\n";
+  const Finished finished = run({"replay", "--threshold", "1", "--csv"}, rows);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_closest(finished, "a", "b", 25201.0, 0.0);
+  expect_parts(finished.err, {"times of day", "from       07:00:00.000 to 07:00:02.000"});
+  const Finished midnight = run({"replay"}, "time,id,x_m,y_m\n23:59:59,a,0,0\n00:00:01,a,2,0\n");
+  EXPECT_EQ(midnight.exit_code, 3);
+  expect_parts(midnight.err,
+               {"<stdin>:3:1: ", "as if midnight had passed", "column with the date"});
+}
+
+// An hour that clocks show twice, or never, is not guessed.
+TEST(Animals, TimesThatAreTwiceOrNeverAreErrors) {
+  const auto at = [](const std::string& time) {
+    return run({"replay", "--time-zone", "Europe/Madrid"},
+               "timestamp,id,x_m,y_m\n2015-03-28 00:00:00,a,0,0\n" + time + ",a,1,0\n");
+  };
+  const Finished twice = at("2015-10-25 02:30:00");
+  EXPECT_EQ(twice.exit_code, 3);
+  expect_parts(twice.err, {"<stdin>:3:1: '2015-10-25 02:30:00' is not a time: clocks of "
+                           "Europe/Madrid show it twice",
+                           "write +02:00 or +01:00 behind it"});
+  const Finished never = at("2015-03-29 02:30:00");
+  EXPECT_EQ(never.exit_code, 3);
+  expect_parts(never.err, {"clocks of Europe/Madrid never show it", "--time-zone +01:00"});
+  EXPECT_EQ(at("2015-10-25 02:30:00+01:00").exit_code, 0);
+  EXPECT_EQ(at("2015-10-25 02:30:00 UTC").exit_code, 0);
+  expect_usage_error({"replay", "--time-zone", "Europe/Nowhere", "x.csv"},
+                     "--time-zone: 'Europe/Nowhere' is no time zone: the zone data of this system "
+                     "has none of that name; write UTC, a place as in Europe/Madrid, or an offset "
+                     "as in +02:00 (see 'beespace replay --help')");
+}
+
+TEST(Animals, ClocksDoNotMix) {
+  const TemporaryFolder folder;
+  const std::string zoned =
+      folder.file("zoned.csv", "timestamp,id,x_m,y_m\n2015-03-28 00:00:00Z,a,0,0\n");
+  const std::string bare =
+      folder.file("bare.csv", "timestamp,id,x_m,y_m\n2015-03-28 00:00:00,b,0,0\n");
+  const Finished finished = run({"replay", zoned, bare});
+  EXPECT_EQ(finished.exit_code, 2);
+  expect_parts(finished.err, {"--time-zone"});
+  EXPECT_EQ(run({"replay", zoned, bare, "--time-zone", "UTC"}).exit_code, 0);
+  // Files of one clock count from one midnight.
+  const std::string next =
+      folder.file("next.csv", "timestamp,id,x_m,y_m\n2015-03-29 00:00:00,b,0,0\n");
+  const Finished days = run({"replay", bare, next});
+  expect_parts(days.err, {"from       2015-03-28 00:00:00.000 to 2015-03-29 00:00:00.000"});
+}
+
+// Who asks 'detect' is told whom to ask.
+TEST(Animals, DetectNamesReplay) {
+  for (const std::string name :
+       {"movebank.csv", "pixels.csv", "trackdf.csv", "idtracker.csv", "logger.csv"}) {
+    const Finished finished = run({"detect", table(name)});
+    EXPECT_EQ(finished.exit_code, 3) << name;
+    expect_parts(finished.err, {"this is a recording", "ask 'beespace replay' about it"});
+  }
+}
+
+// No side is drawn of what has none, and times are rounded to what they say.
+TEST(Animals, FlatTracksAreDrawnFlat) {
+  const TemporaryFolder folder;
+  const std::string svg = folder.path("flat.svg");
+  EXPECT_EQ(run({"plot", table("movebank_r.csv"), "--output", svg}).exit_code, 0);
+  const std::string drawn = folder.read("flat.svg");
+  expect_parts(drawn, {"From above"});
+  EXPECT_EQ(drawn.find("From the side"), std::string::npos);
+  EXPECT_EQ(drawn.find("heights are above"), std::string::npos);
+  const std::string czml = folder.path("flat.czml");
+  EXPECT_EQ(run({"export", table("movebank_r.csv"), "--output", czml}).exit_code, 0);
+  expect_parts(folder.read("flat.czml"), {"The input has no heights: all are shown at height 0.",
+                                          R"("multiplier":20)", R"("label":{"text":"Anna")"});
+}
+
+// Pages and pictures need nothing more than the answer did.
+TEST(Animals, AnswersHavePictures) {
+  const TemporaryFolder folder;
+  for (const std::string name : {"movebank.csv", "movebank_r.csv", "trackdf.csv"}) {
+    const Finished plot = run({"plot", table(name), "--output", folder.path(name + ".svg")});
+    EXPECT_EQ(plot.exit_code, 0) << plot.err;
+  }
+}
+
+}  // namespace
+}  // namespace beespace::cli_test
