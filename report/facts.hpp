@@ -3,6 +3,7 @@
 #pragma once
 
 #include "report/fleet_facts.hpp"
+#include "report/placement.hpp"
 
 #include <beespace/conflict.hpp>
 #include <beespace/find_conflicts.hpp>
@@ -39,8 +40,11 @@ struct SwarmFacts {
   // Where east and north are 0, for geographic input, whose positions are metres east and north
   // along the ground, and heights (EarthFrame); otherwise positions are as given.
   std::optional<GeographicPosition> origin = {};
+  // Where positions in metres lie, where the input says so.
+  std::optional<Placement> own_place = {};
   HeightWords heights = {};
   double threshold_m = 0.0;
+  std::string threshold_words = {};  // where it comes from, behind it: ", as the input declares"
   std::optional<double> vertical_m = {};
   bool inclusive = false;
   Names names = {};

@@ -1,5 +1,6 @@
 #include "io/tracks/track_layout.hpp"
 
+#include "io/bytes/characters.hpp"
 #include "io/table/column_choice.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/table/unit_choice.hpp"
@@ -8,6 +9,7 @@
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace beespace::io {
@@ -101,6 +103,18 @@ std::string no_time(const Header& header) {
          list_columns(header.table()) + ")";
 }
 
+// Whether the columns behind a position are the colours that a drone has there: red, green, blue.
+bool names_colours(const TableLayout& table) {
+  const auto has = [&table](std::string_view word) {
+    return std::any_of(table.names.begin(), table.names.end(), [word](const std::string& name) {
+      const std::string lower = lower_case(name);
+      return lower == word || lower == word.substr(0, 1) ||
+             (lower.starts_with(word) && lower.find_first_of(" _[(") == word.size());
+    });
+  };
+  return has("red") && has("green") && has("blue");
+}
+
 // t [ms], x, y, z, and perhaps red, green and blue.
 Result<TrackLayout> skybrush_layout(TableLayout table, const RecordingOptions& options) {
   TrackLayout layout;
@@ -127,6 +141,7 @@ Result<TrackLayout> skybrush_layout(TableLayout table, const RecordingOptions& o
       frame_before_values(options.frame, {Frame::kMetres, "a Skybrush CSV is in metres"});
   layout.frame = frame.frame;
   layout.frame_reason = frame.reason;
+  layout.show = true;
   TimeChoice time;
   time.unit = options.time_unit != Unit::kUnstated ? options.time_unit : Unit::kMillisecond;
   layout.time = time;
@@ -186,6 +201,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   if (!layout.time && !layout.velocity) return missing(no_time(header));
   if (auto error = doubly_used(track_columns(), columns_read(layout))) return *std::move(error);
   settle_aircraft(header, options, layout);
+  layout.show = layout.time && layout.frame != Frame::kWgs84 && names_colours(layout.table);
   if (layout.time) {
     layout.notes.push_back(
         time_note(layout.table, *layout.time, options.time_unit != Unit::kUnstated));
