@@ -192,6 +192,10 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
     swarm.notes.push_back("bad records left out: " + io::grouped(recording.skipped_count));
   }
   facts.since_1970 = recording.since_1970;
+  if (recording.show) {
+    facts.limits = recording.show->limits;
+    facts.cues = recording.show->cues;
+  }
   if (are_all_there_for_a_moment(*in_space)) {
     swarm.notes.emplace_back(
         "each bee is there for a moment only, as it has one fix; to compare them as if they were "

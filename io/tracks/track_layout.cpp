@@ -1,8 +1,11 @@
 #include "io/tracks/track_layout.hpp"
 
 #include "io/bytes/characters.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/table/column_choice.hpp"
+#include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
+#include "io/table/record_walk.hpp"
 #include "io/table/unit_choice.hpp"
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_columns.hpp"
@@ -10,6 +13,8 @@
 #include "io/tracks/track_velocity.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace beespace::io {
@@ -115,6 +120,29 @@ bool names_colours(const TableLayout& table) {
   return has("red") && has("green") && has("blue");
 }
 
+// Whether a table without a header can hardly be anything else: whole times that ascend, three
+// numbers, and three whole ones up to 255.
+bool is_path_with_colours(std::string_view text, const TableLayout& table) {
+  constexpr std::size_t kColumns = 7;
+  constexpr std::uint64_t kRows = 100;
+  if (!table.names.empty() || table.columns != kColumns) return false;
+  RecordWalk walk(text, table.data_offset, table.line_end);
+  std::optional<std::uint64_t> before_ms;
+  while (walk.next() && walk.row() < kRows) {
+    FieldCursor cursor(walk.record(), table.delimiter);
+    Field field;
+    for (std::size_t column = 0; column < kColumns; ++column) {
+      if (!cursor.next(field)) return false;
+      if (column >= 1 && column <= 3) continue;
+      const auto whole = parse_whole(field.text);
+      if (!whole || (column == 0 && before_ms && *whole <= *before_ms)) return false;
+      if (column > 3 && *whole > 255) return false;
+      if (column == 0) before_ms = whole;
+    }
+  }
+  return true;
+}
+
 // t [ms], x, y, z, and perhaps red, green and blue.
 Result<TrackLayout> skybrush_layout(TableLayout table, const RecordingOptions& options) {
   TrackLayout layout;
@@ -215,7 +243,8 @@ Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOpti
   auto table = find_table(text, options.skip_bad);
   if (!table) return table.error();
   if (auto error = no_record_problem(text, *table)) return *std::move(error);
-  auto chosen = bare_skybrush && table->names.empty() && options.columns.empty()
+  const bool skybrush = bare_skybrush || is_path_with_colours(text, *table);
+  auto chosen = skybrush && table->names.empty() && options.columns.empty()
                     ? skybrush_layout(*table, options)
                     : choose_track_layout(*table, text, options);
   if (!chosen) return at_first_line(std::move(chosen).error(), *table);
