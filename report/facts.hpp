@@ -122,8 +122,8 @@ struct RecordingFacts {
   // Of the first of `conflicts`, as many as a page can hold; where there is none, of `closest`.
   std::vector<PairWay> pair_ways = {};
   std::vector<Separation> separation = {};
-  io::ShowLimits limits = {};             // of drone shows, as they declare them
-  std::vector<io::ShowCue> cues = {};     // likewise
+  io::ShowLimits limits = {};            // of drone shows, as they declare them
+  std::vector<io::ShowCue> cues = {};    // likewise
   std::optional<FleetFacts> fleet = {};  // what its planner said of it, where that is known
 };
 

@@ -60,10 +60,11 @@ Result<ClosestOfEach> closest_of_each(const std::vector<Track>& tracks, double t
   ClosestOfEach closest(tracks.size());
   double within_m = threshold_m;
   for (;;) {
-    const auto found = find_conflicts(tracks, {.threshold_m = within_m,
-                                               .max_gap_s = max_gap_s,
-                                               .threads = threads,
-                                               .max_results = 100'000 + kMostOfEach * tracks.size()});
+    const auto found =
+        find_conflicts(tracks, {.threshold_m = within_m,
+                                .max_gap_s = max_gap_s,
+                                .threads = threads,
+                                .max_results = 100'000 + kMostOfEach * tracks.size()});
     if (!found && found.error().code != ErrorCode::kTooManyResults) return found.error();
     if (!found) break;
     // Whoever was found before stays with the same one: nobody is closer.

@@ -35,7 +35,8 @@ double outside_s(const io::Recording& recording, const io::RecordedBee& bee,
 std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps) {
   const auto whole = whole_time(recording);
   std::vector<double> unknown_s;
-  for (const io::RecordedBee& bee : recording.bees) unknown_s.push_back(outside_s(recording, bee, whole));
+  for (const io::RecordedBee& bee : recording.bees)
+    unknown_s.push_back(outside_s(recording, bee, whole));
   for (const Gap& gap : gaps) unknown_s[gap.track] += length_of(gap);
   return unknown_s;
 }

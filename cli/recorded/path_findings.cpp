@@ -192,8 +192,8 @@ void write_verdict(io::JsonWriter& json, const PathFindings& findings,
   if (!verdict.closest) return json.key("closest").null();
   Rows closest{{{"first", "first_label"}, {"second", "second_label"}, {"at_s"}, {"distance_m"}},
                {{analysis::name_of(verdict.closest->first, recording),
-                 analysis::name_of(verdict.closest->second, recording),
-                 verdict.closest->closest_s, verdict.closest->closest_m}},
+                 analysis::name_of(verdict.closest->second, recording), verdict.closest->closest_s,
+                 verdict.closest->closest_m}},
                analysis::has_labels(recording)};
   set_labels_apart(closest);
   write_row(json.key("closest"), closest.columns, closest.rows.front());
@@ -222,24 +222,23 @@ std::string verify_summary(const PathFindings& findings, const MovingRequest& re
             ", clearance " + io::exact(findings.question.clearance_m) + " m");
   }
   append_summary_line(out, "limits", limits_text(findings.limits));
-  append_summary_line(
-      out, "closest",
-      verdict.closest ? encounter_text(*verdict.closest, recording, {})
-                      : std::string("no two are there at the same time"));
+  append_summary_line(out, "closest",
+                      verdict.closest ? encounter_text(*verdict.closest, recording, {})
+                                      : std::string("no two are there at the same time"));
   append_peaks(out, findings);
   append_losses(out, findings);
   if (findings.question.obstacles != nullptr) {
     const auto count = verdict.clearance_losses.size();
-    append_summary_line(
-        out, "clearance",
-        count == 0 ? bold("none")
-                   : red(io::counted(count, "bee in a piece", "bees, a piece each")));
+    append_summary_line(out, "clearance",
+                        count == 0
+                            ? bold("none")
+                            : red(io::counted(count, "bee in a piece", "bees, a piece each")));
   }
   append_breaches(out, findings);
   append_summary_line(out, "verdict", verdict_text(findings));
-  append_summary_line(out, "time",
-                      "read " + io::duration(findings.read_s) + ", check " +
-                          io::duration(findings.check_s));
+  append_summary_line(
+      out, "time",
+      "read " + io::duration(findings.read_s) + ", check " + io::duration(findings.check_s));
   return out;
 }
 

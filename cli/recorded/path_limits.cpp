@@ -45,7 +45,8 @@ std::string limits_text(const SettledLimits& settled) {
     std::string text;
     for (const PathLimitWords& words : kPathLimitWords) {
       const double most = settled.limits[words.limit];
-      if (!std::isfinite(most) || settled.declared[static_cast<std::size_t>(words.limit)] != declared)
+      if (!std::isfinite(most) ||
+          settled.declared[static_cast<std::size_t>(words.limit)] != declared)
         continue;
       text += (text.empty() ? "" : ", ") + std::string(words.noun) + " " + io::exact(most) + " " +
               words.unit;

@@ -192,8 +192,8 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
 
   progress.enter_stage("predicting");
   Stopwatch watch;
-  const double threshold_m =
-      moving.threshold_m.value_or(analysis::default_threshold(*recording, kDefaultThreshold_m).metres);
+  const double threshold_m = moving.threshold_m.value_or(
+      analysis::default_threshold(*recording, kDefaultThreshold_m).metres);
   auto conflicts =
       conflicts_of(*snapshot, {.threshold_m = threshold_m,
                                .vertical_m = vertical_in(geometry, moving.vertical),

@@ -133,8 +133,8 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   const double read_s = watch.lap();
 
   progress.enter_stage("searching");
-  const double threshold_m =
-      moving.threshold_m.value_or(analysis::default_threshold(*recording, kDefaultThreshold_m).metres);
+  const double threshold_m = moving.threshold_m.value_or(
+      analysis::default_threshold(*recording, kDefaultThreshold_m).metres);
   const analysis::MaxGap max_gap = max_gap_for(request, *recording);
   const auto recorded =
       find_conflicts(*tracks, {.threshold_m = threshold_m,
@@ -155,12 +155,12 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   if (!in_space) return in_space.error();
   const analysis::Coverage coverage = analysis::coverage_of(*recording, recorded->gaps, max_gap);
   analysis::Findings findings{*recording,
-                                    *tracks,
-                                    *in_space,
-                                    *recorded,
-                                    *closest,
-                                    coverage,
-                                    has_encounters(*closest, *in_space, max_gap.seconds, request)};
+                              *tracks,
+                              *in_space,
+                              *recorded,
+                              *closest,
+                              coverage,
+                              has_encounters(*closest, *in_space, max_gap.seconds, request)};
   if (request.report == "bees" && recording->show && !moving.vertical) {
     auto each = analysis::closest_of_each(*tracks, threshold_m, max_gap.seconds, moving.threads);
     if (!each) return each.error();

@@ -151,8 +151,8 @@ class Replaying {
   }
 
   Status search() {
-    threshold_m_ =
-        moving_.threshold_m.value_or(analysis::default_threshold(recording_, kDefaultThreshold_m).metres);
+    threshold_m_ = moving_.threshold_m.value_or(
+        analysis::default_threshold(recording_, kDefaultThreshold_m).metres);
     const ConflictOptions options = {
         .threshold_m = threshold_m_,
         .vertical_m = analysis::vertical_in(geometry_, moving_.vertical),

@@ -34,8 +34,8 @@ Rows bee_rows(const analysis::Findings& findings, const Distances& distances) {
     }
     if (closest != nullptr) {
       const PointId other = closest->first == bee ? closest->second : closest->first;
-      row.insert(row.end(), {closest->closest_m, closest->closest_s,
-                             analysis::name_of(other, recording)});
+      row.insert(row.end(),
+                 {closest->closest_m, closest->closest_s, analysis::name_of(other, recording)});
     } else {
       row.resize(columns - 1);
     }

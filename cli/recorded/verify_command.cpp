@@ -116,6 +116,12 @@ Status check_curves(const io::Recording& recording, const VerifyOptions& check) 
   return std::monostate{};
 }
 
+// Between fixes in straight lines nothing is known of accelerations. A show that is one is flown
+// so.
+bool needs_velocities(const VerifyRequest& request) {
+  return request.check.max_acceleration_mps2 < VerifyOptions{}.max_acceleration_mps2;
+}
+
 // Along curves, each bee with times of its own.
 Result<ExitCode> verify_along_curves(const VerifyRequest& request, const io::Recording& recording,
                                      const ObstacleMap& obstacles, io::AtomicOutput& output,
@@ -124,10 +130,9 @@ Result<ExitCode> verify_along_curves(const VerifyRequest& request, const io::Rec
   VerifyOptions check = request.check;
   if (Status good = check_curves(recording, check); !good) return good.error();
   const bool curves = has_curves(recording);
-  auto motion = curves ? Result<std::string>("along the curves of the show")
-                       : settle_motion(recording, request.check.max_acceleration_mps2 <
-                                                      VerifyOptions{}.max_acceleration_mps2,
-                                       check);
+  auto motion = curves
+                    ? Result<std::string>("along the curves of the show")
+                    : settle_motion(recording, !recording.show && needs_velocities(request), check);
   if (!motion) return motion.error();
   const analysis::MaxGap max_gap = analysis::max_gap_of(recording, request.max_gap_s);
   const SettledLimits limits = settle_limits(request.limits, recording.show);
@@ -146,7 +151,7 @@ Result<ExitCode> verify_along_curves(const VerifyRequest& request, const io::Rec
   const auto verdict = verify_paths(recording, question, progress);
   if (!verdict) return verdict.error();
   const analysis::Coverage coverage = analysis::coverage_of(recording, verdict->gaps, max_gap);
-  const PathFindings findings{recording, question,         limits, *verdict,
+  const PathFindings findings{recording, question,           limits, *verdict,
                               coverage,  *std::move(motion), read_s, watch.lap()};
   const auto head = [&](io::JsonWriter& json) { write_verdict(json, findings, moving); };
   write_answer(finding_rows(findings), moving, head, "findings", output);
@@ -183,12 +188,10 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
   }
   if (!times_s) return times_s.error();
   VerifyOptions check = request.check;
-  const bool accelerations =
-      request.check.max_acceleration_mps2 < VerifyOptions{}.max_acceleration_mps2;
-  const auto motion = settle_motion(*recording, accelerations, check);
+  const auto motion = settle_motion(*recording, needs_velocities(request), check);
   if (!motion) return motion.error();
-  check.threshold_m =
-      moving.threshold_m.value_or(analysis::default_threshold(*recording, kDefaultVerified_m).metres);
+  check.threshold_m = moving.threshold_m.value_or(
+      analysis::default_threshold(*recording, kDefaultVerified_m).metres);
   if (!request.obstacles.empty()) check.obstacles = &*obstacles;
   const double read_s = watch.lap();
 

@@ -52,7 +52,8 @@ constexpr const char* kVerifyDetails =
 void add_check_options(Command& verify, VerifyRequest& request) {
   verify.group("Check");
   verify.option("--threshold", "LENGTH", request.moving.threshold_m, read_threshold_in_motion,
-                "Closer than this is too close (default: what the\ninput declares, or 2 for shows, otherwise 5)");
+                "Closer than this is too close (default: what the\ninput declares, or 2 for shows, "
+                "otherwise 5)");
   verify.option("--max-speed", "SPEED", request.check.max_speed_mps,
                 amount("metres per second", kFromZero), "In m/s (default: not checked)");
   verify.option("--max-acceleration", "A", request.check.max_acceleration_mps2,
@@ -67,7 +68,8 @@ void add_check_options(Command& verify, VerifyRequest& request) {
   verify.option("--max-climb", "SPEED", limit(PathLimit::kClimb),
                 amount("metres per second", kFromZero), "Of the speed upwards (default: as above)");
   verify.option("--max-descent", "SPEED", limit(PathLimit::kDescent),
-                amount("metres per second", kFromZero), "Of the speed downwards (default: as above)");
+                amount("metres per second", kFromZero),
+                "Of the speed downwards (default: as above)");
   verify.option("--max-height", "LENGTH", limit(PathLimit::kHeight), amount("metres", kFromZero),
                 "Of z (default: as above)");
   verify.option("--obstacles", "FILE", request.obstacles,

@@ -23,19 +23,18 @@ class PathVerification {
   PathVerification(const io::Recording& recording, const PathQuestion& question)
       : recording_(recording),
         question_(question),
-        flights_(
-            analysis::flights_of(recording, question.with_velocities, question.max_gap_s)) {}
+        flights_(analysis::flights_of(recording, question.with_velocities, question.max_gap_s)) {}
 
   Result<PathVerdict> operator()(ProgressBar& progress) {
     if (auto error = check_pairs()) return *std::move(error);
     for (PointId bee = 0; bee < flights_.size(); ++bee) {
-      if (auto error = check_bee(bee)) return analysis::of_bee(*std::move(error), recording_.bees[bee]);
+      if (auto error = check_bee(bee))
+        return analysis::of_bee(*std::move(error), recording_.bees[bee]);
       progress.set_share(static_cast<double>(bee + 1) / static_cast<double>(flights_.size()));
     }
-    std::stable_sort(verdict_.breaches.begin(), verdict_.breaches.end(),
-                     [](const PathBreach& a, const PathBreach& b) {
-                       return a.excess.limit < b.excess.limit;
-                     });
+    std::stable_sort(
+        verdict_.breaches.begin(), verdict_.breaches.end(),
+        [](const PathBreach& a, const PathBreach& b) { return a.excess.limit < b.excess.limit; });
     return std::move(verdict_);
   }
 
@@ -67,9 +66,8 @@ class PathVerification {
 
   // How close the two come along their curves; returns whether that is too close.
   Result<bool> settle(Conflict& conflict, const TimeSpan& during) const {
-    const auto found =
-        analysis::closest_of(flights_[conflict.first], flights_[conflict.second], during,
-                             question_.threshold_m);
+    const auto found = analysis::closest_of(flights_[conflict.first], flights_[conflict.second],
+                                            during, question_.threshold_m);
     if (!found) return analysis::of_bee(found.error(), recording_.bees[conflict.first]);
     // Straight lines that were followed exactly say the same.
     if (!*found) return conflict.certain;
@@ -121,7 +119,8 @@ class PathVerification {
     const Point& from = i == 0 ? path.begin : path.pieces[i - 1].end;
     const double scale = (piece.control_count + 1) / (piece.ends_s - begins_s);
     const auto velocity = [scale](const Point& a, const Point& b) {
-      return Velocity{analysis::flushed((b.x - a.x) * scale), analysis::flushed((b.y - a.y) * scale),
+      return Velocity{analysis::flushed((b.x - a.x) * scale),
+                      analysis::flushed((b.y - a.y) * scale),
                       analysis::flushed((b.z - a.z) * scale)};
     };
     const bool straight = piece.control_count == 0;

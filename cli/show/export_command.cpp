@@ -51,11 +51,11 @@ Result<std::string> format_of(const ExportRequest& request) {
 Status check_fit(const analysis::Scene& scene, const std::string& format) {
   const report::SwarmFacts& swarm = analysis::swarm_of(scene);
   if (swarm.origin || format == "csv") return std::monostate{};
-  return usage_error(
-      kExport, format + " is for the Earth and needs longitudes and latitudes, but '" +
-                   printable(swarm.title) +
-                   "' is in metres; say with --origin lon,lat,height,heading where it is, or "
-                   "--format csv, which takes metres as well");
+  return usage_error(kExport,
+                     format + " is for the Earth and needs longitudes and latitudes, but '" +
+                         printable(swarm.title) +
+                         "' is in metres; say with --origin lon,lat,height,heading where it is, or "
+                         "--format csv, which takes metres as well");
 }
 
 // Where positions in metres lie: as is said, or for what needs it as the input says.

@@ -12,7 +12,7 @@ namespace beespace::cli {
 
 struct ExportRequest {
   ShowRequest show;
-  std::string format;  // empty: by the ending of the output
+  std::string format;                          // empty: by the ending of the output
   std::optional<report::Placement> placement;  // of positions in metres
 };
 

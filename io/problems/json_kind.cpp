@@ -26,7 +26,8 @@ constexpr std::array<Kind, 12> kKinds = {{
     {"\"states\"",
      "JSON with state vectors (OpenSky); 'beespace replay' and 'beespace predict' read it"},
     {"\"performances\"",
-     "JSON of a show for Finale 3D (VVIZ), which beespace does not read; export the show as .skyc, or "
+     "JSON of a show for Finale 3D (VVIZ), which beespace does not read; export the show as .skyc, "
+     "or "
      "as CSV with a table a drone"},
     {"\"swarm\"", "JSON of a Skybrush show; 'beespace replay' reads it"},
     {"\"trajectory\"",

@@ -37,7 +37,8 @@ bool is_table_name(std::string_view name) {
 
 std::string_view foreign_show(std::string_view name) {
   if (!has_ending(name, {".path", ".path3"})) return {};
-  return "these are paths of a drone show (DSS), which are not read; export the show as .skyc, or as "
+  return "these are paths of a drone show (DSS), which are not read; export the show as .skyc, or "
+         "as "
          "CSV with a table a drone";
 }
 

@@ -41,8 +41,8 @@ TEST(ClosestOnPaths, ExactlyTheThresholdIsNotCloserAndOneUlpMoreIs) {
 TEST(ClosestOnPaths, WindowsThatDoNotFitTogetherAreAsExact) {
   // The same way in thirds and in one.
   const BezierPath whole = line(0.0, {0, 0, 0}, 3.0, {9, 0, 0});
-  const BezierPath thirds{0.0, {0, 4, 0}, {{1.0, {3, 4, 0}, {}, 0}, {2.0, {6, 4, 0}, {}, 0},
-                                           {3.0, {9, 4, 0}, {}, 0}}};
+  const BezierPath thirds{
+      0.0, {0, 4, 0}, {{1.0, {3, 4, 0}, {}, 0}, {2.0, {6, 4, 0}, {}, 0}, {3.0, {9, 4, 0}, {}, 0}}};
   EXPECT_FALSE(encounter(whole, thirds, 4.0).closer);
   EXPECT_TRUE(encounter(whole, thirds, std::nextafter(4.0, 5.0)).closer);
 }
@@ -129,7 +129,9 @@ TEST(CheckPath, AValueAtItsLimitIsWithinItAndALittleMoreIsNot) {
 TEST(CheckPath, StretchesThatTouchAreOne) {
   const BezierPath zigzag{0.0,
                           {0, 0, 0},
-                          {{1.0, {5, 0, 0}, {}, 0}, {2.0, {10, 0, 0}, {}, 0}, {3.0, {11, 0, 0}, {}, 0},
+                          {{1.0, {5, 0, 0}, {}, 0},
+                           {2.0, {10, 0, 0}, {}, 0},
+                           {3.0, {11, 0, 0}, {}, 0},
                            {4.0, {17, 0, 0}, {}, 0}}};
   PathLimits limits;
   limits[PathLimit::kHorizontalSpeed] = 4.0;

@@ -188,9 +188,8 @@ class PathChecking {
   void look_along(PathLimit limit, const PieceMotion& now, const Polygon& curve, Size size,
                   double rounded) {
     const Greatest most = greatest_along(curve, size);
-    const double at_s = most.share < 1.0
-                            ? now.begins_s + (now.ends_s - now.begins_s) * most.share
-                            : now.ends_s;
+    const double at_s =
+        most.share < 1.0 ? now.begins_s + (now.ends_s - now.begins_s) * most.share : now.ends_s;
     note(limit, {now.begins_s, now.ends_s}, {most.value, at_s}, rounded);
   }
 
@@ -234,10 +233,9 @@ class PathChecking {
 Result<PathCheck> check_path(const BezierPath& path, const PathLimits& limits) {
   for (const double most : limits.most) {
     if (most >= 0.0) continue;
-    return Error{
-        ErrorCode::kInvalidArgument,
-        "a limit is " + core::shown(most) + "; give zero or more, or infinity for none",
-        {}};
+    return Error{ErrorCode::kInvalidArgument,
+                 "a limit is " + core::shown(most) + "; give zero or more, or infinity for none",
+                 {}};
   }
   if (auto error = motion::check_bezier_path(path)) return *std::move(error);
   PathChecking checking(limits);

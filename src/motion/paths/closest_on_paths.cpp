@@ -159,8 +159,7 @@ class PathSearch {
 
   void look(const BezierCurve& first, const BezierCurve& second, const TimeSpan& window) {
     // Of shares of the time, of control points by themselves and of their halves.
-    const double rounded_m =
-        0x1p-46 * (largest_coordinate(first) + largest_coordinate(second));
+    const double rounded_m = 0x1p-46 * (largest_coordinate(first) + largest_coordinate(second));
     const Controls a = part_of(first, window);
     const Controls b = part_of(second, window);
     Controls apart{};

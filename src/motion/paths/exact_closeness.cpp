@@ -81,8 +81,7 @@ Weighted between_of(Weighted first, Weighted second) {
   for (std::size_t k = 0; k < first.points.size(); ++k) {
     auto& point = between.points.emplace_back();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      point[axis] =
-          first.points[k][axis] * second.weight - second.points[k][axis] * first.weight;
+      point[axis] = first.points[k][axis] * second.weight - second.points[k][axis] * first.weight;
     }
   }
   return between;
@@ -150,8 +149,8 @@ std::pair<Numbers, Numbers> halves(Numbers polynomial) {
 
 bool closer_exactly(const BezierCurve& first, const BezierCurve& second, const TimeSpan& window,
                     double threshold_m) {
-  const Numbers whole =
-      excess_of(between_of(exact_part_of(first, window), exact_part_of(second, window)), threshold_m);
+  const Numbers whole = excess_of(
+      between_of(exact_part_of(first, window), exact_part_of(second, window)), threshold_m);
   if (whole.size() == 3) return dips_below_zero(whole);
   constexpr std::size_t kDeepest = 64;
   std::vector<std::pair<Numbers, std::size_t>> open{{whole, 0}};

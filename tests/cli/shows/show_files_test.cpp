@@ -29,9 +29,7 @@ std::string text_of_file(const std::string& path) {
 
 class CompiledShow : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Forms, CompiledShow, testing::Values("ring.skyc", "ring.json"),
-                         [](const auto& name) {
-                           return std::string(name.param).substr(5);
-                         });
+                         [](const auto& name) { return std::string(name.param).substr(5); });
 
 // Half way along the sides of a square of 5 m two drones are 2.5 times the square root of 2 apart.
 TEST_P(CompiledShow, ReplayNamesTheFourThatComeTooCloseAtTheShowsOwnDistance) {
@@ -52,15 +50,16 @@ TEST_P(CompiledShow, VerifyFindsWhoDescendsFasterThanTheShowAllows) {
   const TextRows rows = rows_of(finished.out);
   ASSERT_EQ(rows.size(), 5u) << finished.out;
   expect_rows({rows[4]}, {{"descent", "Drone 1", "", "20", "26", "2.5", "2.4", "23"}});
-  expect_parts(finished.err,
-               {"motion     along the curves of the show\n",
-                "limits     horizontal speed 8 m/s, climb 3 m/s, descent 2.4 m/s, height 120 m (as "
-                "the show declares)\n",
-                "closest    Drone 1 and Drone 2, 3.536 m apart at 15.00 s\n",
-                "climb 2.500 m/s, Drone 1 at 7.00 s\n", "losses     4 conflicts\n",
-                "breaches   1 stretch above the descent of 2.4 m/s, the worst 2.500 m/s: Drone 1 at "
-                "23.00 s\n",
-                "verdict    does not keep its distance, and breaks the limits\n"});
+  expect_parts(
+      finished.err,
+      {"motion     along the curves of the show\n",
+       "limits     horizontal speed 8 m/s, climb 3 m/s, descent 2.4 m/s, height 120 m (as "
+       "the show declares)\n",
+       "closest    Drone 1 and Drone 2, 3.536 m apart at 15.00 s\n",
+       "climb 2.500 m/s, Drone 1 at 7.00 s\n", "losses     4 conflicts\n",
+       "breaches   1 stretch above the descent of 2.4 m/s, the worst 2.500 m/s: Drone 1 at "
+       "23.00 s\n",
+       "verdict    does not keep its distance, and breaks the limits\n"});
 }
 
 TEST_P(CompiledShow, VerifyHoldsWhereItIsAskedForLess) {
@@ -91,8 +90,9 @@ TEST_P(CompiledShow, ExportsLieWhereTheShowSays) {
   const std::string path = show_file(GetParam());
   const Finished finished = run({"export", path, "-o", folder.path("ring.geojson")});
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
-  expect_parts(finished.err, {"placed on the Earth at longitude 19.06207, latitude 47.47292, height "
-                              "130.5 m, with x towards 30 degrees from north and y to its left"});
+  expect_parts(finished.err,
+               {"placed on the Earth at longitude 19.06207, latitude 47.47292, height "
+                "130.5 m, with x towards 30 degrees from north and y to its left"});
   // Half way between (0, -2.5) and (2.5, 0): 1.7075 m east and 0.4575 m north of the origin.
   expect_parts(text_of_file(folder.path("ring.geojson")),
                {R"("coordinates": [19.062092652, 47.472924115, 140.5])"});
@@ -105,9 +105,7 @@ TEST_P(CompiledShow, ExportsLieWhereTheShowSays) {
 
 class ShowTables : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Forms, ShowTables, testing::Values("ring.zip", "ring-csv"),
-                         [](const auto& name) {
-                           return std::string(name.param).substr(5);
-                         });
+                         [](const auto& name) { return std::string(name.param).substr(5); });
 
 TEST_P(ShowTables, AreShowsWithAThresholdOfTheirs) {
   const Finished finished = run({"replay", show_file(GetParam()), "--fail-on-risk"});
@@ -127,9 +125,9 @@ TEST_P(ShowTables, DronesThatLandAtDifferentTimesAreVerified) {
   ASSERT_EQ(rows.size(), 8u) << finished.out;  // four pairs, four drones
   EXPECT_EQ(rows[0][0], "loss");
   EXPECT_EQ(rows[4][0] + rows[4][1], "climbDrone 1");
-  EXPECT_EQ(run({"verify", show_file(GetParam()), "--max-climb", "2.5", "--max-height", "10"})
-                .exit_code,
-            0);
+  EXPECT_EQ(
+      run({"verify", show_file(GetParam()), "--max-climb", "2.5", "--max-height", "10"}).exit_code,
+      0);
 }
 
 TEST_P(ShowTables, EveryDroneHasItsClosest) {
@@ -188,8 +186,8 @@ TEST(ShowPlace, OfAShowIsNotGuessed) {
     EXPECT_EQ(finished.exit_code, 2) << location;
     expect_parts(finished.err, {"--origin"});
   }
-  EXPECT_EQ(with(R"({"origin": [474729200, 190620700], "orientation": 30, "type": "neu"})").exit_code,
-            0);
+  EXPECT_EQ(
+      with(R"({"origin": [474729200, 190620700], "orientation": 30, "type": "neu"})").exit_code, 0);
 }
 
 TEST(ShowLimits, ThatAreNoneAreErrors) {
@@ -209,15 +207,14 @@ TEST(ShowLimits, ThatAreNoneAreErrors) {
 TEST(ShowLimits, ExactlyTheDistanceIsKept) {
   const TemporaryFolder folder;
   const auto drone = [](const std::string& name, const std::string& x) {
-    return R"({"settings": {"name": ")" + name + R"(", "trajectory": {"version": 1, "points": [[0, [)" +
-           x + R"(, 0, 1], []], [3.7, [)" + x + R"(, 7.3, 9.1], [[)" + x + ", 0.1, 3.3], [" + x +
-           R"(, 8.1, 8.7]]]]}}})";
+    return R"({"settings": {"name": ")" + name +
+           R"(", "trajectory": {"version": 1, "points": [[0, [)" + x + R"(, 0, 1], []], [3.7, [)" +
+           x + R"(, 7.3, 9.1], [[)" + x + ", 0.1, 3.3], [" + x + R"(, 8.1, 8.7]]]]}}})";
   };
   const auto show = [&](const std::string& least) {
-    return folder.file("two.json",
-                       R"({"version": 1, "settings": {"validation": {"minDistance": )" + least +
-                           R"(}}, "swarm": {"drones": [)" + drone("a", "1.5") + "," +
-                           drone("b", "5.5") + "]}}");
+    return folder.file("two.json", R"({"version": 1, "settings": {"validation": {"minDistance": )" +
+                                       least + R"(}}, "swarm": {"drones": [)" + drone("a", "1.5") +
+                                       "," + drone("b", "5.5") + "]}}");
   };
   EXPECT_EQ(run({"verify", show("4")}).exit_code, 0);
   EXPECT_EQ(run({"verify", show("4.000000000000001")}).exit_code, 1);
@@ -238,7 +235,8 @@ TEST(ShowTablesOfOthers, WithoutAHeaderAreKnownByTheirColours) {
 TEST(ShowTablesOfOthers, WhichAreNotReadGetASentence) {
   const TemporaryFolder folder;
   const std::string vviz = folder.file("show.vviz", R"({"version": "1.0", "performances": []})");
-  expect_parts(run({"replay", vviz}).err, {"a show for Finale 3D (VVIZ)", "export the show as .skyc"});
+  expect_parts(run({"replay", vviz}).err,
+               {"a show for Finale 3D (VVIZ)", "export the show as .skyc"});
   folder.file("1.path3", "x");
   const TemporaryFolder paths;
   paths.file("1.path", "x");
