@@ -45,6 +45,12 @@ Result<std::vector<std::string>> tables_of(const ZipArchive& archive, const std:
     if (is_table_name(name) && !hidden) tables.push_back(name);
     if (others.size() < 100) others.append(others.empty() ? "" : ", ").append(excerpt(name));
   }
+  const auto foreign =
+      std::find_if(archive.names().begin(), archive.names().end(),
+                   [](const std::string& name) { return !foreign_show(name).empty(); });
+  if (tables.empty() && foreign != archive.names().end()) {
+    return Error{ErrorCode::kUnsupportedFormat, std::string(foreign_show(*foreign)), {source}};
+  }
   if (tables.empty()) {
     return Error{ErrorCode::kUnsupportedFormat,
                  "this zip archive holds neither a show.json nor any .csv file, but " +

@@ -2,7 +2,9 @@
 // frame to look at. Plain values, put together by what asked the engine.
 #pragma once
 
+#include "io/recording/show_facts.hpp"
 #include "report/fleet_facts.hpp"
+#include "report/placement.hpp"
 
 #include <beespace/conflict.hpp>
 #include <beespace/find_conflicts.hpp>
@@ -39,9 +41,12 @@ struct SwarmFacts {
   // Where east and north are 0, for geographic input, whose positions are metres east and north
   // along the ground, and heights (EarthFrame); otherwise positions are as given.
   std::optional<GeographicPosition> origin = {};
+  // Where positions in metres lie, where the input says so.
+  std::optional<Placement> own_place = {};
   HeightWords heights = {};
   bool flat = false;  // the input has no heights: those of positions are 0, and are not shown
   double threshold_m = 0.0;
+  std::string threshold_words = {};  // where it comes from, behind it: ", as the input declares"
   std::optional<double> vertical_m = {};
   bool inclusive = false;
   Names names = {};
@@ -118,6 +123,8 @@ struct RecordingFacts {
   // Of the first of `conflicts`, as many as a page can hold; where there is none, of `closest`.
   std::vector<PairWay> pair_ways = {};
   std::vector<Separation> separation = {};
+  io::ShowLimits limits = {};            // of drone shows, as they declare them
+  std::vector<io::ShowCue> cues = {};    // likewise
   std::optional<FleetFacts> fleet = {};  // what its planner said of it, where that is known
 };
 

@@ -267,6 +267,25 @@ void write_time(io::JsonWriter& json, const RecordingFacts& facts, const TimeSpa
   json.end();
 }
 
+// What a drone show says of itself.
+void write_show(io::JsonWriter& json, const RecordingFacts& facts, double begins_s) {
+  const io::ShowLimits& limits = facts.limits;
+  if (limits.any()) {
+    json.begin_object("limits");
+    if (limits.horizontal_mps) json.member("horizontal_mps", *limits.horizontal_mps);
+    if (limits.climb_mps) json.member("climb_mps", *limits.climb_mps);
+    if (limits.descent_mps) json.member("descent_mps", *limits.descent_mps);
+    if (limits.height_m) json.member("height_m", *limits.height_m);
+    json.end();
+  }
+  if (facts.cues.empty()) return;
+  json.begin_array("cues");
+  for (const io::ShowCue& cue : facts.cues) {
+    json.begin_object().member("time_s", cue.time_s - begins_s).member("name", cue.name).end();
+  }
+  json.end();
+}
+
 TimeSpan time_of(const ShownFixes& shown) {
   if (shown.times_s.empty()) return {};
   const auto [first, last] = std::minmax_element(shown.times_s.begin(), shown.times_s.end());
@@ -298,6 +317,7 @@ void write_swarm(io::JsonWriter& json, const RecordingFacts& facts, Columns& col
   write_pair_ways(json, facts, time.begins_s, columns);
   write_separation(json, facts.separation, time.begins_s, columns);
   write_risk(json, facts, time.begins_s);
+  write_show(json, facts, time.begins_s);
   if (facts.fleet) write_fleet(json, *facts.fleet, time.begins_s, columns);
   json.end();
 }

@@ -23,9 +23,10 @@ std::pair<double, double> whole_time(const io::Recording& recording) {
   return time;
 }
 
-// Before its first fix and after its last one; of a show's drone, which has no fixes, none.
-double outside_s(const io::RecordedBee& bee, const std::pair<double, double>& whole) {
-  if (bee.fixes.empty()) return 0.0;
+// Before its first fix and after its last one; of a show's drone, which stands then, none.
+double outside_s(const io::Recording& recording, const io::RecordedBee& bee,
+                 const std::pair<double, double>& whole) {
+  if (bee.fixes.empty() || recording.show) return 0.0;
   return (bee.fixes.front().time_s - whole.first) + (whole.second - bee.fixes.back().time_s);
 }
 
@@ -34,7 +35,8 @@ double outside_s(const io::RecordedBee& bee, const std::pair<double, double>& wh
 std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps) {
   const auto whole = whole_time(recording);
   std::vector<double> unknown_s;
-  for (const io::RecordedBee& bee : recording.bees) unknown_s.push_back(outside_s(bee, whole));
+  for (const io::RecordedBee& bee : recording.bees)
+    unknown_s.push_back(outside_s(recording, bee, whole));
   for (const Gap& gap : gaps) unknown_s[gap.track] += length_of(gap);
   return unknown_s;
 }
@@ -59,7 +61,7 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
   coverage.longest.erase(named, coverage.longest.end());
   const auto whole = whole_time(recording);
   for (const io::RecordedBee& bee : recording.bees) {
-    const double missing_s = outside_s(bee, whole);
+    const double missing_s = outside_s(recording, bee, whole);
     coverage.outside_s += missing_s;
     if (missing_s > 0.0) ++coverage.bees_partly;
   }

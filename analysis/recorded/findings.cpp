@@ -90,7 +90,7 @@ std::vector<Moment> separation_over_time(const Findings& findings, double every_
       const auto place =
           position_at(findings.in_space[bee], now, findings.coverage.max_gap.seconds);
       // A drone of a show that does not fly stands.
-      if (!place && !findings.recording.bees[bee].path) ++unknown;
+      if (!place && !findings.recording.show) ++unknown;
       if (!place) continue;
       places.push_back(*place);
       bees.push_back(bee);

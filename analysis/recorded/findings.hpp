@@ -23,6 +23,8 @@ struct Findings {
   const std::optional<Conflict>& closest;  // of all encounters, conflict or not
   const Coverage& coverage;
   bool has_encounters;  // two bees are there at the same time
+  // Of each bee, in conflict or not; empty where that was not looked for.
+  std::vector<std::optional<Conflict>> closest_of_each = {};
 };
 
 // When the first bee appears and the last one vanishes; nothing where there is none.

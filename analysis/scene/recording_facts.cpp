@@ -1,6 +1,7 @@
 #include "analysis/scene/recording_facts.hpp"
 
 #include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/scene/height_words.hpp"
@@ -173,10 +174,19 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   swarm.source = recording.format_description;
   swarm.flat = recording.flat;
   swarm.heights = height_words(recording.height_unit, recording.heights);
-  swarm.threshold_m =
-      request.threshold_m.value_or(recording.declared_threshold_m.value_or(kDefaultThreshold_m));
+  const DefaultThreshold otherwise = default_threshold(recording, kDefaultThreshold_m);
+  swarm.threshold_m = request.threshold_m.value_or(otherwise.metres);
+  if (!request.threshold_m) swarm.threshold_words = otherwise.words;
   swarm.vertical_m = request.vertical_m();
   swarm.inclusive = request.inclusive;
+  if (recording.show && recording.show->place) {
+    const io::ShowPlace& place = *recording.show->place;
+    swarm.own_place = {{place.longitude_deg, place.latitude_deg, place.height_m.value_or(0.0)},
+                       place.heading_deg,
+                       place.y_to_the_right,
+                       place.height_m ? ", as the show says, whose heights are above mean sea level"
+                                      : ", as the show says, which gives no height"};
+  }
   swarm.names = names_of(recording);
   note_units(recording.units, request.vertical, recording.height_unit, swarm.notes);
   swarm.notes.insert(swarm.notes.end(), recording.notes.begin(), recording.notes.end());
@@ -185,6 +195,10 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   }
   facts.since_1970 = recording.since_1970;
   if (recording.clock) swarm.notes.push_back("times are " + clock_text(recording));
+  if (recording.show) {
+    facts.limits = recording.show->limits;
+    facts.cues = recording.show->cues;
+  }
   if (are_all_there_for_a_moment(*in_space)) {
     swarm.notes.emplace_back(
         "each bee is there for a moment only, as it has one fix; to compare them as if they were "

@@ -98,7 +98,8 @@ void add_gap_options(Command& command, std::optional<double>& max_gap_s, double&
 void add_threshold_options(Command& command, MovingRequest& request) {
   command.group("Separation");
   command.option("--threshold", "LENGTH", request.threshold, read_stated_threshold_in_motion,
-                 "Closer than this is too close (default: what the\ninput declares, or 100)");
+                 "Closer than this is too close (default: what the\ninput declares, or 2 for "
+                 "shows, otherwise 100)");
   command.option("--vertical", "LENGTH", request.vertical, read_vertical, kVerticalHelp);
   add_usual_separation_option(command, request.separation);
   command.flag("--inclusive", request.inclusive, "A distance of exactly the threshold counts too");

@@ -1,5 +1,6 @@
 #include "cli/input/moving_output.hpp"
 
+#include "analysis/recorded/default_threshold.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "analysis/text/moment_text.hpp"
 #include "analysis/text/unit_notes.hpp"
@@ -81,13 +82,14 @@ std::string input_summary(const io::Recording& recording, const MovingRequest& r
   return out;
 }
 
-std::string separation_summary(const MovingRequest& request, double threshold_m, bool declared,
-                               bool aircraft) {
+std::string separation_summary(const MovingRequest& request, double threshold_m,
+                               const io::Recording& recording, bool aircraft) {
   std::string text = separation_text(threshold_m, request.vertical_m, request.inclusive,
                                      request.threshold, request.vertical) +
                      usual_text(request.separation);
-  if (declared) return text + ", as the input declares";
   if (request.threshold_m) return text;
+  const std::string_view words = analysis::default_threshold(recording, threshold_m).words;
+  if (!words.empty()) return text + std::string(words);
   return text + kDefaultThresholdWords +
          (aircraft ? "; of aircraft --separation has the usual ones" : "");
 }

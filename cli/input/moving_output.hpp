@@ -28,8 +28,8 @@ void append_frame_lines(std::string& out, io::Frame frame, const std::string& re
 std::string input_summary(const io::Recording& recording, const MovingRequest& request);
 
 // "5 m (closer than), as the show declares". Of `aircraft` the default is hardly what is meant.
-std::string separation_summary(const MovingRequest& request, double threshold_m, bool declared,
-                               bool aircraft = false);
+std::string separation_summary(const MovingRequest& request, double threshold_m,
+                               const io::Recording& recording, bool aircraft = false);
 
 // Whether distances are told in nautical miles and feet too: where the thresholds or the heights of
 // the input are, or --units says so.

@@ -2,6 +2,7 @@
 
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/last_snapshot.hpp"
 #include "analysis/text/moment_text.hpp"
 #include "cli/console/progress_bar.hpp"
@@ -139,9 +140,7 @@ std::string summary(const Prediction& prediction, const PredictRequest& request,
   }
   append_summary_line(out, "threshold",
                       separation_summary(request.moving, prediction.threshold_m,
-                                         !request.moving.threshold_m.has_value() &&
-                                             prediction.recording.declared_threshold_m.has_value(),
-                                         prediction.distances.aviation));
+                                         prediction.recording, prediction.distances.aviation));
   append_summary_line(out, "horizon", io::exact(request.horizon_s) + " s");
   append_summary_line(out, "conflicts", found_line(prediction));
   const auto& conflicts = prediction.conflicts;
@@ -193,8 +192,8 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
 
   progress.enter_stage("predicting");
   Stopwatch watch;
-  const double threshold_m =
-      moving.threshold_m.value_or(recording->declared_threshold_m.value_or(kDefaultThreshold_m));
+  const double threshold_m = moving.threshold_m.value_or(
+      analysis::default_threshold(*recording, kDefaultThreshold_m).metres);
   auto conflicts =
       conflicts_of(*snapshot, {.threshold_m = threshold_m,
                                .vertical_m = vertical_in(geometry, moving.vertical),

@@ -1,7 +1,9 @@
 #include "cli/recorded/replay_command.hpp"
 
 #include "analysis/geometry/geometry.hpp"
+#include "analysis/recorded/closest_of_each.hpp"
 #include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/text/bee_name.hpp"
@@ -131,8 +133,8 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   const double read_s = watch.lap();
 
   progress.enter_stage("searching");
-  const double threshold_m =
-      moving.threshold_m.value_or(recording->declared_threshold_m.value_or(kDefaultThreshold_m));
+  const double threshold_m = moving.threshold_m.value_or(
+      analysis::default_threshold(*recording, kDefaultThreshold_m).metres);
   const analysis::MaxGap max_gap = max_gap_for(request, *recording);
   const auto recorded =
       find_conflicts(*tracks, {.threshold_m = threshold_m,
@@ -152,13 +154,18 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
       apart ? tracks_of(*recording, analysis::Geometry::kSpace, request.tolerance_m) : tracks;
   if (!in_space) return in_space.error();
   const analysis::Coverage coverage = analysis::coverage_of(*recording, recorded->gaps, max_gap);
-  const analysis::Findings findings{*recording,
-                                    *tracks,
-                                    *in_space,
-                                    *recorded,
-                                    *closest,
-                                    coverage,
-                                    has_encounters(*closest, *in_space, max_gap.seconds, request)};
+  analysis::Findings findings{*recording,
+                              *tracks,
+                              *in_space,
+                              *recorded,
+                              *closest,
+                              coverage,
+                              has_encounters(*closest, *in_space, max_gap.seconds, request)};
+  if (request.report == "bees" && recording->show && !moving.vertical) {
+    auto each = analysis::closest_of_each(*tracks, threshold_m, max_gap.seconds, moving.threads);
+    if (!each) return each.error();
+    findings.closest_of_each = *std::move(each);
+  }
   Distances distances = distances_of(moving, *recording, threshold_m);
   if (moving.vertical) {
     distances.apart = analysis::apart_of(*tracks, height_unit_m(geometry, recording->height_unit));

@@ -2,6 +2,7 @@
 
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/gaps.hpp"
 #include "analysis/recorded/tracks.hpp"
@@ -150,8 +151,8 @@ class Replaying {
   }
 
   Status search() {
-    threshold_m_ =
-        moving_.threshold_m.value_or(recording_.declared_threshold_m.value_or(kDefaultThreshold_m));
+    threshold_m_ = moving_.threshold_m.value_or(
+        analysis::default_threshold(recording_, kDefaultThreshold_m).metres);
     const ConflictOptions options = {
         .threshold_m = threshold_m_,
         .vertical_m = analysis::vertical_in(geometry_, moving_.vertical),

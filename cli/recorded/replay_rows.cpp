@@ -28,15 +28,19 @@ Rows bee_rows(const analysis::Findings& findings, const Distances& distances) {
     const analysis::BeeInConflict& of = bees[bee];
     std::vector<Value> row{analysis::name_of(bee, recording), std::uint64_t{of.conflicts},
                            of.time_s};
-    if (of.closest != nullptr) {
-      const PointId other = of.closest->first == bee ? of.closest->second : of.closest->first;
-      row.insert(row.end(), {of.closest->closest_m, of.closest->closest_s,
-                             analysis::name_of(other, recording)});
+    const Conflict* closest = of.closest;
+    if (closest == nullptr && !findings.closest_of_each.empty() && findings.closest_of_each[bee]) {
+      closest = &*findings.closest_of_each[bee];
+    }
+    if (closest != nullptr) {
+      const PointId other = closest->first == bee ? closest->second : closest->first;
+      row.insert(row.end(),
+                 {closest->closest_m, closest->closest_s, analysis::name_of(other, recording)});
     } else {
       row.resize(columns - 1);
     }
     row.emplace_back(unknown_s[bee]);
-    add_apart(row, of.closest != nullptr ? distances.of(*of.closest) : std::nullopt, distances);
+    add_apart(row, closest != nullptr ? distances.of(*closest) : std::nullopt, distances);
     rows.rows.push_back(std::move(row));
   }
   return rows;

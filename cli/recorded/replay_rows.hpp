@@ -10,7 +10,8 @@
 namespace beespace::cli {
 
 // A row a bee: its id, its conflicts, how long it was in conflict (with however many at a time),
-// how close it came to another one in a conflict, and to which; and how long it is unknown.
+// how close it came to another one in a conflict, or in a show whether conflict or not, and to
+// which; and how long it is unknown.
 Rows bee_rows(const analysis::Findings& findings, const Distances& distances);
 
 Rows separation_rows(const std::vector<analysis::Moment>& moments,

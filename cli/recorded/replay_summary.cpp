@@ -98,8 +98,6 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
                             io::grouped(time->ends_s - time->begins_s, 2) + " s)");
   }
   append_coverage(out, findings.coverage, recording);
-  const bool declared =
-      !request.threshold_m.has_value() && recording.declared_threshold_m.has_value();
   const auto instants = std::count_if(findings.tracks.begin(), findings.tracks.end(),
                                       [](const Track& track) { return track.fixes.size() == 1; });
   if (instants > 0) {
@@ -110,7 +108,7 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
   }
   append_summary_line(
       out, "threshold",
-      separation_summary(request, figures.threshold_m, declared, distances.aviation));
+      separation_summary(request, figures.threshold_m, recording, distances.aviation));
   const auto pairs = analysis::pairs_in_conflict(findings.recorded.conflicts);
   append_summary_line(out, "verdict", verdict(findings, pairs));
   if (findings.closest) {

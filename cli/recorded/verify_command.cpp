@@ -1,6 +1,7 @@
 #include "cli/recorded/verify_command.hpp"
 
 #include "analysis/recorded/common_times.hpp"
+#include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/gaps.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
@@ -9,13 +10,18 @@
 #include "cli/input/obstacle_file.hpp"
 #include "cli/output/output_file.hpp"
 #include "cli/recorded/flight_check.hpp"
+#include "cli/recorded/path_findings.hpp"
 #include "cli/recorded/verify_findings.hpp"
+#include "cli/recorded/verify_paths.hpp"
 #include "cli/recorded/verify_steps.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/load_recording.hpp"
 
 #include <beespace/verify.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -64,6 +70,95 @@ Status check_frame(const io::Recording& recording, const std::string& obstacles)
                {}};
 }
 
+// Commits what was written, and says what was found.
+Result<ExitCode> conclude(io::AtomicOutput& output, ProgressBar& progress, bool quiet, bool holds,
+                          const std::function<std::string()>& summary) {
+  const Status written = output.commit();
+  if (!written && output.pipe_closed()) return ExitCode::kPipeClosed;
+  if (!written) return written.error();
+  progress.finish();
+  if (!quiet) say(summary());
+  return holds ? ExitCode::kFine : ExitCode::kRiskFound;
+}
+
+bool has_curves(const io::Recording& recording) {
+  return std::any_of(recording.bees.begin(), recording.bees.end(),
+                     [](const io::RecordedBee& bee) { return bee.path.has_value(); });
+}
+
+// Bees with fixes at times of their own, of which each has more than one.
+bool goes_along_curves(const io::Recording& recording) {
+  return recording.frame == io::Frame::kMetres &&
+         std::all_of(recording.bees.begin(), recording.bees.end(),
+                     [](const io::RecordedBee& bee) { return bee.fixes.size() > 1; });
+}
+
+// Of what only curves can be checked for.
+bool asks_of_curves(const AskedLimits& limits) {
+  return std::any_of(kPathLimitWords.begin(), kPathLimitWords.end(), [&](const auto& words) {
+    return words.limit != PathLimit::kSpeed && words.limit != PathLimit::kAcceleration &&
+           limits[static_cast<std::size_t>(words.limit)];
+  });
+}
+
+Status check_curves(const io::Recording& recording, const VerifyOptions& check) {
+  if (recording.frame != io::Frame::kMetres) {
+    return Error{ErrorCode::kUnknownFrame,
+                 "limits of horizontal speed, climb, descent and height are of flights in metres "
+                 "with z upwards, and this one is in degrees; leave them out",
+                 {}};
+  }
+  if (check.straight && has_curves(recording)) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "drones of a show fly along their curves; leave --straight out",
+                 {}};
+  }
+  return std::monostate{};
+}
+
+// Between fixes in straight lines nothing is known of accelerations. A show that is one is flown
+// so.
+bool needs_velocities(const VerifyRequest& request) {
+  return request.check.max_acceleration_mps2 < VerifyOptions{}.max_acceleration_mps2;
+}
+
+// Along curves, each bee with times of its own.
+Result<ExitCode> verify_along_curves(const VerifyRequest& request, const io::Recording& recording,
+                                     const ObstacleMap& obstacles, io::AtomicOutput& output,
+                                     ProgressBar& progress, Stopwatch& watch) {
+  const MovingRequest& moving = request.moving;
+  VerifyOptions check = request.check;
+  if (Status good = check_curves(recording, check); !good) return good.error();
+  const bool curves = has_curves(recording);
+  auto motion = curves
+                    ? Result<std::string>("along the curves of the show")
+                    : settle_motion(recording, !recording.show && needs_velocities(request), check);
+  if (!motion) return motion.error();
+  const analysis::MaxGap max_gap = analysis::max_gap_of(recording, request.max_gap_s);
+  const SettledLimits limits = settle_limits(request.limits, recording.show);
+  PathQuestion question;
+  question.with_velocities = !curves && !check.straight;
+  question.threshold_m = moving.threshold_m.value_or(
+      analysis::default_threshold(recording, kDefaultVerified_m).metres);
+  question.max_gap_s = max_gap.seconds;
+  if (!request.obstacles.empty()) question.obstacles = &obstacles;
+  question.clearance_m = check.clearance_m;
+  question.limits = limits.limits;
+  question.threads = moving.threads;
+  const double read_s = watch.lap();
+
+  progress.enter_stage("checking");
+  const auto verdict = verify_paths(recording, question, progress);
+  if (!verdict) return verdict.error();
+  const analysis::Coverage coverage = analysis::coverage_of(recording, verdict->gaps, max_gap);
+  const PathFindings findings{recording, question,           limits, *verdict,
+                              coverage,  *std::move(motion), read_s, watch.lap()};
+  const auto head = [&](io::JsonWriter& json) { write_verdict(json, findings, moving); };
+  write_answer(finding_rows(findings), moving, head, "findings", output);
+  return conclude(output, progress, moving.quiet, findings.holds(),
+                  [&] { return verify_summary(findings, moving); });
+}
+
 }  // namespace
 
 Result<ExitCode> run_verify(const VerifyRequest& request) {
@@ -85,15 +180,18 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
     return flight.error();
   }
   if (Status good = check_frame(*recording, request.obstacles); !good) return good.error();
-  const auto times_s = analysis::common_times(*recording);
+  const bool asked = has_curves(*recording) || recording->show || asks_of_curves(request.limits);
+  const auto times_s = asked ? Result<std::vector<double>>(std::vector<double>())
+                             : analysis::common_times(*recording);
+  if (asked || (!times_s && goes_along_curves(*recording))) {
+    return verify_along_curves(request, *recording, *obstacles, *output, progress, watch);
+  }
   if (!times_s) return times_s.error();
   VerifyOptions check = request.check;
-  const bool accelerations =
-      request.check.max_acceleration_mps2 < VerifyOptions{}.max_acceleration_mps2;
-  const auto motion = settle_motion(*recording, accelerations, check);
+  const auto motion = settle_motion(*recording, needs_velocities(request), check);
   if (!motion) return motion.error();
-  check.threshold_m =
-      moving.threshold_m.value_or(recording->declared_threshold_m.value_or(kDefaultVerified_m));
+  check.threshold_m = moving.threshold_m.value_or(
+      analysis::default_threshold(*recording, kDefaultVerified_m).metres);
   if (!request.obstacles.empty()) check.obstacles = &*obstacles;
   const double read_s = watch.lap();
 
@@ -107,12 +205,8 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
                                   coverage,   *motion,  read_s, watch.lap()};
   const auto head = [&](io::JsonWriter& json) { write_verdict(json, verification, moving); };
   write_answer(finding_rows(verification), moving, head, "findings", *output);
-  const Status written = output->commit();
-  if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
-  if (!written) return written.error();
-  progress.finish();
-  if (!moving.quiet) say(verify_summary(verification, moving));
-  return verification.holds() ? ExitCode::kFine : ExitCode::kRiskFound;
+  return conclude(*output, progress, moving.quiet, verification.holds(),
+                  [&] { return verify_summary(verification, moving); });
 }
 
 }  // namespace beespace::cli

@@ -3,6 +3,7 @@
 
 #include "cli/command_line/command.hpp"
 #include "cli/input/moving_options.hpp"
+#include "cli/recorded/path_limits.hpp"
 
 #include <beespace/verify.hpp>
 
@@ -16,6 +17,7 @@ struct VerifyRequest {
   VerifyOptions check{.clearance_m = 1.0};  // the threshold and the obstacles are not there yet
   std::string obstacles;                    // a file; empty for none
   std::optional<double> max_gap_s;          // absent: from the data
+  AskedLimits limits;                       // those of `check` are among them
 };
 
 Command verify_command();

@@ -155,8 +155,7 @@ std::string verify_summary(const Verification& verification, const MovingRequest
   append_coverage(out, verification.coverage, recording);
   append_summary_line(out, "motion", verification.motion);
   append_summary_line(out, "threshold",
-                      separation_summary(request, options.threshold_m,
-                                         !request.threshold_m && recording.declared_threshold_m));
+                      separation_summary(request, options.threshold_m, recording));
   if (options.obstacles != nullptr) {
     append_summary_line(out, "obstacles", obstacles_text(options));
   }

@@ -10,14 +10,15 @@ constexpr const char* kVerifyDescription =
     "Check that a flight kept its distance, and that each bee flew as it can";
 
 constexpr const char* kVerifyDetails =
-    "Reads recordings as 'beespace replay' does, of bees that all have fixes at the same times "
-    "(replay\n"
-    "takes others). Where all fixes have velocities, a bee flies from one to the next on the curve "
-    "that\n"
-    "has its positions and velocities at both: evenly accelerated, where it was. Without them, or "
-    "with\n"
-    "--straight, it flies straight lines. All of the time in between is looked at, not samples of "
-    "it.\n"
+    "Reads recordings and drone shows as 'beespace replay' does. Drones of shows fly along their "
+    "curves,\n"
+    "and the show's own limits count where no option says another. Between fixes that all have "
+    "velocities\n"
+    "a bee flies on the curve that has its positions and velocities at both: evenly accelerated, "
+    "where it\n"
+    "was. Without them, or with --straight, it flies straight lines. All of the time in between is "
+    "looked\n"
+    "at, not samples of it. Flights in degrees need fixes of all bees at the same times.\n"
     "Writes a line for each finding, the first 1000 of each kind:\n"
     "  loss          id, id: closer than the threshold within one step; when that step begins and "
     "ends,\n"
@@ -28,6 +29,10 @@ constexpr const char* kVerifyDetails =
     "  speed         id: faster than --max-speed within one step; when it begins and ends, and how "
     "fast\n"
     "  acceleration  id: the same of --max-acceleration\n"
+    "Along curves, and of flights in metres with fixes at times of their own, a line is a stretch "
+    "of time,\n"
+    "and says the limit and when the worst is; there are also:\n"
+    "  horizontal, climb, descent, height   id: the same of --max-horizontal, ...\n"
     "A step longer than --max-gap was not seen: nothing is found in it, and the flight does not "
     "hold.\n"
     "\n"
@@ -35,6 +40,7 @@ constexpr const char* kVerifyDetails =
     "  beespace simulate random-swap --output swap.csv\n"
     "  beespace verify swap.csv --threshold 5 --max-speed 10 --max-acceleration 5\n"
     "  beespace verify log.csv --threshold 2 --straight --output findings.csv\n"
+    "  beespace verify show.skyc --max-acceleration 4\n"
     "  beespace verify flight.csv --threshold 2 --obstacles city.json --clearance 3\n"
     "  beespace verify log.csv --quiet --output /dev/null && echo safe\n"
     "\n"
@@ -46,12 +52,26 @@ constexpr const char* kVerifyDetails =
 void add_check_options(Command& verify, VerifyRequest& request) {
   verify.group("Check");
   verify.option("--threshold", "LENGTH", request.moving.threshold_m, read_threshold_in_motion,
-                "Closer than this is too close (default: what the\ninput declares, or 5)");
+                "Closer than this is too close (default: what the\ninput declares, or 2 for shows, "
+                "otherwise 5)");
   verify.option("--max-speed", "SPEED", request.check.max_speed_mps,
                 amount("metres per second", kFromZero), "In m/s (default: not checked)");
   verify.option("--max-acceleration", "A", request.check.max_acceleration_mps2,
                 amount("metres per second squared", kFromZero),
-                "In m/s^2 (default: not checked); needs velocities");
+                "In m/s^2 (default: not checked); needs velocities, or\ncurves");
+  const auto limit = [&](PathLimit which) -> std::optional<double>& {
+    return request.limits[static_cast<std::size_t>(which)];
+  };
+  verify.option("--max-horizontal", "SPEED", limit(PathLimit::kHorizontalSpeed),
+                amount("metres per second", kFromZero),
+                "Of the speed in x and y (default: what the show\ndeclares, or not checked)");
+  verify.option("--max-climb", "SPEED", limit(PathLimit::kClimb),
+                amount("metres per second", kFromZero), "Of the speed upwards (default: as above)");
+  verify.option("--max-descent", "SPEED", limit(PathLimit::kDescent),
+                amount("metres per second", kFromZero),
+                "Of the speed downwards (default: as above)");
+  verify.option("--max-height", "LENGTH", limit(PathLimit::kHeight), amount("metres", kFromZero),
+                "Of z (default: as above)");
   verify.option("--obstacles", "FILE", request.obstacles,
                 "What stands in the way: JSON, as of 'beespace\nsimulate'; of flights in metres");
   verify.option("--clearance", "LENGTH", request.check.clearance_m, amount("metres", kAboveZero),
@@ -65,6 +85,11 @@ void add_check_options(Command& verify, VerifyRequest& request) {
 Status settle(const Command& command, VerifyRequest& request) {
   if (Status settled = settle_answer(request.moving, "verify"); !settled) return settled;
   request.check.threads = request.moving.threads;
+  const auto take = [&](const char* option, PathLimit which, double value) {
+    if (command.is_given(option)) request.limits[static_cast<std::size_t>(which)] = value;
+  };
+  take("--max-speed", PathLimit::kSpeed, request.check.max_speed_mps);
+  take("--max-acceleration", PathLimit::kAcceleration, request.check.max_acceleration_mps2);
   if (request.check.straight && command.is_given("--max-acceleration")) {
     return usage_error("verify",
                        "--max-acceleration needs the velocities, and --straight ignores them; "

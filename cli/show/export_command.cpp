@@ -1,5 +1,6 @@
 #include "cli/show/export_command.hpp"
 
+#include "analysis/scene/place_on_earth.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
@@ -50,9 +51,20 @@ Result<std::string> format_of(const ExportRequest& request) {
 Status check_fit(const analysis::Scene& scene, const std::string& format) {
   const report::SwarmFacts& swarm = analysis::swarm_of(scene);
   if (swarm.origin || format == "csv") return std::monostate{};
-  return usage_error(
-      kExport, format + " is for the Earth and needs longitudes and latitudes, but '" +
-                   printable(swarm.title) + "' is in metres; --format csv takes metres as well");
+  return usage_error(kExport,
+                     format + " is for the Earth and needs longitudes and latitudes, but '" +
+                         printable(swarm.title) +
+                         "' is in metres; say with --origin lon,lat,height,heading where it is, or "
+                         "--format csv, which takes metres as well");
+}
+
+// Where positions in metres lie: as is said, or for what needs it as the input says.
+Status place(analysis::Scene& scene, const ExportRequest& request, const std::string& format) {
+  if (request.placement) return analysis::place_on_earth(scene, *request.placement);
+  const report::SwarmFacts& swarm = analysis::swarm_of(scene);
+  if (swarm.origin || !swarm.own_place || format == "csv") return std::monostate{};
+  const report::Placement own = *swarm.own_place;
+  return analysis::place_on_earth(scene, own);
 }
 
 // Returns what had to be left out.
@@ -69,16 +81,17 @@ std::vector<std::string> write(const Facts& facts, const std::string& format,
   return {};
 }
 
-Result<ExitCode> export_to(const ShowRequest& request, const std::string& format) {
-  const MovingRequest& moving = request.moving;
+Result<ExitCode> export_to(const ExportRequest& request, const std::string& format) {
+  const MovingRequest& moving = request.show.moving;
   auto output =
       open_output(kExport, moving.output, moving.inputs,
                   file_ending(moving.output).compressed ? io::Packing::kGzip : io::Packing::kPlain);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);
   SceneTimings timings;
-  const auto scene = load_scene(moving.inputs, scene_request(request), progress, timings);
+  auto scene = load_scene(moving.inputs, scene_request(request.show), progress, timings);
   if (!scene) return scene.error();
+  if (Status placed = place(*scene, request, format); !placed) return placed.error();
   if (Status fit = check_fit(*scene, format); !fit) return fit.error();
   Stopwatch watch;
 
@@ -104,7 +117,7 @@ Result<ExitCode> export_to(const ShowRequest& request, const std::string& format
 
 Result<ExitCode> run_export(const ExportRequest& request) {
   return format_of(request).and_then(
-      [&](const std::string& format) { return export_to(request.show, format); });
+      [&](const std::string& format) { return export_to(request, format); });
 }
 
 }  // namespace beespace::cli

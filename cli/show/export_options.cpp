@@ -1,6 +1,10 @@
+#include "cli/command_line/option_values.hpp"
+#include "cli/input/number_list.hpp"
 #include "cli/show/export_command.hpp"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace beespace::cli {
 namespace {
@@ -16,7 +20,11 @@ constexpr const char* kExportDetails =
     "  geojson   for maps: points and lines with ids, distances and times (RFC 7946)\n"
     "  csv       for spreadsheets: a row a pair, or a row a conflict, the closest first\n"
     "\n"
-    "Maps and globes need longitudes and latitudes; csv takes metres as well. Heights are written\n"
+    "Maps and globes need longitudes and latitudes; csv takes metres as well. Of positions in "
+    "metres\n"
+    "--origin says where x = y = z = 0 is, and where x points; y is a quarter to its left. A show "
+    "may\n"
+    "say that itself. Distances stay those in metres. Heights are written\n"
     "as the input has them, as metres above the WGS84 ellipsoid. KML and CZML hold up to 20,000\n"
     "marks of a kind and 2,000 paths, and say what they leave out. Of more than 200,000 pairs or\n"
     "conflicts the closest 10,000 are written; the file says so, of csv only the summary. In csv\n"
@@ -27,11 +35,32 @@ constexpr const char* kExportDetails =
     "  beespace export bees.csv -o bees.kml\n"
     "  beespace export flight.json --threshold 300 -o conflicts.geojson\n"
     "  beespace export show.skyc -o conflicts.csv\n"
+    "  beespace export show.skyc --origin 19.06,47.48,110,90 -o show.kml\n"
     "  beespace export bees.csv --format csv | sort -t, -k3 -g | head\n"
     "\n"
     "Exit status: 0 fine, 1 a bee is at risk (with --fail-on-risk), 2 wrong usage, 3 bad "
     "input,\n"
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
+
+// "19.06,47.48,110,90".
+Result<report::Placement> read_placement(const Typed& typed) {
+  const auto numbers = parse_numbers(typed.text, 4);
+  if (!numbers && parse_numbers(typed.text, 3)) {
+    return usage_error(typed.command,
+                       "--origin needs the heading of the x axis too, in degrees clockwise from "
+                       "north: lon,lat,height,heading; where y is north, x is east: 90");
+  }
+  if (!numbers) {
+    return usage_error(typed.command, "'" + std::string(typed.text) +
+                                          "' is no origin; say lon,lat,height,heading, as in "
+                                          "--origin 19.06,47.48,110,90");
+  }
+  const std::vector<double>& n = *numbers;
+  const report::Placement placement{{n[0], n[1], n[2]}, n[3], false, {}};
+  const auto ecef = to_ecef(placement.origin);
+  if (!ecef) return usage_error(typed.command, "--origin: " + ecef.error().message);
+  return placement;
+}
 
 void add_file_options(Command& command, ExportRequest& request) {
   MovingRequest& moving = request.show.moving;
@@ -54,6 +83,9 @@ Command export_command() {
     return settle(request->show.moving, "export").and_then([&] { return run_export(*request); });
   });
   add_scene_options(command, request->show);
+  command.option("--origin", "PLACE", request->placement, read_placement,
+                 "Of positions in metres: lon,lat,height,heading of x\n(in degrees; 0 is north, 90 "
+                 "east), as 19.06,47.48,110,90");
   add_file_options(command, *request);
   return command;
 }

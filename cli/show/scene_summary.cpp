@@ -52,7 +52,7 @@ void append_scene(std::string& out, const analysis::Scene& scene, const MovingRe
   append_summary_line(out, "threshold",
                       separation_text(swarm.threshold_m, swarm.vertical_m, swarm.inclusive,
                                       request.threshold, request.vertical) +
-                          usual_text(request.separation));
+                          usual_text(request.separation) + swarm.threshold_words);
   append_summary_line(out, "at risk",
                       std::visit([](const auto& facts) { return risk_of(facts); }, scene));
 }

@@ -40,4 +40,5 @@
 #include <beespace/swarm.hpp>
 #include <beespace/track.hpp>
 #include <beespace/verify.hpp>
+#include <beespace/verify_path.hpp>
 #include <beespace/version.hpp>

@@ -14,7 +14,7 @@ struct Kind {
 };
 
 // The keys that say more first: shows have "settings", and so may anything.
-constexpr std::array<Kind, 11> kKinds = {{
+constexpr std::array<Kind, 12> kKinds = {{
     {"\"obstacles\"",
      "JSON with obstacles; give it with --obstacles to 'beespace simulate', 'advise' or 'verify'"},
     {"\"FeatureCollection\"",
@@ -25,6 +25,10 @@ constexpr std::array<Kind, 11> kKinds = {{
      "JSON with aircraft (readsb, dump1090); 'beespace replay' and 'beespace predict' read it"},
     {"\"states\"",
      "JSON with state vectors (OpenSky); 'beespace replay' and 'beespace predict' read it"},
+    {"\"performances\"",
+     "JSON of a show for Finale 3D (VVIZ), which beespace does not read; export the show as .skyc, "
+     "or "
+     "as CSV with a table a drone"},
     {"\"swarm\"", "JSON of a Skybrush show; 'beespace replay' reads it"},
     {"\"trajectory\"",
      "JSON of a Skybrush trajectory, which is a part of a show; 'beespace replay' reads the show"},

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"
+#include "io/recording/show_facts.hpp"
 #include "io/recording/wall_clock.hpp"
 #include "io/units/heights.hpp"
 #include "io/units/time_zone.hpp"
@@ -60,6 +61,7 @@ struct Recording {
   Unit height_unit = Unit::kMetre;             // of RecordedBee::stated_heights
   std::vector<UnitTaken> units;                // of what was read; heights (or z) are among them
   std::optional<double> declared_threshold_m;  // the least distance that a show promises
+  std::optional<ShowFacts> show = {};          // of drone shows: plans, not what was flown
   std::vector<std::string> notes;              // what else was decided and must be said aloud
   std::vector<Error> skipped;                  // with skip_bad: the first bad records
   std::uint64_t skipped_count = 0;

@@ -220,6 +220,26 @@ ErrorLocation RecordingAssembly::location_of(Origin origin) const {
   return location;
 }
 
+void RecordingAssembly::declare_show(ShowFacts facts) {
+  auto& show = recording_.show;
+  if (!show) {
+    show = std::move(facts);
+    return;
+  }
+  const auto stricter = [](std::optional<double>& limit, const std::optional<double>& other) {
+    if (other && (!limit || *other < *limit)) limit = other;
+  };
+  stricter(show->limits.horizontal_mps, facts.limits.horizontal_mps);
+  stricter(show->limits.climb_mps, facts.limits.climb_mps);
+  stricter(show->limits.descent_mps, facts.limits.descent_mps);
+  stricter(show->limits.height_m, facts.limits.height_m);
+  if (show->place != facts.place) {
+    note("the shows are at different places, or not all say theirs; none is taken");
+    show->place.reset();
+  }
+  show->cues.insert(show->cues.end(), facts.cues.begin(), facts.cues.end());
+}
+
 Error RecordingAssembly::conflict_error(const TimeConflict& conflict) const {
   const ErrorLocation at = location_of(conflict.first);
   const std::string first =

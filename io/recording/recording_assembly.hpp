@@ -85,6 +85,8 @@ class RecordingAssembly {
   // where it is not known. Otherwise the error, with its source.
   std::optional<Error> bad(Error error, std::string_view id = {});
   void declare_threshold(double metres);
+  // Of several shows the stricter limits count, and a place only where all have the same.
+  void declare_show(ShowFacts facts);
   void add_bytes(std::uint64_t count) { recording_.bytes += count; }
   TrackGathering& tracks() { return tracks_; }
   // As many records of that bee, or of an unknown one, may hide what it did.

@@ -35,10 +35,18 @@ bool is_table_name(std::string_view name) {
   return has_ending(name, {".csv", ".tsv", ".txt"});
 }
 
+std::string_view foreign_show(std::string_view name) {
+  if (!has_ending(name, {".path", ".path3"})) return {};
+  return "these are paths of a drone show (DSS), which are not read; export the show as .skyc, or "
+         "as "
+         "CSV with a table a drone";
+}
+
 Result<std::vector<std::string>> recordings_in(const std::string& folder) {
   std::vector<std::string> tables;
   std::vector<std::string> documents;
   std::vector<std::string> logs;
+  std::string_view foreign;
   std::error_code problem;
   std::filesystem::directory_iterator entry(folder, problem);
   for (; !problem && entry != std::filesystem::directory_iterator(); entry.increment(problem)) {
@@ -48,6 +56,7 @@ Result<std::vector<std::string>> recordings_in(const std::string& folder) {
     if (is_table_name(name)) tables.push_back(path);
     if (has_ending(name, {".json"})) documents.push_back(path);
     if (has_ending(name, {".tlog"})) logs.push_back(path);
+    if (foreign.empty()) foreign = foreign_show(name);
   }
   if (problem) {
     return Error{ErrorCode::kCannotOpen,
@@ -55,6 +64,9 @@ Result<std::vector<std::string>> recordings_in(const std::string& folder) {
                  {folder}};
   }
   auto& chosen = !tables.empty() ? tables : !documents.empty() ? documents : logs;
+  if (chosen.empty() && !foreign.empty()) {
+    return Error{ErrorCode::kUnsupportedFormat, std::string(foreign), {folder}};
+  }
   if (chosen.empty()) {
     return Error{ErrorCode::kNoPoints,
                  "there is no .csv, .tsv or .txt file in this folder, nor any .json or .tlog; name "

@@ -15,6 +15,10 @@ bool is_folder(const std::string& path);
 // Whether a name ends as those of text tables do: .csv, .tsv or .txt, perhaps with .gz behind.
 bool is_table_name(std::string_view name);
 
+// What is said of an archive or a folder without tables that holds shows of other editors, by the
+// name of a file in it; nothing where it is no such.
+std::string_view foreign_show(std::string_view name);
+
 // What there is to read in the folder, by name: its tables; where there is none, its .json files,
 // otherwise its .tlog files. Hidden files are left out. Errors: kCannotOpen, kNoPoints when there
 // is nothing.

@@ -1,6 +1,7 @@
 #include "io/shows/show_reading.hpp"
 
 #include "io/problems/excerpt.hpp"
+#include "io/shows/show_settings.hpp"
 #include "io/shows/show_trajectory.hpp"
 
 #include <cmath>
@@ -43,7 +44,7 @@ class ShowReading {
                           documents_.place_of(root));
       }
     }
-    if (auto error = read_threshold(root)) return error;
+    if (auto error = read_show_settings(documents_, assembly_)) return error;
     SourceFacts facts;
     facts.frame = Frame::kMetres;
     facts.frame_reason = "a Skybrush show is in metres";
@@ -75,31 +76,6 @@ class ShowReading {
     if (options.time_unit != Unit::kUnstated) {
       return invalid("the times of a Skybrush show are in seconds; leave --time-unit out");
     }
-    return std::nullopt;
-  }
-
-  // settings.validation.minDistance
-  std::optional<Error> read_threshold(const ShowValue& root) {
-    std::optional<ShowValue> value = root;
-    for (const char* const key : {"settings", "validation", "minDistance"}) {
-      auto member = documents_.member(*value, key);
-      if (!member) return member.error();
-      value = std::move(member).value();
-      if (!value) return std::nullopt;
-    }
-    double metres = 0.0;
-    const std::string path = "settings.validation.minDistance";
-    if (!read_json(value->element, metres)) {
-      Error error = json_number_problem(value->element, path);
-      error.location.source = documents_.place_of(*value);
-      return error;
-    }
-    if (!(metres > 0.0)) {
-      return show_error(ErrorCode::kInvalidThreshold,
-                        path + " is not above zero; correct it, or remove it from the show",
-                        documents_.place_of(*value));
-    }
-    assembly_.declare_threshold(metres);
     return std::nullopt;
   }
 

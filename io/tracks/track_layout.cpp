@@ -1,8 +1,10 @@
 #include "io/tracks/track_layout.hpp"
 
 #include "io/bytes/characters.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/points/record_reading.hpp"
 #include "io/table/column_choice.hpp"
+#include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/table/record_walk.hpp"
 #include "io/table/unit_choice.hpp"
@@ -12,6 +14,9 @@
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
 
+#include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace beespace::io {
@@ -127,6 +132,41 @@ std::string no_time(const Header& header) {
          list_columns(header.table()) + ")";
 }
 
+// Whether the columns behind a position are the colours that a drone has there: red, green, blue.
+bool names_colours(const TableLayout& table) {
+  const auto has = [&table](std::string_view word) {
+    return std::any_of(table.names.begin(), table.names.end(), [word](const std::string& name) {
+      const std::string lower = lower_case(name);
+      return lower == word || lower == word.substr(0, 1) ||
+             (lower.starts_with(word) && lower.find_first_of(" _[(") == word.size());
+    });
+  };
+  return has("red") && has("green") && has("blue");
+}
+
+// Whether a table without a header can hardly be anything else: whole times that ascend, three
+// numbers, and three whole ones up to 255.
+bool is_path_with_colours(std::string_view text, const TableLayout& table) {
+  constexpr std::size_t kColumns = 7;
+  constexpr std::uint64_t kRows = 100;
+  if (!table.names.empty() || table.columns != kColumns) return false;
+  RecordWalk walk(text, table.data_offset, table.line_end);
+  std::optional<std::uint64_t> before_ms;
+  while (walk.next() && walk.row() < kRows) {
+    FieldCursor cursor(walk.record(), table.delimiter);
+    Field field;
+    for (std::size_t column = 0; column < kColumns; ++column) {
+      if (!cursor.next(field)) return false;
+      if (column >= 1 && column <= 3) continue;
+      const auto whole = parse_whole(field.text);
+      if (!whole || (column == 0 && before_ms && *whole <= *before_ms)) return false;
+      if (column > 3 && *whole > 255) return false;
+      if (column == 0) before_ms = whole;
+    }
+  }
+  return true;
+}
+
 // t [ms], x, y, z, and perhaps red, green and blue.
 Result<TrackLayout> skybrush_layout(TableLayout table, const RecordingOptions& options) {
   TrackLayout layout;
@@ -153,6 +193,7 @@ Result<TrackLayout> skybrush_layout(TableLayout table, const RecordingOptions& o
       frame_before_values(options.frame, {Frame::kMetres, "a Skybrush CSV is in metres"});
   layout.frame = frame.frame;
   layout.frame_reason = frame.reason;
+  layout.show = true;
   TimeChoice time;
   time.unit = options.time_unit != Unit::kUnstated ? options.time_unit : Unit::kMillisecond;
   layout.time = time;
@@ -225,6 +266,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   if (auto error = doubly_used(track_columns(), columns_read(layout))) return *std::move(error);
   settle_aircraft(header, options, layout);
   settle_animals(header, layout);
+  layout.show = layout.time && layout.frame != Frame::kWgs84 && names_colours(layout.table);
   if (layout.time) {
     layout.notes.push_back(
         time_note(layout.table, *layout.time, options.time_unit != Unit::kUnstated));
@@ -238,7 +280,8 @@ Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOpti
   auto table = find_table(text, options.skip_bad);
   if (!table) return table.error();
   if (auto error = no_record_problem(text, *table)) return *std::move(error);
-  auto chosen = bare_skybrush && table->names.empty() && options.columns.empty()
+  const bool skybrush = bare_skybrush || is_path_with_colours(text, *table);
+  auto chosen = skybrush && table->names.empty() && options.columns.empty()
                     ? skybrush_layout(*table, options)
                     : choose_track_layout(*table, text, options, whole);
   if (!chosen) return at_first_line(std::move(chosen).error(), *table);

@@ -71,6 +71,7 @@ struct TrackLayout {
   const LeftOutReason* no_height = nullptr;   // what to say of such a record
   std::optional<std::size_t> label = {};      // what each is called beside its id: the flight
   std::optional<std::size_t> on_ground = {};  // of those that are left out
+  bool show = false;                          // of a drone show: a path with colours
   std::vector<UnitTaken> units = {};          // of positions and velocities
   std::vector<std::string> notes = {};
 };

@@ -164,6 +164,7 @@ Result<TrackTableReader> TrackTableReader::begin(const TrackTable& beginning,
   std::string form = "text, " + std::string(delimiter_name(layout->table.delimiter)) + "-separated";
   if (auto error = assembly.agree(facts_of(*layout, std::move(form)))) return *std::move(error);
   for (std::string& note : layout->notes) assembly.note(std::move(note));
+  if (layout->show) assembly.declare_show({});
   if (!layout->table.choice.id) {
     assembly.note(layout->time ? "there is no id: each file is taken for one bee, named after it"
                                : "there is no id: bees are numbered in their order, from 0");

@@ -1,5 +1,6 @@
 #include <beespace/bezier_path.hpp>
 
+#include "motion/bezier_curve.hpp"
 #include "motion/validate.hpp"
 
 #include <algorithm>
@@ -22,13 +23,7 @@ double largest_coordinate(const Point& p) {
   return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
 
-// A piece as its control points from end to end.
-struct Curve {
-  ControlPoints points{};
-  unsigned degree = 1;
-  double begins_s = 0.0;
-  double ends_s = 0.0;
-
+struct Curve : motion::BezierCurve {
   // The greatest distance of the curve from the straight line between its ends, at any time. Their
   // difference vanishes at both ends, and its second derivative is the curve's, at most d (d - 1)
   // max |P[k] - 2 P[k + 1] + P[k + 2]|; so it is at most an eighth of that.
@@ -98,17 +93,6 @@ std::optional<Error> check_piece(const BezierPiece& piece, double begins_s, std:
                       std::to_string(begins_s) + " s)");
 }
 
-Curve curve_of(const Fix& begin, const BezierPiece& piece) {
-  Curve curve;
-  curve.degree = piece.control_count + 1U;
-  curve.begins_s = begin.time_s;
-  curve.ends_s = piece.ends_s;
-  curve.points[0] = begin.position;
-  std::copy_n(piece.controls.begin(), piece.control_count, curve.points.begin() + 1);
-  curve.points[curve.degree] = piece.end;
-  return curve;
-}
-
 // Adds fixes between which straight lines stay within the tolerance.
 std::optional<Error> flatten(const Curve& curve, std::size_t index, double tolerance_m,
                              Track& track) {
@@ -137,6 +121,38 @@ std::optional<Error> flatten(const Curve& curve, std::size_t index, double toler
 
 }  // namespace
 
+namespace motion {
+
+BezierCurve curve_of(const BezierPath& path, std::size_t piece) {
+  const BezierPiece& of = path.pieces[piece];
+  const bool first = piece == 0;
+  BezierCurve curve;
+  curve.degree = of.control_count + 1U;
+  curve.begins_s = first ? path.begins_s : path.pieces[piece - 1].ends_s;
+  curve.ends_s = of.ends_s;
+  curve.points[0] = first ? path.begin : path.pieces[piece - 1].end;
+  std::copy_n(of.controls.begin(), of.control_count, curve.points.begin() + 1);
+  curve.points[curve.degree] = of.end;
+  return curve;
+}
+
+std::optional<Error> check_bezier_path(const BezierPath& path) {
+  if (auto error = check_position(path.begin, 0)) return error;
+  if (!in_motion_domain(path.begins_s)) {
+    return error_at(
+        std::isfinite(path.begins_s) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite, 0,
+        "the time of its beginning must be a finite number of seconds");
+  }
+  double begins_s = path.begins_s;
+  for (std::size_t i = 0; i < path.pieces.size(); ++i) {
+    if (auto error = check_piece(path.pieces[i], begins_s, i)) return error;
+    begins_s = path.pieces[i].ends_s;
+  }
+  return std::nullopt;
+}
+
+}  // namespace motion
+
 Result<Track> to_track(const BezierPath& path, double tolerance_m) {
   if (!(tolerance_m > 0.0) || !motion::in_motion_domain(tolerance_m)) {
     return Error{
@@ -144,18 +160,11 @@ Result<Track> to_track(const BezierPath& path, double tolerance_m) {
         "the tolerance is " + std::to_string(tolerance_m) + " m; give a finite distance above zero",
         {}};
   }
-  if (auto error = motion::check_position(path.begin, 0)) return *std::move(error);
-  if (!motion::in_motion_domain(path.begins_s)) {
-    return error_at(
-        std::isfinite(path.begins_s) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite, 0,
-        "the time of its beginning must be a finite number of seconds");
-  }
+  if (auto error = motion::check_bezier_path(path)) return *std::move(error);
   Track track;
   track.fixes.push_back({path.begins_s, path.begin});
   for (std::size_t i = 0; i < path.pieces.size(); ++i) {
-    const Fix begin = track.fixes.back();
-    if (auto error = check_piece(path.pieces[i], begin.time_s, i)) return *std::move(error);
-    if (auto error = flatten(curve_of(begin, path.pieces[i]), i, tolerance_m, track)) {
+    if (auto error = flatten(Curve{motion::curve_of(path, i)}, i, tolerance_m, track)) {
       return *std::move(error);
     }
   }

@@ -71,10 +71,11 @@ TEST_F(ShowReplay, AThresholdThatIsAskedForCountsInsteadOfTheDeclaredOne) {
       replay(declaring("2.5"), {"--threshold", "3", "--inclusive", "--fail-on-risk"}).exit_code, 1);
 }
 
-TEST_F(ShowReplay, WithoutADeclaredDistanceItIsAHundredMetres) {
+TEST_F(ShowReplay, WithoutADeclaredDistanceItIsTwoMetres) {
   const Finished finished = replay(side_by_side("{}"));
-  expect_parts(finished.err, {"threshold  100 m (closer than), the default (--threshold)\n"});
-  EXPECT_EQ(rows_of(finished.out).size(), 1u);
+  expect_parts(finished.err, {"threshold  2 m (closer than), the default of shows that declare "
+                              "none (--threshold)\n"});
+  EXPECT_EQ(rows_of(finished.out).size(), 0u);
 }
 
 TEST_F(ShowReplay, TheDeclaredDistanceIsInTheDocument) {

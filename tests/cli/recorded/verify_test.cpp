@@ -140,16 +140,36 @@ TEST(Verify, OfManyFindingsTheFirstThousandAreListed) {
   expect_parts(run({"verify", "--json"}, crowd).out, {R"("loss_count": 1225)"});
 }
 
-TEST(Verify, BeesWithFixesAtDifferentTimesAreForReplay) {
-  expect_failure({"verify"}, "id,time_s,x,y,z\na,0,0,0,0\nb,0,9,0,0\na,1,0,0,0\nb,1.5,9,0,0\n",
+// In metres each is followed along its own times: b passes a at 4 m between the fixes of both.
+TEST(Verify, BeesInMetresMayHaveFixesAtTimesOfTheirOwn) {
+  const std::string_view flight =
+      "id,time_s,x,y,z\na,0,0,0,0\na,1,10,0,0\na,2,20,0,0\nb,0.5,20,4,0\nb,1.5,0,4,0\n";
+  const Finished lost = run({"verify"}, flight);
+  EXPECT_EQ(lost.exit_code, 1);
+  const TextRows rows = rows_of(lost.out);
+  ASSERT_EQ(rows.size(), 1u) << lost.out;
+  EXPECT_EQ(rows[0][0], "loss");
+  EXPECT_NEAR(std::stod(rows[0][5]), 4.0, 1e-6);
+  EXPECT_EQ(rows[0][6], "5");
+  expect_parts(lost.err, {"motion     straight lines from fix to fix: there are no velocities\n"});
+  EXPECT_EQ(run({"verify", "--threshold", "4"}, flight).exit_code, 0);
+  EXPECT_EQ(run({"verify", "--threshold", "4", "--max-speed", "19"}, flight).exit_code, 1);
+}
+
+TEST(Verify, BeesInDegreesWithFixesAtDifferentTimesAreForReplay) {
+  expect_failure({"verify"},
+                 "id,time_s,lon,lat,height\na,0,8,47,0\nb,0,9,47,0\na,1,8,47,0\nb,1.5,9,47,0\n",
                  kBadInput,
                  "bee 'b' has no fix at 1 s, where bee 'a' has one; this checks bees with fixes at "
                  "the same times, and 'beespace replay' checks others");
+  const auto in_degrees = [](const std::string& rows) {
+    return "id,time_s,lon,lat,height\n" + rows;
+  };
   expect_failure({"verify"},
-                 "id,time_s,x,y,z\na,0,0,0,0\na,2,0,0,0\nb,0,9,0,0\nb,1,9,0,0\nb,2,9,0,0\n",
+                 in_degrees("a,0,8,47,0\na,2,8,47,0\nb,0,9,47,0\nb,1,9,47,0\nb,2,9,47,0\n"),
                  kBadInput, "bee 'a' has no fix at 1 s, where bee 'b' has one");
   expect_failure({"verify"},
-                 "id,time_s,x,y,z\na,0,0,0,0\na,1,0,0,0\na,2,0,0,0\nb,0,9,0,0\nb,1,9,0,0\n",
+                 in_degrees("a,0,8,47,0\na,1,8,47,0\na,2,8,47,0\nb,0,9,47,0\nb,1,9,47,0\n"),
                  kBadInput, "bee 'b' has no fix at 2 s, where bee 'a' has one");
   expect_failure({"verify"}, "id,time_s,x,y,z\na,0,0,0,0\nb,0,9,0,0\n", kBadInput,
                  "there is one time only");

@@ -1,0 +1,21 @@
+// What is too close where nobody says so in the command: what the input declares, or what is usual.
+#pragma once
+
+#include "io/recording/recording.hpp"
+
+#include <string_view>
+
+namespace beespace::analysis {
+
+// Drones of shows fly some metres apart: a default for aircraft would find nothing but conflicts.
+inline constexpr double kDefaultShowThreshold_m = 2.0;
+
+struct DefaultThreshold {
+  double metres;
+  // ", as the input declares"; empty where it is `otherwise_m`.
+  std::string_view words;
+};
+
+DefaultThreshold default_threshold(const io::Recording& recording, double otherwise_m);
+
+}  // namespace beespace::analysis

@@ -1,0 +1,34 @@
+// What was recorded, or planned, as curves: for checks that look along them, each bee with times of
+// its own.
+#pragma once
+
+#include "io/recording/recording.hpp"
+
+#include <beespace/bezier_path.hpp>
+#include <beespace/conflict.hpp>
+#include <beespace/result.hpp>
+#include <beespace/track.hpp>
+#include <beespace/verify_path.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace beespace::analysis {
+
+// From one gap to the next: none is empty, one without pieces is there for an instant.
+using Flight = std::vector<BezierPath>;
+
+// One flight for each bee of a recording in metres: the curve of a show; between fixes straight
+// lines, or where `with_velocities`, which all fixes then have, the curves that have these.
+std::vector<Flight> flights_of(const io::Recording& recording, bool with_velocities,
+                               double max_gap_s);
+
+// As straight lines within the tolerance. Errors: those of to_track(), with the bee's id.
+Result<std::vector<Track>> tracks_of(const std::vector<Flight>& flights,
+                                     const io::Recording& recording, double tolerance_m);
+
+// As closest_on_paths, of two flights.
+Result<std::optional<PathEncounter>> closest_of(const Flight& first, const Flight& second,
+                                                const TimeSpan& during, double threshold_m);
+
+}  // namespace beespace::analysis

@@ -1,0 +1,245 @@
+#include "cli/recorded/path_findings.hpp"
+
+#include "analysis/text/bee_name.hpp"
+#include "analysis/text/moment_text.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/input/moving_output.hpp"
+#include "cli/input/obstacle_file.hpp"
+#include "cli/output/coverage_output.hpp"
+#include "io/bytes/number_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace beespace::cli {
+namespace {
+
+const PathLimitWords& words_of(PathLimit limit) {
+  return kPathLimitWords[static_cast<std::size_t>(limit)];
+}
+
+std::string shown_bee(PointId bee, const io::Recording& recording) {
+  return printable(text_of(analysis::name_of(bee, recording)));
+}
+
+std::string when(double time_s, const io::Recording& recording) {
+  return " at " + analysis::moment_text(time_s, recording);
+}
+
+// Down is no climb, and up no descent.
+double shown_value(const PathPeak& peak, PathLimit limit) {
+  const bool signed_one = limit == PathLimit::kClimb || limit == PathLimit::kDescent;
+  return signed_one ? std::max(0.0, peak.value) : peak.value;
+}
+
+std::string peak_text(PathLimit limit, const BeePeak& peak, const io::Recording& recording) {
+  const PathLimitWords& words = words_of(limit);
+  return std::string(words.noun) + " " + io::grouped(shown_value(peak.peak, limit), 3) + " " +
+         words.unit + ", " + shown_bee(peak.bee, recording) + when(peak.peak.at_s, recording);
+}
+
+void append_peaks(std::string& out, const PathFindings& findings) {
+  bool first = true;
+  for (const PathLimitWords& words : kPathLimitWords) {
+    const auto& peak = findings.verdict.peaks[static_cast<std::size_t>(words.limit)];
+    if (!peak) continue;
+    append_summary_line(out, first ? "greatest" : "",
+                        peak_text(words.limit, *peak, findings.recording));
+    first = false;
+  }
+}
+
+// The worst of each limit, and how many there are.
+void append_breaches(std::string& out, const PathFindings& findings) {
+  const auto& breaches = findings.verdict.breaches;
+  if (breaches.empty()) return append_summary_line(out, "breaches", bold("none"));
+  bool first = true;
+  for (const PathLimitWords& words : kPathLimitWords) {
+    const PathBreach* worst = nullptr;
+    std::uint64_t count = 0;
+    for (const PathBreach& breach : breaches) {
+      if (breach.excess.limit != words.limit) continue;
+      ++count;
+      if (worst == nullptr || breach.excess.peak.value > worst->excess.peak.value) worst = &breach;
+    }
+    if (worst == nullptr) continue;
+    append_summary_line(
+        out, first ? "breaches" : "",
+        red(io::counted(count, "stretch", "stretches") + " above the " + words.noun + " of " +
+            io::exact(findings.limits.limits[words.limit]) + " " + words.unit) +
+            ", the worst " + io::grouped(worst->excess.peak.value, 3) + " " + words.unit + ": " +
+            shown_bee(worst->bee, findings.recording) +
+            when(worst->excess.peak.at_s, findings.recording));
+    first = false;
+  }
+}
+
+void append_losses(std::string& out, const PathFindings& findings) {
+  constexpr std::size_t kMost = 5;
+  std::vector<Conflict> losses = findings.verdict.losses;
+  if (losses.empty()) return append_summary_line(out, "losses", bold("none"));
+  std::stable_sort(losses.begin(), losses.end(),
+                   [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });
+  append_summary_line(out, "losses", red(io::counted(losses.size(), "conflict", "conflicts")));
+  for (std::size_t i = 0; i < std::min(kMost, losses.size()); ++i) {
+    append_summary_line(out, "", encounter_text(losses[i], findings.recording, {}));
+  }
+}
+
+std::string verdict_text(const PathFindings& findings) {
+  const PathVerdict& verdict = findings.verdict;
+  if (findings.holds()) return bold("holds");
+  if (verdict.holds()) {
+    return red("not seen as a whole") + ": holds in the known time; " +
+           analysis::unknown_text(findings.coverage);
+  }
+  std::string text;
+  const auto append = [&text](bool broken, const char* what) {
+    if (broken) text += (text.empty() ? "" : ", and ") + std::string(what);
+  };
+  append(!verdict.losses.empty(), "does not keep its distance");
+  append(!verdict.clearance_losses.empty(), "does not keep clear of obstacles");
+  append(!verdict.breaches.empty(), "breaks the limits");
+  const bool hidden = findings.coverage.may_hide_conflicts();
+  return red(text) + (hidden ? "; " + analysis::unknown_text(findings.coverage) : "");
+}
+
+TimeSpan time_of_all(const io::Recording& recording) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  TimeSpan time{kNever, -kNever};
+  const auto take = [&time](double begins_s, double ends_s) {
+    time = {std::min(time.begins_s, begins_s), std::max(time.ends_s, ends_s)};
+  };
+  for (const io::RecordedBee& bee : recording.bees) {
+    if (bee.path) {
+      const auto& pieces = bee.path->pieces;
+      take(bee.path->begins_s, pieces.empty() ? bee.path->begins_s : pieces.back().ends_s);
+    } else if (!bee.fixes.empty()) {
+      take(bee.fixes.front().time_s, bee.fixes.back().time_s);
+    }
+  }
+  return time;
+}
+
+}  // namespace
+
+Rows finding_rows(const PathFindings& findings) {
+  const io::Recording& recording = findings.recording;
+  Rows rows{{{"finding"},
+             {"first", "first_label"},
+             {"second", "second_label"},
+             {"begins_s"},
+             {"ends_s"},
+             {"value"},
+             {"limit"},
+             {"at_s"}},
+            {},
+            analysis::has_labels(recording)};
+  for (const Conflict& loss : findings.verdict.losses) {
+    rows.rows.push_back({std::string("loss"), analysis::name_of(loss.first, recording),
+                         analysis::name_of(loss.second, recording), loss.begins_s, loss.ends_s,
+                         loss.closest_m, findings.question.threshold_m, loss.closest_s});
+  }
+  for (const auto& [bee, loss] : findings.verdict.clearance_losses) {
+    const Obstacle& obstacle = findings.question.obstacles->obstacles()[loss.obstacle];
+    rows.rows.push_back({std::string("clearance"), analysis::name_of(bee, recording),
+                         shown_obstacle(loss.obstacle, obstacle), loss.begins_s, loss.ends_s,
+                         loss.closest_m, findings.question.clearance_m, std::monostate{}});
+  }
+  for (const auto& [bee, excess] : findings.verdict.breaches) {
+    rows.rows.push_back({std::string(words_of(excess.limit).finding),
+                         analysis::name_of(bee, recording), std::monostate{}, excess.begins_s,
+                         excess.ends_s, excess.peak.value, findings.limits.limits[excess.limit],
+                         excess.peak.at_s});
+  }
+  return rows;
+}
+
+void write_verdict(io::JsonWriter& json, const PathFindings& findings,
+                   const MovingRequest& request) {
+  const PathVerdict& verdict = findings.verdict;
+  const io::Recording& recording = findings.recording;
+  write_head(json, recording, request, findings.question.threshold_m);
+  json.member("motion", findings.motion).member("holds", findings.holds());
+  write_coverage(json.key("known"), findings.coverage, recording);
+  json.begin_object("limits", io::JsonLayout::kLines);
+  for (const PathLimitWords& words : kPathLimitWords) {
+    const auto which = static_cast<std::size_t>(words.limit);
+    const double most = findings.limits.limits[words.limit];
+    if (!std::isfinite(most)) continue;
+    json.begin_object(words.finding).member("most", most).member("unit", words.unit);
+    json.member("declared", findings.limits.declared[which]).end();
+  }
+  json.end();
+  json.begin_object("greatest", io::JsonLayout::kLines);
+  for (const PathLimitWords& words : kPathLimitWords) {
+    const auto& peak = verdict.peaks[static_cast<std::size_t>(words.limit)];
+    if (!peak) continue;
+    json.begin_object(words.finding).member("value", shown_value(peak->peak, words.limit));
+    json.member("unit", words.unit);
+    json.member("id", analysis::name_of(peak->bee, recording).id);
+    json.member("at_s", peak->peak.at_s).end();
+  }
+  json.end();
+  json.member("loss_count", verdict.losses.size());
+  if (findings.question.obstacles != nullptr) {
+    json.member("obstacles", findings.question.obstacles->obstacles().size());
+    json.member("clearance_m", findings.question.clearance_m);
+    json.member("clearance_loss_count", verdict.clearance_losses.size());
+  }
+  json.member("breach_count", verdict.breaches.size());
+  if (!verdict.closest) return json.key("closest").null();
+  Rows closest{{{"first", "first_label"}, {"second", "second_label"}, {"at_s"}, {"distance_m"}},
+               {{analysis::name_of(verdict.closest->first, recording),
+                 analysis::name_of(verdict.closest->second, recording), verdict.closest->closest_s,
+                 verdict.closest->closest_m}},
+               analysis::has_labels(recording)};
+  set_labels_apart(closest);
+  write_row(json.key("closest"), closest.columns, closest.rows.front());
+}
+
+std::string verify_summary(const PathFindings& findings, const MovingRequest& request) {
+  const io::Recording& recording = findings.recording;
+  const PathVerdict& verdict = findings.verdict;
+  std::string out = input_summary(recording, request);
+  append_summary_line(out, "bees", io::grouped(recording.bees.size()));
+  const TimeSpan time = time_of_all(recording);
+  append_summary_line(out, "from",
+                      analysis::moment_text(time.begins_s, recording) + " to " +
+                          analysis::moment_text(time.ends_s, recording) + " (" +
+                          io::grouped(time.ends_s - time.begins_s, 2) + " s)");
+  if (!recording.show || findings.coverage.may_hide_conflicts()) {
+    append_coverage(out, findings.coverage, recording);
+  }
+  append_summary_line(out, "motion", findings.motion);
+  append_summary_line(out, "threshold",
+                      separation_summary(request, findings.question.threshold_m, recording));
+  if (findings.question.obstacles != nullptr) {
+    append_summary_line(
+        out, "obstacles",
+        io::grouped(std::uint64_t{findings.question.obstacles->obstacles().size()}) +
+            ", clearance " + io::exact(findings.question.clearance_m) + " m");
+  }
+  append_summary_line(out, "limits", limits_text(findings.limits));
+  append_summary_line(out, "closest",
+                      verdict.closest ? encounter_text(*verdict.closest, recording, {})
+                                      : std::string("no two are there at the same time"));
+  append_peaks(out, findings);
+  append_losses(out, findings);
+  if (findings.question.obstacles != nullptr) {
+    const auto count = verdict.clearance_losses.size();
+    append_summary_line(out, "clearance",
+                        count == 0
+                            ? bold("none")
+                            : red(io::counted(count, "bee in a piece", "bees, a piece each")));
+  }
+  append_breaches(out, findings);
+  append_summary_line(out, "verdict", verdict_text(findings));
+  append_summary_line(
+      out, "time",
+      "read " + io::duration(findings.read_s) + ", check " + io::duration(findings.check_s));
+  return out;
+}
+
+}  // namespace beespace::cli

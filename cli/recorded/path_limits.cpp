@@ -1,0 +1,66 @@
+#include "cli/recorded/path_limits.hpp"
+
+#include "io/bytes/number_text.hpp"
+
+#include <cmath>
+
+namespace beespace::cli {
+namespace {
+
+std::optional<double> declared_by(const io::ShowFacts& show, PathLimit limit) {
+  switch (limit) {
+    case PathLimit::kHorizontalSpeed:
+      return show.limits.horizontal_mps;
+    case PathLimit::kClimb:
+      return show.limits.climb_mps;
+    case PathLimit::kDescent:
+      return show.limits.descent_mps;
+    case PathLimit::kHeight:
+      return show.limits.height_m;
+    case PathLimit::kSpeed:
+    case PathLimit::kAcceleration:
+      break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+SettledLimits settle_limits(const AskedLimits& asked, const std::optional<io::ShowFacts>& show) {
+  SettledLimits settled;
+  for (const PathLimitWords& words : kPathLimitWords) {
+    const auto which = static_cast<std::size_t>(words.limit);
+    std::optional<double> most = asked[which];
+    if (!most && show) {
+      most = declared_by(*show, words.limit);
+      settled.declared[which] = most.has_value();
+    }
+    if (most) settled.limits[words.limit] = *most;
+  }
+  return settled;
+}
+
+std::string limits_text(const SettledLimits& settled) {
+  const auto listed = [&](bool declared) {
+    std::string text;
+    for (const PathLimitWords& words : kPathLimitWords) {
+      const double most = settled.limits[words.limit];
+      if (!std::isfinite(most) ||
+          settled.declared[static_cast<std::size_t>(words.limit)] != declared)
+        continue;
+      text += (text.empty() ? "" : ", ") + std::string(words.noun) + " " + io::exact(most) + " " +
+              words.unit;
+    }
+    return text;
+  };
+  std::string text = listed(false);
+  const std::string declared = listed(true);
+  if (!declared.empty()) {
+    text += (text.empty() ? "" : ", ") + declared + " (as the show declares)";
+  }
+  if (!text.empty()) return text;
+  return "not checked (--max-speed, --max-horizontal, --max-climb, --max-descent, "
+         "--max-acceleration, --max-height)";
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,146 @@
+#include "cli/recorded/verify_paths.hpp"
+
+#include "analysis/geometry/geometry.hpp"
+#include "analysis/recorded/flights.hpp"
+#include "analysis/recorded/tracks.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+using analysis::Flight;
+
+// How closely curves are followed where those are searched that may be too close; what that leaves
+// open is decided along the curves.
+constexpr double kTolerance_m = 0.001;
+constexpr TimeSpan kAlways{-kLargestInMotion, kLargestInMotion};
+
+class PathVerification {
+ public:
+  PathVerification(const io::Recording& recording, const PathQuestion& question)
+      : recording_(recording),
+        question_(question),
+        flights_(analysis::flights_of(recording, question.with_velocities, question.max_gap_s)) {}
+
+  Result<PathVerdict> operator()(ProgressBar& progress) {
+    if (auto error = check_pairs()) return *std::move(error);
+    for (PointId bee = 0; bee < flights_.size(); ++bee) {
+      if (auto error = check_bee(bee))
+        return analysis::of_bee(*std::move(error), recording_.bees[bee]);
+      progress.set_share(static_cast<double>(bee + 1) / static_cast<double>(flights_.size()));
+    }
+    std::stable_sort(
+        verdict_.breaches.begin(), verdict_.breaches.end(),
+        [](const PathBreach& a, const PathBreach& b) { return a.excess.limit < b.excess.limit; });
+    return std::move(verdict_);
+  }
+
+ private:
+  std::optional<Error> check_pairs() {
+    const auto tracks = analysis::tracks_of(flights_, recording_, kTolerance_m);
+    if (!tracks) return tracks.error();
+    auto found = find_conflicts(*tracks, {.threshold_m = question_.threshold_m,
+                                          .max_gap_s = question_.max_gap_s,
+                                          .threads = question_.threads});
+    if (!found) return found.error();
+    verdict_.gaps = std::move(found->gaps);
+    for (Conflict conflict : found->conflicts) {
+      const auto closer = settle(conflict, {conflict.begins_s, conflict.ends_s});
+      if (!closer) return closer.error();
+      if (*closer) verdict_.losses.push_back(conflict);
+    }
+    auto closest = find_closest_encounter(*tracks, question_.max_gap_s, {question_.threads});
+    if (!closest) return closest.error();
+    if (!*closest) return std::nullopt;
+    const auto settled = settle(**closest, kAlways);
+    if (!settled) return settled.error();
+    verdict_.closest = *closest;
+    for (const Conflict& loss : verdict_.losses) {
+      if (loss.closest_m < verdict_.closest->closest_m) verdict_.closest = loss;
+    }
+    return std::nullopt;
+  }
+
+  // How close the two come along their curves; returns whether that is too close.
+  Result<bool> settle(Conflict& conflict, const TimeSpan& during) const {
+    const auto found = analysis::closest_of(flights_[conflict.first], flights_[conflict.second],
+                                            during, question_.threshold_m);
+    if (!found) return analysis::of_bee(found.error(), recording_.bees[conflict.first]);
+    // Straight lines that were followed exactly say the same.
+    if (!*found) return conflict.certain;
+    conflict.closest_m = (*found)->closest_m;
+    conflict.closest_s = (*found)->closest_s;
+    return (*found)->closer;
+  }
+
+  std::optional<Error> check_bee(PointId bee) {
+    for (const BezierPath& path : flights_[bee]) {
+      const auto checked = check_path(path, question_.limits);
+      if (!checked) return checked.error();
+      for (const PathExcess& excess : checked->excesses) verdict_.breaches.push_back({bee, excess});
+      for (std::size_t k = 0; k < kPathLimits; ++k) {
+        auto& peak = verdict_.peaks[k];
+        if (!peak || checked->peaks[k].value > peak->peak.value) {
+          peak = BeePeak{bee, checked->peaks[k]};
+        }
+      }
+      if (question_.obstacles == nullptr) continue;
+      if (auto error = check_clearance(bee, path)) return error;
+    }
+    return std::nullopt;
+  }
+
+  // Piece by piece, since velocities may jump in between.
+  std::optional<Error> check_clearance(PointId bee, const BezierPath& path) {
+    for (std::size_t i = 0; i < path.pieces.size(); ++i) {
+      VerifyOptions options;
+      options.threshold_m = question_.threshold_m;
+      options.obstacles = question_.obstacles;
+      options.clearance_m = question_.clearance_m;
+      Verifier verifier(options);
+      for (const auto& [time_s, mover] : ends_of(path, i)) {
+        const std::vector<Mover> movers{mover};
+        if (const Status added = verifier.add(time_s, movers); !added) return added.error();
+      }
+      for (const ClearanceLoss& loss : verifier.verdict().first_clearance_losses) {
+        verdict_.clearance_losses.push_back({bee, loss});
+      }
+    }
+    return std::nullopt;
+  }
+
+  // Where and how fast a bee is at both ends of a piece, which makes the curve between.
+  static std::array<std::pair<double, Mover>, 2> ends_of(const BezierPath& path, std::size_t i) {
+    const BezierPiece& piece = path.pieces[i];
+    const double begins_s = i == 0 ? path.begins_s : path.pieces[i - 1].ends_s;
+    const Point& from = i == 0 ? path.begin : path.pieces[i - 1].end;
+    const double scale = (piece.control_count + 1) / (piece.ends_s - begins_s);
+    const auto velocity = [scale](const Point& a, const Point& b) {
+      return Velocity{analysis::flushed((b.x - a.x) * scale),
+                      analysis::flushed((b.y - a.y) * scale),
+                      analysis::flushed((b.z - a.z) * scale)};
+    };
+    const bool straight = piece.control_count == 0;
+    const Point& behind = straight ? piece.end : piece.controls[0];
+    const Point& before = straight ? from : piece.controls[piece.control_count - 1U];
+    return {{{begins_s, {from, velocity(from, behind)}},
+             {piece.ends_s, {piece.end, velocity(before, piece.end)}}}};
+  }
+
+  const io::Recording& recording_;
+  const PathQuestion& question_;
+  std::vector<Flight> flights_;
+  PathVerdict verdict_;
+};
+
+}  // namespace
+
+Result<PathVerdict> verify_paths(const io::Recording& recording, const PathQuestion& question,
+                                 ProgressBar& progress) {
+  return PathVerification(recording, question)(progress);
+}
+
+}  // namespace beespace::cli

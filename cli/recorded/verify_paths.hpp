@@ -1,0 +1,66 @@
+// `beespace verify` along curves: of shows, and of flights whose bees have fixes at times of their
+// own.
+#pragma once
+
+#include "analysis/recorded/coverage.hpp"
+#include "cli/console/progress_bar.hpp"
+#include "cli/recorded/path_limits.hpp"
+#include "cli/recorded/verify_command.hpp"
+#include "io/recording/recording.hpp"
+
+#include <beespace/find_conflicts.hpp>
+#include <beespace/verify.hpp>
+#include <beespace/verify_path.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace beespace::cli {
+
+struct PathBreach {
+  PointId bee = 0;
+  PathExcess excess;
+};
+
+struct PathClearanceLoss {
+  PointId bee = 0;
+  ClearanceLoss loss;
+};
+
+struct BeePeak {
+  PointId bee = 0;
+  PathPeak peak;
+};
+
+struct PathVerdict {
+  std::vector<Conflict> losses;  // each pair as long as it may be closer than the threshold
+  std::vector<PathClearanceLoss> clearance_losses;
+  std::vector<PathBreach> breaches;                       // by limit, then bee, then time
+  std::array<std::optional<BeePeak>, kPathLimits> peaks;  // of all bees
+  std::optional<Conflict> closest;  // of all; nothing where no two are there at the same time
+  std::vector<Gap> gaps;
+
+  [[nodiscard]] bool holds() const {
+    return losses.empty() && clearance_losses.empty() && breaches.empty();
+  }
+};
+
+struct PathQuestion {
+  bool with_velocities = false;
+  double threshold_m = 0.0;
+  double max_gap_s = 0.0;
+  const ObstacleMap* obstacles = nullptr;
+  double clearance_m = 0.0;
+  PathLimits limits = {};
+  unsigned threads = 0;
+};
+
+// Errors: those of the library, with the bee's id.
+Result<PathVerdict> verify_paths(const io::Recording& recording, const PathQuestion& question,
+                                 ProgressBar& progress);
+
+}  // namespace beespace::cli

@@ -1,0 +1,42 @@
+// What a drone show says of itself beside its paths: how it may be flown, where, and its cues.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace beespace::io {
+
+// Nothing where the show does not say.
+struct ShowLimits {
+  std::optional<double> horizontal_mps;  // the greatest horizontal speed
+  std::optional<double> climb_mps;       // and upwards
+  std::optional<double> descent_mps;     // and downwards
+  std::optional<double> height_m;        // above z = 0
+
+  [[nodiscard]] bool any() const { return horizontal_mps || climb_mps || descent_mps || height_m; }
+};
+
+// Where on the Earth x = y = z = 0 lies, and where axes point.
+struct ShowPlace {
+  double longitude_deg = 0.0;
+  double latitude_deg = 0.0;
+  std::optional<double> height_m = {};  // above mean sea level
+  double heading_deg = 0.0;             // of the x axis, clockwise from true north
+  bool y_to_the_right = false;          // of x, seen from above; otherwise to its left
+
+  friend bool operator==(const ShowPlace&, const ShowPlace&) = default;
+};
+
+struct ShowCue {
+  double time_s = 0.0;
+  std::string name = {};
+};
+
+struct ShowFacts {
+  ShowLimits limits = {};
+  std::optional<ShowPlace> place = {};
+  std::vector<ShowCue> cues = {};  // in the order of the show
+};
+
+}  // namespace beespace::io

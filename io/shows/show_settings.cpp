@@ -1,0 +1,163 @@
+#include "io/shows/show_settings.hpp"
+
+#include "io/problems/excerpt.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace beespace::io {
+namespace {
+
+using Found = Result<std::optional<ShowValue>>;
+
+// What lies below the root on that way; nothing where a part of it is missing.
+Found at(ShowDocuments& documents, std::initializer_list<std::string_view> way) {
+  std::optional<ShowValue> value = documents.root();
+  for (const std::string_view key : way) {
+    auto member = documents.member(*value, key);
+    if (!member) return member;
+    value = std::move(member).value();
+    if (!value) break;
+  }
+  return value;
+}
+
+// settings.validation.KEY, a number above zero.
+Result<std::optional<double>> limit(ShowDocuments& documents, std::string_view key,
+                                    ErrorCode if_not_above) {
+  const auto found = at(documents, {"settings", "validation", key});
+  if (!found) return found.error();
+  if (!*found) return std::optional<double>();
+  const std::string path = "settings.validation." + std::string(key);
+  const std::string place = documents.place_of(**found);
+  double value = 0.0;
+  if (!read_json((*found)->element, value)) {
+    Error error = json_number_problem((*found)->element, path);
+    error.location.source = place;
+    return error;
+  }
+  if (value > 0.0) return std::optional(value);
+  return Error{
+      if_not_above, path + " is not above zero; correct it, or remove it from the show", {place}};
+}
+
+std::optional<Error> read_limits(ShowDocuments& documents, ShowLimits& limits) {
+  const struct {
+    std::string_view key;
+    std::optional<double>& limit;
+  } table[] = {{"maxVelocityXY", limits.horizontal_mps},
+               {"maxVelocityZ", limits.descent_mps},
+               {"maxVelocityZUp", limits.climb_mps},
+               {"maxAltitude", limits.height_m}};
+  for (const auto& [key, taken] : table) {
+    auto value = limit(documents, key, ErrorCode::kInvalidArgument);
+    if (!value) return value.error();
+    taken = *value;
+  }
+  if (!limits.climb_mps) limits.climb_mps = limits.descent_mps;
+  return std::nullopt;
+}
+
+// Names of moments; what is no such is passed over: nothing but a picture depends on them.
+std::optional<Error> read_cues(ShowDocuments& documents, std::vector<ShowCue>& cues) {
+  const auto sheet = at(documents, {"settings", "cues", "items"});
+  if (!sheet) return sheet.error();
+  JsonArray items;
+  if (!*sheet || !(*sheet)->element.get(items)) return std::nullopt;
+  for (const JsonElement item : items) {
+    const auto time = json_member(item, "time");
+    const auto name = json_member(item, "name");
+    ShowCue cue;
+    std::string_view text;
+    if (!time || !read_json(*time, cue.time_s) || !name || !name->get(text)) continue;
+    cue.name = std::string(text);
+    cues.push_back(std::move(cue));
+  }
+  return std::nullopt;
+}
+
+// Latitude and longitude in 10^-7 degrees, and perhaps millimetres above mean sea level, as
+// Skybrush writes them: whole numbers. Degrees are not guessed at, as it is not known which comes
+// first.
+bool read_origin(JsonElement element, ShowPlace& place) {
+  constexpr double kSteps = 1e7;
+  JsonArray list;
+  if (!element.get(list) || list.size() < 2 || list.size() > 3) return false;
+  std::vector<std::int64_t> numbers;
+  for (const JsonElement item : list) {
+    std::int64_t number = 0;
+    const bool absent = item.is_null() && numbers.size() == 2;
+    if (absent) continue;
+    if (!item.get(number)) return false;
+    numbers.push_back(number);
+  }
+  const auto latitude = static_cast<double>(numbers[0]);
+  const auto longitude = static_cast<double>(numbers[1]);
+  const bool degrees = std::abs(latitude) <= 360.0 && std::abs(longitude) <= 360.0;
+  if (degrees || std::abs(latitude) > 90.0 * kSteps || std::abs(longitude) > 180.0 * kSteps) {
+    return false;
+  }
+  place.latitude_deg = latitude / kSteps;
+  place.longitude_deg = longitude / kSteps;
+  if (numbers.size() == 3) place.height_m = static_cast<double>(numbers[2]) / 1000.0;
+  return true;
+}
+
+// The axes of Skybrush are north, west, up (nwu) before they are turned.
+bool read_axes(JsonElement location, ShowPlace& place) {
+  const auto type = json_member(location, "type");
+  if (!type) return true;
+  std::string_view text;
+  if (!type->get(text)) return false;
+  place.y_to_the_right = text == "neu";
+  return text == "nwu" || text == "neu";
+}
+
+std::optional<Error> read_place(ShowDocuments& documents, RecordingAssembly& assembly,
+                                std::optional<ShowPlace>& place) {
+  const auto location = at(documents, {"environment", "location"});
+  if (!location) return location.error();
+  if (!*location) return std::nullopt;
+  const JsonElement element = (*location)->element;
+  const auto not_taken = [&](std::string_view what) {
+    assembly.note("the location of the show is not taken, as " + std::string(what) +
+                  "; to see it on a map say where it is with --origin");
+    return std::nullopt;
+  };
+  ShowPlace read;
+  const auto origin = json_member(element, "origin");
+  if (!origin) return not_taken("it has no origin");
+  if (!read_origin(*origin, read)) {
+    return not_taken(
+        "its origin is no latitude and longitude in whole 10^-7 degrees, with or without "
+        "millimetres above mean sea level");
+  }
+  const auto heading = json_member(element, "orientation");
+  if (!heading || !read_json(*heading, read.heading_deg) || std::abs(read.heading_deg) > 1e6) {
+    return not_taken("its orientation, where the x axis points, is not given");
+  }
+  if (!read_axes(element, read)) return not_taken("its axes are neither nwu nor neu");
+  place = read;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Error> read_show_settings(ShowDocuments& documents, RecordingAssembly& assembly) {
+  const auto threshold = limit(documents, "minDistance", ErrorCode::kInvalidThreshold);
+  if (!threshold) return threshold.error();
+  if (*threshold) assembly.declare_threshold(**threshold);
+  ShowFacts facts;
+  if (auto error = read_limits(documents, facts.limits)) return error;
+  if (auto error = read_cues(documents, facts.cues)) return error;
+  if (auto error = read_place(documents, assembly, facts.place)) return error;
+  assembly.declare_show(std::move(facts));
+  return std::nullopt;
+}
+
+}  // namespace beespace::io

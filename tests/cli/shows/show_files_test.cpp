@@ -1,0 +1,247 @@
+// Drone shows in the layouts of the tools that make them (see make-shows), by the first command
+// that their operator would type.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "tests/cli/run/below_header.hpp"
+#include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/expectations.hpp"
+#include "tests/cli/run/json_check.hpp"
+#include "tests/cli/run/temporary_folder.hpp"
+#include "tests/cli/run/xml_check.hpp"
+
+namespace beespace::cli_test {
+namespace {
+
+std::string show_file(const std::string& name) {
+  return std::string(BEESPACE_SHOWS) + "/" + name;
+}
+
+std::string text_of_file(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class CompiledShow : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Forms, CompiledShow, testing::Values("ring.skyc", "ring.json"),
+                         [](const auto& name) { return std::string(name.param).substr(5); });
+
+// Half way along the sides of a square of 5 m two drones are 2.5 times the square root of 2 apart.
+TEST_P(CompiledShow, ReplayNamesTheFourThatComeTooCloseAtTheShowsOwnDistance) {
+  const Finished finished = run({"replay", show_file(GetParam()), "--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 1);
+  const TextRows rows = rows_of(finished.out);
+  ASSERT_EQ(rows.size(), 4u) << finished.out;
+  EXPECT_EQ(rows[0][0] + rows[0][1], "Drone 1Drone 2");
+  EXPECT_NEAR(std::stod(rows[0][4]), 3.5355339, 1e-5);
+  expect_parts(finished.err, {"threshold  4 m (closer than), as the input declares\n",
+                              "verdict    does not keep its distance: 4 conflicts of 4 pairs\n"});
+}
+
+// Down from 10 m in 6 s along a curve at rest at both ends: 2.5 m/s in the middle.
+TEST_P(CompiledShow, VerifyFindsWhoDescendsFasterThanTheShowAllows) {
+  const Finished finished = run({"verify", show_file(GetParam())});
+  EXPECT_EQ(finished.exit_code, 1);
+  const TextRows rows = rows_of(finished.out);
+  ASSERT_EQ(rows.size(), 5u) << finished.out;
+  expect_rows({rows[4]}, {{"descent", "Drone 1", "", "20", "26", "2.5", "2.4", "23"}});
+  expect_parts(
+      finished.err,
+      {"motion     along the curves of the show\n",
+       "limits     horizontal speed 8 m/s, climb 3 m/s, descent 2.4 m/s, height 120 m (as "
+       "the show declares)\n",
+       "closest    Drone 1 and Drone 2, 3.536 m apart at 15.00 s\n",
+       "climb 2.500 m/s, Drone 1 at 7.00 s\n", "losses     4 conflicts\n",
+       "breaches   1 stretch above the descent of 2.4 m/s, the worst 2.500 m/s: Drone 1 at "
+       "23.00 s\n",
+       "verdict    does not keep its distance, and breaks the limits\n"});
+}
+
+TEST_P(CompiledShow, VerifyHoldsWhereItIsAskedForLess) {
+  const Finished finished = run({"verify", show_file(GetParam()), "--threshold", "3.5",
+                                 "--max-descent", "2.5", "--max-acceleration", "1.667"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.out;
+  EXPECT_EQ(below_header(finished.out), "");
+  expect_parts(finished.err, {"limits     descent 2.5 m/s, acceleration 1.667 m/s^2, horizontal",
+                              "losses     none\n", "breaches   none\n", "verdict    holds\n"});
+  EXPECT_EQ(run({"verify", show_file(GetParam()), "--threshold", "3.5", "--max-descent", "2.5",
+                 "--max-acceleration", "1.66"})
+                .exit_code,
+            1);
+}
+
+TEST_P(CompiledShow, ItsJsonHasLimitsAndGreatestValues) {
+  const Finished finished = run({"verify", show_file(GetParam()), "--json", "--quiet"});
+  EXPECT_TRUE(is_json(finished.out));
+  expect_parts(finished.out,
+               {R"("descent": {"most": 2.4, "unit": "m/s", "declared": true})",
+                R"("climb": {"most": 3, "unit": "m/s", "declared": true})",
+                R"("descent": {"value": 2.5, "unit": "m/s", "id": "Drone 1", "at_s": 23})",
+                R"("holds": false)", R"("breach_count": 1)"});
+}
+
+TEST_P(CompiledShow, ExportsLieWhereTheShowSays) {
+  const TemporaryFolder folder;
+  const std::string path = show_file(GetParam());
+  const Finished finished = run({"export", path, "-o", folder.path("ring.geojson")});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_parts(finished.err,
+               {"placed on the Earth at longitude 19.06207, latitude 47.47292, height "
+                "130.5 m, with x towards 30 degrees from north and y to its left"});
+  // Half way between (0, -2.5) and (2.5, 0): 1.7075 m east and 0.4575 m north of the origin.
+  expect_parts(text_of_file(folder.path("ring.geojson")),
+               {R"("coordinates": [19.062092652, 47.472924115, 140.5])"});
+  for (const char* const format : {"kml", "czml"}) {
+    const Finished map = run({"export", path, "--format", format});
+    EXPECT_EQ(map.exit_code, 0) << map.err;
+    EXPECT_NE(map.out.find("19.0620"), std::string::npos);
+  }
+}
+
+class ShowTables : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Forms, ShowTables, testing::Values("ring.zip", "ring-csv"),
+                         [](const auto& name) { return std::string(name.param).substr(5); });
+
+TEST_P(ShowTables, AreShowsWithAThresholdOfTheirs) {
+  const Finished finished = run({"replay", show_file(GetParam()), "--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.out;
+  expect_parts(finished.err,
+               {"bees       4\n",
+                "threshold  2 m (closer than), the default of shows that declare none "
+                "(--threshold)\n",
+                "verdict    keeps its distance\n", "3.536 m apart at 15.00 s"});
+}
+
+TEST_P(ShowTables, DronesThatLandAtDifferentTimesAreVerified) {
+  const Finished finished =
+      run({"verify", show_file(GetParam()), "--threshold", "3.6", "--max-climb", "2.4"});
+  EXPECT_EQ(finished.exit_code, 1);
+  const TextRows rows = rows_of(finished.out);
+  ASSERT_EQ(rows.size(), 8u) << finished.out;  // four pairs, four drones
+  EXPECT_EQ(rows[0][0], "loss");
+  EXPECT_EQ(rows[4][0] + rows[4][1], "climbDrone 1");
+  EXPECT_EQ(
+      run({"verify", show_file(GetParam()), "--max-climb", "2.5", "--max-height", "10"}).exit_code,
+      0);
+}
+
+TEST_P(ShowTables, EveryDroneHasItsClosest) {
+  const TextRows rows = rows_of(run({"replay", show_file(GetParam()), "--report", "bees"}).out);
+  ASSERT_EQ(rows.size(), 4u);
+  for (const auto& row : rows) {
+    EXPECT_EQ(row[1], "0");
+    EXPECT_NEAR(std::stod(row[3]), 3.5355339, 1e-5);
+    EXPECT_EQ(row[6], "0");
+  }
+}
+
+TEST(ShowPlace, IsAskedForWithItsHeading) {
+  const TemporaryFolder folder;
+  const std::string tables = show_file("ring-csv");
+  const Finished nowhere = run({"export", tables, "--format", "kml"});
+  EXPECT_EQ(nowhere.exit_code, 2);
+  expect_parts(nowhere.err, {"say with --origin lon,lat,height,heading where it is"});
+  const Finished unturned = run({"export", tables, "--format", "kml", "--origin", "19,47,130"});
+  EXPECT_EQ(unturned.exit_code, 2);
+  expect_parts(unturned.err, {"--origin needs the heading of the x axis too"});
+  expect_parts(run({"export", tables, "--format", "kml", "--origin", "19,91,130,0"}).err,
+               {"--origin: "});
+}
+
+// x to the north is y to the west: skybrush's axes; x to the east is y to the north.
+TEST(ShowPlace, TurnsAxes) {
+  const TemporaryFolder folder;
+  const std::string flight = folder.file(
+      "two.csv", "id,time_s,x,y,z\na,0,1000,0,5\na,1,1000,0,5\nb,0,1000,2,5\nb,1,1000,2,5\n");
+  const auto exported = [&](const std::string& heading) {
+    return run({"export", flight, "--threshold", "3", "--format", "geojson", "--origin",
+                "0,0,100," + heading})
+        .out;
+  };
+  // A degree is 111,319.49 m along the equator, and 110,574.28 m along a meridian there.
+  expect_parts(exported("90"), {"[0.008983153, 0.000009044, 105]"});
+  expect_parts(exported("0"), {"[-0.000008983, 0.009043695, 105]"});
+  expect_parts(exported("180"), {"[0.000008983, -0.009043695, 105]"});
+}
+
+TEST(ShowPlace, OfAShowIsNotGuessed) {
+  const TemporaryFolder folder;
+  std::string show = text_of_file(show_file("ring.json"));
+  const auto with = [&](const std::string& location) {
+    std::string other = show;
+    const std::size_t at = other.find(R"({"origin")");
+    other.replace(at, other.find('}', at) + 1 - at, location);
+    return run({"export", folder.file("ring.json", other), "--format", "kml"});
+  };
+  for (const char* const location :
+       {R"({"origin": [47.5, 19.1], "orientation": 30})", R"({"origin": [474729200, 190620700]})",
+        R"({"origin": [990620700, 474729200], "orientation": 30})",
+        R"({"origin": [474729200, 190620700], "orientation": 30, "type": "xyz"})"}) {
+    const Finished finished = with(location);
+    EXPECT_EQ(finished.exit_code, 2) << location;
+    expect_parts(finished.err, {"--origin"});
+  }
+  EXPECT_EQ(
+      with(R"({"origin": [474729200, 190620700], "orientation": 30, "type": "neu"})").exit_code, 0);
+}
+
+TEST(ShowLimits, ThatAreNoneAreErrors) {
+  const TemporaryFolder folder;
+  std::string show = text_of_file(show_file("ring.json"));
+  const std::string limit = R"("maxVelocityZ": 2.4)";
+  for (const char* const other : {R"("maxVelocityZ": 0)", R"("maxVelocityZ": "fast")"}) {
+    std::string changed = show;
+    changed.replace(changed.find(limit), limit.size(), other);
+    const Finished finished = run({"verify", folder.file("ring.json", changed)});
+    EXPECT_EQ(finished.exit_code, 3);
+    expect_parts(finished.err, {"settings.validation.maxVelocityZ"});
+  }
+}
+
+// Two that fly side by side exactly 4 m apart along curves, which no rounding may call closer.
+TEST(ShowLimits, ExactlyTheDistanceIsKept) {
+  const TemporaryFolder folder;
+  const auto drone = [](const std::string& name, const std::string& x) {
+    return R"({"settings": {"name": ")" + name +
+           R"(", "trajectory": {"version": 1, "points": [[0, [)" + x + R"(, 0, 1], []], [3.7, [)" +
+           x + R"(, 7.3, 9.1], [[)" + x + ", 0.1, 3.3], [" + x + R"(, 8.1, 8.7]]]]}}})";
+  };
+  const auto show = [&](const std::string& least) {
+    return folder.file("two.json", R"({"version": 1, "settings": {"validation": {"minDistance": )" +
+                                       least + R"(}}, "swarm": {"drones": [)" + drone("a", "1.5") +
+                                       "," + drone("b", "5.5") + "]}}");
+  };
+  EXPECT_EQ(run({"verify", show("4")}).exit_code, 0);
+  EXPECT_EQ(run({"verify", show("4.000000000000001")}).exit_code, 1);
+}
+
+TEST(ShowTablesOfOthers, WithoutAHeaderAreKnownByTheirColours) {
+  const TemporaryFolder folder;
+  const std::string bare =
+      folder.file("d1.csv", "0,0,0,5,255,0,0\n250,0,1,5,255,0,0\n500,0,2,5,0,0,255\n");
+  const Finished finished = run({"replay", bare});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_parts(finished.err, {"taken for a Skybrush CSV", "threshold  2 m"});
+  // Not where the last three are no colours.
+  const std::string other = folder.file("d2.csv", "0,0,0,5,1.5,0,0\n250,0,1,5,1.5,0,0\n");
+  EXPECT_EQ(run({"replay", other}).exit_code, 3);
+}
+
+TEST(ShowTablesOfOthers, WhichAreNotReadGetASentence) {
+  const TemporaryFolder folder;
+  const std::string vviz = folder.file("show.vviz", R"({"version": "1.0", "performances": []})");
+  expect_parts(run({"replay", vviz}).err,
+               {"a show for Finale 3D (VVIZ)", "export the show as .skyc"});
+  folder.file("1.path3", "x");
+  const TemporaryFolder paths;
+  paths.file("1.path", "x");
+  expect_parts(run({"replay", paths.path("")}).err, {"paths of a drone show (DSS)"});
+}
+
+}  // namespace
+}  // namespace beespace::cli_test
