@@ -16,7 +16,7 @@ bool is_folder(const std::string& path);
 bool is_table_name(std::string_view name);
 
 // What there is to read in the folder, by name: its tables; where there is none, its .json files,
-// otherwise its .tlog files. Hidden files are left out. Errors: kCannotOpen, kNoPoints when there
+// otherwise its .tlog files, or its .ulg files. Hidden files are left out. Errors: kCannotOpen, kNoPoints when there
 // is nothing.
 Result<std::vector<std::string>> recordings_in(const std::string& folder);
 

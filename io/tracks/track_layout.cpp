@@ -3,6 +3,7 @@
 #include "io/table/column_choice.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/table/unit_choice.hpp"
+#include "io/tracks/ros_table.hpp"
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_columns.hpp"
 #include "io/tracks/track_time.hpp"
@@ -129,10 +130,24 @@ Result<TrackLayout> skybrush_layout(TableLayout table, const RecordingOptions& o
   layout.frame_reason = frame.reason;
   TimeChoice time;
   time.unit = options.time_unit != Unit::kUnstated ? options.time_unit : Unit::kMillisecond;
+  time.named = options.time_unit == Unit::kUnstated;
   layout.time = time;
   layout.notes.push_back("without a header, this is taken for a Skybrush CSV: t in " +
                          std::string(symbol_of(time.unit)) + ", then x, y, z in metres" +
                          (columns == 7 ? " and a colour" : ""));
+  return layout;
+}
+
+// Of ROS it is known what the columns are.
+Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::string_view text,
+                               RecordingOptions options) {
+  options.columns = ros.columns;
+  table.names = ros.names;
+  auto layout = choose_track_layout(std::move(table), text, options);
+  if (!layout) return layout;
+  if (options.frame == Frame::kAuto) layout->frame_reason = "positions of ROS are in metres";
+  layout->axes_name = ros.axes_name;
+  layout->notes.push_back(ros.note);
   return layout;
 }
 
@@ -146,6 +161,7 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   const ColumnChoice& choice = layout.table.choice;
   if (layout.label) fill(*layout.label, TrackSlot::kLabel);
   if (layout.on_ground) fill(*layout.on_ground, TrackSlot::kOnGround);
+  if (layout.axes_name) fill(*layout.axes_name, TrackSlot::kAxesName);
   for (std::size_t i = 0; layout.velocity && i < layout.velocity->dimensions; ++i) {
     fill(layout.velocity->columns[i], TrackSlot::kVelocity + i);
   }
@@ -153,6 +169,9 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
     fill(choice.axes[i], TrackSlot::kPosition + i);
   }
   if (layout.time) fill(layout.time->column, TrackSlot::kTime);
+  if (layout.time && layout.time->nanoseconds) {
+    fill(*layout.time->nanoseconds, TrackSlot::kNanoseconds);
+  }
   if (choice.id) fill(*choice.id, TrackSlot::kId);
   return slots;
 }
@@ -199,9 +218,11 @@ Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOpti
   auto table = find_table(text, options.skip_bad);
   if (!table) return table.error();
   if (auto error = no_record_problem(text, *table)) return *std::move(error);
-  auto chosen = bare_skybrush && table->names.empty() && options.columns.empty()
-                    ? skybrush_layout(*table, options)
-                    : choose_track_layout(*table, text, options);
+  const bool free = options.columns.empty();
+  const auto ros = free ? find_ros_table(text, *table) : std::nullopt;
+  auto chosen = bare_skybrush && table->names.empty() && free ? skybrush_layout(*table, options)
+                : ros ? ros_layout(*ros, *table, text, options)
+                      : choose_track_layout(*table, text, options);
   if (!chosen) return at_first_line(std::move(chosen).error(), *table);
   return chosen;
 }

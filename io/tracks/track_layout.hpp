@@ -26,6 +26,10 @@ struct TimeChoice {
   bool iso = false;  // dates and times, not numbers
   bool since_1970 = false;
   bool by_size = false;  // the unit was told by the size of the numbers
+  bool named = false;    // the header alone, or the format, says the unit
+  // Of whole seconds, as ROS has them: the column of what is to be added, in nanoseconds.
+  std::optional<std::size_t> nanoseconds = {};
+  std::optional<std::size_t> other = {};  // another column that looks like a time, and is not taken
 };
 
 struct VelocityChoice {
@@ -49,6 +53,7 @@ struct TrackLayout {
   const LeftOutReason* no_height = nullptr;   // what to say of such a record
   std::optional<std::size_t> label = {};      // what each is called beside its id: the flight
   std::optional<std::size_t> on_ground = {};  // of those that are left out
+  std::optional<std::size_t> axes_name = {};  // of ROS: what x, y, z are counted in ("map")
   std::vector<UnitTaken> units = {};          // of positions and velocities
   std::vector<std::string> notes = {};
 };
@@ -61,7 +66,9 @@ struct TrackSlot {
   static constexpr std::size_t kVelocity = 5;  // three of them
   static constexpr std::size_t kLabel = 8;
   static constexpr std::size_t kOnGround = 9;
-  static constexpr std::size_t kNothing = 10;  // where columns go that are not asked for
+  static constexpr std::size_t kNanoseconds = 10;
+  static constexpr std::size_t kAxesName = 11;
+  static constexpr std::size_t kNothing = 12;  // where columns go that are not asked for
 };
 
 // By column: which slot it fills. An id may be read from a column that is something else too, but
