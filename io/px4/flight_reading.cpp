@@ -181,7 +181,7 @@ class FlightReading {
     say_clock();
     say_losses();
     for (const std::string& other : log_.other_instances) {
-      assembly_.note(assembly_.source_name() + ": " + other +
+      assembly_.note("in " + assembly_.source_name() + " " + other +
                      " is another instance of the same topic, and is left out");
     }
   }
@@ -204,11 +204,11 @@ class FlightReading {
   void say_clock() {
     const std::string& name = assembly_.source_name();
     if (!log_.clock) {
-      assembly_.note(name +
-                     ": times are seconds since the drone was switched on: there is no time of GPS");
+      assembly_.note("in " + name +
+                     " times are seconds since the drone was switched on: there is no time of GPS");
       return;
     }
-    assembly_.note(name + ": its clock is set by " + counted(log_.clock->samples, "time") +
+    assembly_.note("the clock of " + name + " is set by " + counted(log_.clock->samples, "time") +
                    " of GPS, nine of ten of which agree within " +
                    milliseconds(log_.clock->spread_micros));
   }
@@ -217,13 +217,12 @@ class FlightReading {
     const UlogLosses& losses = log_.losses;
     const std::string& name = assembly_.source_name();
     if (losses.dropouts > 0) {
-      assembly_.note(name + ": the drone could not write all: " +
+      assembly_.note("in " + name + " the drone could not write all: " +
                      counted(losses.dropouts, "dropout") + ", " +
                      std::to_string(losses.dropped_ms) + " ms in all");
-      assembly_.miss(losses.dropouts, id_);
     }
     if (losses.damaged_places > 0) {
-      assembly_.note(name + ": " + counted(losses.damaged_bytes, "byte") + " in " +
+      assembly_.note("in " + name + " " + counted(losses.damaged_bytes, "byte") + " in " +
                      counted(losses.damaged_places, "place") +
                      " are no message of a log, or a damaged one, and are passed over; the first "
                      "at byte " +
@@ -231,7 +230,7 @@ class FlightReading {
       assembly_.miss(losses.damaged_places, id_);
     }
     if (losses.cut_at) {
-      assembly_.note(name + ": the log ends within a message, at byte " +
+      assembly_.note("the log " + name + " ends within a message, at byte " +
                      std::to_string(*losses.cut_at) + "; that one is left out");
     }
   }

@@ -146,6 +146,12 @@ Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::stri
   auto layout = choose_track_layout(std::move(table), text, options);
   if (!layout) return layout;
   if (options.frame == Frame::kAuto) layout->frame_reason = "positions of ROS are in metres";
+  for (UnitTaken& taken : layout->units) {
+    if (taken.evidence == UnitEvidence::kUsual) {
+      taken.evidence = UnitEvidence::kNamed;
+      taken.reason = "messages of ROS have them so";
+    }
+  }
   layout->axes_name = ros.axes_name;
   layout->notes.push_back(ros.note);
   return layout;
