@@ -58,7 +58,7 @@ Result<FlightPlans> read_plans(std::string_view bytes, PlanNeed need) {
   PlanRecordReader reader(*layout);
   PlanRecord record;
   IdLines lines;
-  RecordWalk walk(text, layout->table.data_offset, layout->table.line_end);
+  RecordWalk walk(text, layout->table.data_offset, layout->table);
   while (walk.next()) {
     const std::uint64_t line = layout->table.lines_before + walk.line() + 1;
     auto error = reader.read(walk.record(), record);

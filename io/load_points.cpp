@@ -14,6 +14,7 @@
 #include "io/points/record_source.hpp"
 #include "io/points/table_reading.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/problems/signatures.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/table/coordinate_units.hpp"
 #include "io/table/position_columns.hpp"
@@ -292,7 +293,9 @@ Format format_of(std::string_view bytes, const std::string& path, Format asked) 
   if (asked != Format::kAuto) return asked;
   if (is_npy(bytes)) return Format::kNpy;
   const std::string name = lower_case(path);
-  const bool raw = ends_with(name, ".bin") || ends_with(name, ".bin.gz");
+  // Logs of drones may be called so, too.
+  const bool raw =
+      (ends_with(name, ".bin") || ends_with(name, ".bin.gz")) && !is_foreign_file(bytes);
   return raw ? Format::kRawFloat64 : Format::kText;
 }
 

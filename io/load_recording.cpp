@@ -13,6 +13,8 @@
 #include "io/problems/excerpt.hpp"
 #include "io/problems/json_kind.hpp"
 #include "io/problems/text_check.hpp"
+#include "io/px4/flight_reading.hpp"
+#include "io/px4/ulog_walk.hpp"
 #include "io/recording/recording_assembly.hpp"
 #include "io/recording/recording_sources.hpp"
 #include "io/shows/show_documents.hpp"
@@ -164,6 +166,7 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
   }
   if (!tables && object) return read_json_file(*content, source, path, assembly);
   if (format == RecordingFormat::kAuto) {
+    if (is_ulog(content->view)) return read_flight(content->view, path, assembly);
     if (is_telemetry_log(content->view)) return read_telemetry(content->view, path, assembly);
     if (is_base_station(content->view)) return read_base_station(content->view, assembly);
     const std::string_view text = without_byte_order_mark(content->view);

@@ -9,7 +9,9 @@
 //   of files, and BaseStation (SBS-1) messages. Bees are named by the address of the aircraft;
 // - DAIDALUS encounters (.daa), and where BlueSky scenarios (.scn) create their aircraft;
 // - MAVLink telemetry logs (.tlog). Bees are named by their system id, in several inputs with the
-//   name of the file before it.
+//   name of the file before it;
+// - PX4 logs (ULog), each of one drone, which is named after the file. Several share a clock by the
+//   time of GPS, or not at all.
 //
 // Nothing is converted but units: positions stay as the input has them (see recording.hpp), times
 // become seconds. What several files say of the same id is one bee's.
@@ -28,7 +30,7 @@ namespace beespace::io {
 
 // `paths` are names of files and folders, or "-" for standard input. Of a folder, all its .csv,
 // .tsv and .txt files are read, in the order of their names; where there is none, its .json files,
-// otherwise its .tlog files. Errors carry the file (of a zip
+// otherwise its .tlog files, or its .ulg files. Errors carry the file (of a zip
 // "show.skyc!drones/1/trajectory.json"), and line and column or record where there are such.
 Result<Recording> load_recording(const std::vector<std::string>& paths,
                                  const RecordingOptions& options = {});

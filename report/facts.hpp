@@ -33,6 +33,7 @@ struct Names {
 struct HeightWords {
   bool in_feet = false;      // or in flight levels
   bool by_pressure = false;  // of the standard atmosphere, as flight levels are
+  bool above_sea = false;    // mean sea level, not the ellipsoid
 };
 
 struct SwarmFacts {

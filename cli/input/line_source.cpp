@@ -1,6 +1,7 @@
 #include "cli/input/line_source.hpp"
 
 #include "cli/console/signals.hpp"
+#include "io/mavlink/telemetry_log.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -62,7 +63,12 @@ LineSource::LineSource(LineSource&& other) noexcept
       ended_(other.ended_),
       cutting_(other.cutting_),
       buffer_(std::move(other.buffer_)),
-      begin_(other.begin_) {
+      begin_(other.begin_),
+      compressed_(other.compressed_),
+      telemetry_(other.telemetry_),
+      unpacking_(std::move(other.unpacking_)),
+      packed_(std::move(other.packed_)),
+      damaged_(other.damaged_) {
 }
 
 LineSource::~LineSource() {
@@ -95,9 +101,72 @@ bool LineSource::take_line(std::string_view& line) {
   }
 }
 
+// One frame behind its time, or all bytes that are none before the next.
+bool LineSource::take_frame(std::string_view& frame) {
+  while (true) {
+    const std::string_view rest = std::string_view(buffer_).substr(begin_);
+    const std::string_view ahead = rest.substr(damaged_);
+    const auto size = io::logged_frame_size(ahead);
+    const bool over = ended_ && ahead.empty();
+    if ((size || over || damaged_ >= kLongest) && damaged_ > 0) {
+      frame = rest.substr(0, std::exchange(damaged_, 0));
+      begin_ += frame.size();
+      return true;
+    }
+    if (size) {
+      frame = ahead.substr(0, *size);
+      begin_ += *size;
+      return true;
+    }
+    if (over) return false;
+    if (ended_ && damaged_ == 0 && io::may_be_cut_frame(ahead)) {
+      begin_ = buffer_.size();  // the last frame is cut short
+      return false;
+    }
+    if (!ended_ && ahead.size() < io::kLongestLogged) return false;
+    ++damaged_;
+  }
+}
+
+bool LineSource::comes_in_frames() {
+  if (telemetry_) return *telemetry_;
+  const std::string_view front = std::string_view(buffer_).substr(begin_);
+  // Text is known by its first byte, so that a short line need not wait for more.
+  const bool may_be = front.empty() || front.front() == '\0';
+  if (may_be && front.size() < io::kTelemetryFront && !ended_) return false;
+  telemetry_ = io::begins_as_telemetry_log(front);
+  return *telemetry_;
+}
+
+Status LineSource::add(std::string_view bytes) {
+  packed_.append(bytes);
+  if (!compressed_) {
+    if (packed_.size() < 2 && !ended_) return std::monostate{};
+    compressed_ = io::is_gzip(packed_);
+    if (*compressed_) unpacking_.emplace(name_);
+  }
+  if (!*compressed_) {
+    buffer_.append(std::exchange(packed_, {}));
+    return std::monostate{};
+  }
+  constexpr std::size_t kRoom = std::size_t{1} << 17;
+  std::string_view packed = packed_;
+  for (bool full = true; full;) {
+    io::GrowingBytes room;
+    room.make_room(kRoom);
+    if (auto status = unpacking_->unpack(packed, ended_, room); !status) return status;
+    buffer_.append(room.view());
+    full = room.free_size() == 0;
+  }
+  packed_.erase(0, packed_.size() - packed.size());
+  return std::monostate{};
+}
+
 Result<LineSource::Got> LineSource::next(std::string_view& line, int patience_ms) {
   while (!interrupted()) {
-    if (take_line(line)) return Got::kLine;
+    if (comes_in_frames() ? take_frame(line) : telemetry_ && take_line(line)) {
+      return *telemetry_ ? Got::kFrame : Got::kLine;
+    }
     if (ended_) return Got::kEnd;
     buffer_.erase(0, begin_);
     begin_ = 0;
@@ -110,7 +179,9 @@ Result<LineSource::Got> LineSource::next(std::string_view& line, int patience_ms
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return system_error(ErrorCode::kReadFailed, "cannot read", name_);
     if (count == 0) ended_ = true;
-    buffer_.append(block.data(), static_cast<std::size_t>(count));
+    if (auto status = add({block.data(), static_cast<std::size_t>(count)}); !status) {
+      return status.error();
+    }
   }
   return Got::kEnd;
 }

@@ -1,5 +1,9 @@
-// Lines as they come from a file or standard input, without waiting for more than there is.
+// Lines as they come from a file or standard input, without waiting for more than there is; of a
+// telemetry log its frames. What is gzip-compressed is unpacked as it comes.
 #pragma once
+
+#include "io/bytes/byte_source.hpp"
+#include "io/bytes/gzip.hpp"
 
 #include <beespace/result.hpp>
 
@@ -21,7 +25,12 @@ class LineSource {
   LineSource& operator=(const LineSource&) = delete;
   ~LineSource();
 
-  enum class Got { kLine, kNothingYet, kEnd };
+  enum class Got {
+    kLine,
+    kFrame,  // of a telemetry log: a time and a frame, or bytes between them that are none
+    kNothingYet,
+    kEnd,
+  };
   // The next line, without its end, valid until the next call; or that none has come for
   // `patience_ms`. A line longer than kLongest is cut there. A signal that has been let wait is an
   // end too. Error: kReadFailed.
@@ -36,7 +45,12 @@ class LineSource {
 
  private:
   LineSource(std::string name, int descriptor, bool owned);
+  // Whether a telemetry log comes: once enough is there to tell.
+  bool comes_in_frames();
   bool take_line(std::string_view& line);
+  bool take_frame(std::string_view& frame);
+  // Behind what is there, unpacked. Errors: those of Unpacking.
+  Status add(std::string_view bytes);
 
   std::string name_;  // what errors blame
   int descriptor_;
@@ -47,6 +61,11 @@ class LineSource {
   bool cutting_ = false;  // the rest of a line that was too long is to be passed over
   std::string buffer_;
   std::size_t begin_ = 0;
+  std::optional<bool> compressed_;  // once it is known
+  std::optional<bool> telemetry_;   // the same
+  std::optional<io::Unpacking> unpacking_;
+  std::string packed_;       // what is to be unpacked
+  std::size_t damaged_ = 0;  // bytes at begin_ that are no frame
 };
 
 }  // namespace beespace::cli

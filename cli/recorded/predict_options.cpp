@@ -46,8 +46,8 @@ Command predict_command() {
       return run_predict(*request);
     });
   });
-  predict.arguments("FILE", moving.inputs, "What to read (default, or -: standard input)").takes =
-      Option::Takes::kOne;
+  predict.arguments("FILES", moving.inputs,
+                    "Files and folders to read (default, or -:\nstandard input)");
   add_input_options(predict, moving);
   predict.option("--max-age", "SECONDS", request->max_age_s, amount("seconds", kFromZero),
                  "Leave out who was not heard of for so long (default: 30)");

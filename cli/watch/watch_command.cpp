@@ -57,8 +57,10 @@ class Watch {
       if (!got) return got.error();
       if (*got == LineSource::Got::kEnd) break;
       came_s_ = source->looked_s();
-      if (*got == LineSource::Got::kLine) {
-        if (const Status done = take(line); !done) return done.error();
+      if (*got == LineSource::Got::kLine || *got == LineSource::Got::kFrame) {
+        const bool frame = *got == LineSource::Got::kFrame;
+        const auto read = frame ? lines_.take_frame(line) : lines_.take(line);
+        if (const Status done = take(read); !done) return done.error();
       } else {
         advise_if_due();
       }
@@ -173,8 +175,7 @@ class Watch {
 
   [[nodiscard]] bool any_unplaced() const { return many_unplaced_ || !unplaced_.empty(); }
 
-  Status take(std::string_view line) {
-    const auto read = lines_.take(line);
+  Status take(const Result<std::optional<io::ReportLine>>& read) {
     if (!read) {
       if (lines_.ended()) return read.error();
       note_heard_of(lines_.bad_id());

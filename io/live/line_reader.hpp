@@ -49,6 +49,9 @@ std::unique_ptr<LineReader> make_json_lines(const RecordingOptions& options);
 std::unique_ptr<LineReader> make_aircraft_lines(const RecordingOptions& options);
 std::unique_ptr<LineReader> make_base_station_lines(const RecordingOptions& options);
 
+// Of a telemetry log: each "line" is a time and a frame, or bytes that are none.
+std::unique_ptr<LineReader> make_telemetry_frames(const RecordingOptions& options);
+
 // Of readsb's objects, not of words of another source; `line` is one object.
 bool is_aircraft_line(std::string_view line);
 

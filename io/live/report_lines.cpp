@@ -115,6 +115,24 @@ Result<std::optional<ReportLine>> ReportLines::take(std::string_view line) {
   return report;
 }
 
+Result<std::optional<ReportLine>> ReportLines::take_frame(std::string_view logged) {
+  if (!reader_) reader_ = make_telemetry_frames(options_);
+  ++lines_;
+  bad_id_ = {};
+  hidden_id_ = {};
+  auto report = reader_->read(logged);
+  understood_ = understood_ || reader_->settled();
+  if (report) {
+    if (!*report && reader_->hides()) hidden_id_ = reader_->last_id();
+    return report;
+  }
+  bad_id_ = reader_->last_id();
+  Error& error = report.error();
+  error.location.source = source_;
+  error.location.record = lines_ - 1;
+  return report;
+}
+
 bool ReportLines::ended() const {
   return reader_ && reader_->ended();
 }

@@ -7,6 +7,9 @@
 // - or an object of readsb's JSON port: {"now": ..., "hex": ..., "lat": ..., "alt_geom": ...}. Its
 //   time is `now` less `seen_pos`: an object without `now` has no time and is refused;
 // - or a message of BaseStation (SBS-1), of which MSG,3 completes a position.
+// - or, of a telemetry log of MAVLink (.tlog), a frame behind its time: take_frame(). Metres
+// (message
+//   32) are taken where RecordingOptions::frame says so.
 // Where the first lines cannot be read, as in the middle of a stream, the next one tells the kind.
 //
 // Among lines of every kind an object {"event": "leave", "id": "a"} says that a bee is there no
@@ -69,6 +72,10 @@ class ReportLines {
   // the header, and what is left out as load_recording() leaves it out (see notes()).
   // Errors: those of load_recording(), with source and line; the next line may follow.
   Result<std::optional<ReportLine>> take(std::string_view line);
+
+  // The same of a telemetry log, all of whose frames come so: one behind its time, or bytes that
+  // are none, which is an error. Errors have the number of the frame, from 0.
+  Result<std::optional<ReportLine>> take_frame(std::string_view logged);
 
   // Whether a line was understood as a report, or may have been. Until then an error is likely to
   // be about the input as a whole: columns that are missing, a unit or a frame that must be said.

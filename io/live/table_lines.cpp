@@ -8,10 +8,13 @@
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_record.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace beespace::io {
 namespace {
+
+constexpr std::string_view kDelimiters = "\t;, ";
 
 class TableLines final : public LineReader {
  public:
@@ -23,6 +26,7 @@ class TableLines final : public LineReader {
   Result<std::optional<ReportLine>> read(std::string_view line) override {
     record_.id = {};
     hides_ = false;
+    if (passes_over(line)) return std::optional<ReportLine>();
     if (!reader_) {
       if (auto header = take_header(line)) return *std::move(header);
       return read_first(line);
@@ -53,6 +57,16 @@ class TableLines final : public LineReader {
   }
 
  private:
+  // Of a comment. The first one may be the header.
+  [[nodiscard]] bool passes_over(std::string_view line) const {
+    if (!has_comment_sign(line)) return false;
+    if (layout_found_) return is_comment(line, layout_.table);
+    if (!header_.empty()) return true;
+    return std::none_of(kDelimiters.begin(), kDelimiters.end(), [line](char delimiter) {
+      return header_names(line, delimiter).has_value();
+    });
+  }
+
   // What becomes of a line that is a header again; nothing where it is none.
   std::optional<Result<std::optional<ReportLine>>> take_header(std::string_view line) {
     const auto again = repeats_header(line);
@@ -66,8 +80,7 @@ class TableLines final : public LineReader {
   // where there was none before, makes something else of the lines to come.
   Result<bool> repeats_header(std::string_view line) {
     if (!layout_found_ && header_.empty()) return false;
-    const char* const delimiters = "\t;, ";
-    for (const char delimiter : std::string_view(delimiters)) {
+    for (const char delimiter : kDelimiters) {
       if (layout_found_ && delimiter != layout_.table.delimiter) continue;
       const auto names = header_names(line, delimiter);
       if (!names) continue;

@@ -52,6 +52,25 @@ bool is_telemetry_log(std::string_view bytes) {
   return false;
 }
 
+bool begins_as_telemetry_log(std::string_view bytes) {
+  constexpr std::uint64_t kEarliest_us = 1'000'000'000'000'000;  // the year 2001
+  constexpr std::uint64_t kLatest_us = 5'000'000'000'000'000;    // 2128
+  if (bytes.size() < kTelemetryFront || !may_begin(bytes, 0)) return false;
+  const std::uint64_t stamp = stamp_at(bytes, 0);
+  return stamp >= kEarliest_us && stamp < kLatest_us;
+}
+
+std::optional<std::size_t> logged_frame_size(std::string_view bytes) {
+  const auto frame = frame_at(bytes, 0);
+  if (!frame) return std::nullopt;
+  return kStamp + frame->size;
+}
+
+bool may_be_cut_frame(std::string_view bytes) {
+  return bytes.size() <= kStamp ||
+         (may_begin(bytes, 0) && !read_mavlink_frame(bytes.substr(kStamp)));
+}
+
 bool TelemetryWalk::take(std::size_t at) {
   const auto frame = frame_at(bytes_, at);
   if (!frame) return false;
@@ -80,8 +99,7 @@ void TelemetryWalk::end(std::size_t from) {
   at_ = bytes_.size();
   if (from >= bytes_.size()) return;
   // All of a frame that is there is right as far as it goes.
-  cut_short_ = bytes_.size() - from <= kStamp ||
-               (may_begin(bytes_, from) && !read_mavlink_frame(bytes_.substr(from + kStamp)));
+  cut_short_ = may_be_cut_frame(bytes_.substr(from));
   if (cut_short_) return;
   damaged_bytes_ += bytes_.size() - from;
   ++damaged_places_;

@@ -13,6 +13,19 @@ namespace beespace::io {
 // Whether it is one, by the first frames; what lies before them may be damaged.
 bool is_telemetry_log(std::string_view bytes);
 
+// Whether what comes may be a log, by its first nine bytes: a time of these decades, and how a
+// frame begins. No text begins so.
+inline constexpr std::size_t kTelemetryFront = 9;
+bool begins_as_telemetry_log(std::string_view bytes);
+
+// No time and frame together are longer.
+inline constexpr std::size_t kLongestLogged = 8 + 280;
+// The size of the time and the frame that `bytes` begin with; nothing where there is none, or not
+// all of it.
+std::optional<std::size_t> logged_frame_size(std::string_view bytes);
+// Whether all of `bytes`, which are no frame, may be the beginning of one.
+bool may_be_cut_frame(std::string_view bytes);
+
 // A walk over the frames of a log. What is no frame, or one with a wrong checksum, is passed over
 // byte by byte until the next one.
 class TelemetryWalk {

@@ -19,7 +19,7 @@ std::size_t read_any_line(std::string_view piece, std::size_t at, const TableLay
                           const PieceOptions& options, PieceContent& content) {
   const Line line = line_at(piece, at, layout.line_end);
   ++content.lines;
-  if (is_blank_line(line.text)) return line.next;
+  if (is_blank_line(line.text) || is_comment(line.text, layout)) return line.next;
   Point point;
   auto error = read_record(line.text, layout, point);
   const std::uint64_t row = content.rows++;
@@ -103,7 +103,7 @@ void read_piece(std::string_view piece, const char* readable_end, const TableLay
 Error range_error_in_text(std::string_view text, const TableLayout& layout, std::uint64_t row,
                           const Point& point, std::size_t axis, ErrorCode code) {
   const std::size_t column = layout.choice.axes[axis];
-  RecordWalk walk(text, 0, layout.line_end);
+  RecordWalk walk(text, 0, layout);
   while (walk.next() && walk.row() < row) {
   }
   const Field field = field_at(walk.record(), layout.delimiter, column);

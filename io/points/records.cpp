@@ -41,7 +41,7 @@ void fill(Record& record, const Point& stated, const std::array<Unit, 3>& units,
 void visit_table(const RecordSource& source, const std::vector<PointId>& ascending,
                  const Wanted& wanted, const Visit& visit) {
   const TableLayout& layout = *source.table;
-  RecordWalk walk(source.text, layout.data_offset, layout.line_end);
+  RecordWalk walk(source.text, layout.data_offset, layout);
   const char* const readable_end = source.text.data() + source.text.size();
   std::string id;
   for (const PointId point : ascending) {

@@ -1,8 +1,8 @@
 #include "io/problems/text_check.hpp"
 
 #include "io/problems/json_kind.hpp"
+#include "io/problems/signatures.hpp"
 
-#include <array>
 #include <cstddef>
 #include <string>
 
@@ -10,41 +10,6 @@ namespace beespace::io {
 namespace {
 
 constexpr std::size_t kLookedAt = 4096;
-
-struct Signature {
-  std::string_view bytes;
-  std::string_view what;
-};
-
-// Longer ones before those they begin with.
-constexpr std::array<Signature, 20> kSignatures = {{
-    {std::string_view("\xFF\xFE\0\0", 4), "UTF-32 text; save it as UTF-8"},
-    {std::string_view("\0\0\xFE\xFF", 4), "UTF-32 text; save it as UTF-8"},
-    {"\xFF\xFE", "UTF-16 text; save it as UTF-8"},
-    {"\xFE\xFF", "UTF-16 text; save it as UTF-8"},
-    {"PK\x03\x04",
-     "a zip archive: a drone show is for 'beespace replay'; unpack or export anything else as CSV"},
-    {"\x1F\x8B", "gzip-compressed data, which is not unpacked here; pipe it in: zcat FILE |"},
-    {"\x28\xB5\x2F\xFD", "zstd-compressed data; unpack it first"},
-    {"BZh", "bzip2-compressed data; unpack it first"},
-    {"\xFD"
-     "7zXZ",
-     "xz-compressed data; unpack it first"},
-    {"\x93NUMPY",
-     "a .npy array, which holds positions and nothing else; 'beespace detect' reads it"},
-    {"ULog\x01\x12\x35", "a PX4 log (ULog), which is not read; convert it to CSV (ulog2csv)"},
-    {"%PDF", "a PDF document; export the table as CSV"},
-    {"\x89PNG", "a picture"},
-    {"\xFF\xD8\xFF", "a picture"},
-    {"\x89HDF", "an HDF5 file; export the table as CSV"},
-    {"SQLite format 3", "an SQLite database; export the table as CSV"},
-    {"\x7F"
-     "ELF",
-     "a program"},
-    {"PAR1", "a Parquet file; export the table as CSV"},
-    {"<?xml", "XML; export the table as CSV"},
-    {"<kml", "KML, which is not read; export the table as CSV"},
-}};
 
 Error unsupported(const std::string& found) {
   return {ErrorCode::kUnsupportedFormat, "this is " + found, {}};
@@ -93,11 +58,7 @@ std::optional<Error> text_problem(std::string_view bytes, std::string_view or_ra
   const std::string_view text = without_byte_order_mark(bytes);
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   const std::string_view front = text.substr(start == std::string_view::npos ? 0 : start);
-  for (const Signature& signature : kSignatures) {
-    if (front.substr(0, signature.bytes.size()) == signature.bytes) {
-      return unsupported(std::string(signature.what));
-    }
-  }
+  if (std::string words = words_of_signature(front); !words.empty()) return unsupported(words);
   if (front.starts_with('{') || front.starts_with('[')) return unsupported(json_words(front));
   if (auto problem = utf16_problem(bytes)) return problem;
   if (begins_as_telemetry(bytes)) {

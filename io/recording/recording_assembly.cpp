@@ -2,6 +2,7 @@
 
 #include "io/problems/excerpt.hpp"
 #include "io/problems/skipped_records.hpp"
+#include "io/recording/time_doubts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -93,6 +94,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
     facts_->frame = facts.frame;
     facts_->frame_reason = facts.frame_reason;
   }
+  if (facts.named_time != facts_->named_time) facts_->named_time = Unit::kUnstated;
   // The least that any of them says.
   facts_->naming = std::min(facts_->naming, facts.naming);
   facts_->dimensions = std::min(facts_->dimensions, facts.dimensions);
@@ -118,6 +120,19 @@ std::optional<Error> RecordingAssembly::agree_on_heights(HeightDatum heights) {
        ", others say nothing; they are compared as they are");
   facts_->heights = HeightDatum::kUnstated;
   return std::nullopt;
+}
+
+std::optional<Error> RecordingAssembly::agree_on_axes(std::string_view name) {
+  if (!axes_name_) {
+    axes_name_ = name;
+    axes_source_ = sources_.back();
+  }
+  if (*axes_name_ == name) return std::nullopt;
+  return Error{ErrorCode::kUnknownFrame,
+               "this position is in the frame " + excerpt(name) + " of ROS, but others, as in " +
+                   axes_source_ + ", are in " + excerpt(*axes_name_) +
+                   ": they cannot be compared; bring all into one, as by the transforms of /tf",
+               {}};
 }
 
 // Each is converted by its own; heights as they are stated can be compared only in one unit.
@@ -339,6 +354,14 @@ Error RecordingAssembly::nothing_left() const {
   return {ErrorCode::kNoPoints, message, {sources_.empty() ? "" : sources_.front()}};
 }
 
+// Headers are wrong about times now and then, and speeds show it.
+std::optional<Error> RecordingAssembly::doubtful_times() const {
+  if (!facts_ || facts_->named_time == Unit::kUnstated) return std::nullopt;
+  auto error = doubt_of_time_unit(recording_, facts_->named_time);
+  if (error) error->location.source = facts_source_;
+  return error;
+}
+
 Result<Recording> RecordingAssembly::finish() {
   settle_heard();
   if (tracks_.empty()) return nothing_left();
@@ -357,6 +380,7 @@ Result<Recording> RecordingAssembly::finish() {
   }
   recording_.missing = missing();
   recording_.bees = tracks_.release();
+  if (auto error = doubtful_times()) return *std::move(error);
   if (recording_.height_unit == Unit::kMetre) {
     for (RecordedBee& bee : recording_.bees) bee.stated_heights.clear();
   }

@@ -35,6 +35,7 @@ struct SourceFacts {
   bool has_time = true;
   bool since_1970 = false;
   std::optional<WallClock> clock = {};
+  Unit named_time = Unit::kUnstated;  // that of the times, where nothing but the header says it
   HeightDatum heights = HeightDatum::kUnstated;
   Unit height_unit = Unit::kMetre;  // in which TrackGathering is told them as they are stated
   std::vector<UnitTaken> units = {};
@@ -71,6 +72,9 @@ class RecordingAssembly {
   // Errors: kUnknownFrame, kMissingColumn, kInvalidArgument for inputs that do not go together:
   // in frame, time or what heights are counted from.
   std::optional<Error> agree(const SourceFacts& facts);
+  // Of ROS: positions are counted in axes of that name, which must be one for all. Errors:
+  // kUnknownFrame.
+  std::optional<Error> agree_on_axes(std::string_view name);
   // What they agree on so far; null where nothing was read.
   [[nodiscard]] const SourceFacts* facts() const { return facts_ ? &*facts_ : nullptr; }
   // The midnight that all inputs without a time zone count from: that of the first of them.
@@ -109,6 +113,7 @@ class RecordingAssembly {
   std::optional<Error> settle_frame();
   void settle_heard();
   [[nodiscard]] MissingRecords missing() const;
+  [[nodiscard]] std::optional<Error> doubtful_times() const;
   void note_counts();
   [[nodiscard]] Error nothing_left() const;
   std::optional<Error> agree_on_heights(HeightDatum heights);
@@ -134,6 +139,8 @@ class RecordingAssembly {
   HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by the source that states it
   std::string stated_by_;
   std::uint64_t nameless_ = 0;
+  std::optional<std::string> axes_name_;
+  std::string axes_source_;  // who said so first
   bool several_height_units_ = false;
 };
 

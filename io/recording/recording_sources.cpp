@@ -47,6 +47,7 @@ Result<std::vector<std::string>> recordings_in(const std::string& folder) {
   std::vector<std::string> documents;
   std::vector<std::string> logs;
   std::string_view foreign;
+  std::vector<std::string> flights;
   std::error_code problem;
   std::filesystem::directory_iterator entry(folder, problem);
   for (; !problem && entry != std::filesystem::directory_iterator(); entry.increment(problem)) {
@@ -57,21 +58,26 @@ Result<std::vector<std::string>> recordings_in(const std::string& folder) {
     if (has_ending(name, {".json"})) documents.push_back(path);
     if (has_ending(name, {".tlog"})) logs.push_back(path);
     if (foreign.empty()) foreign = foreign_show(name);
+    if (has_ending(name, {".ulg", ".ulog"})) flights.push_back(path);
   }
   if (problem) {
     return Error{ErrorCode::kCannotOpen,
                  "cannot read this folder: " + problem.message() + "; check its permissions",
                  {folder}};
   }
-  auto& chosen = !tables.empty() ? tables : !documents.empty() ? documents : logs;
+  auto& chosen = !tables.empty()      ? tables
+                 : !documents.empty() ? documents
+                 : !logs.empty()      ? logs
+                                      : flights;
   if (chosen.empty() && !foreign.empty()) {
     return Error{ErrorCode::kUnsupportedFormat, std::string(foreign), {folder}};
   }
   if (chosen.empty()) {
-    return Error{ErrorCode::kNoPoints,
-                 "there is no .csv, .tsv or .txt file in this folder, nor any .json or .tlog; name "
-                 "the files, or the folder that holds them",
-                 {folder}};
+    return Error{
+        ErrorCode::kNoPoints,
+        "there is no .csv, .tsv or .txt file in this folder, nor any .json, .tlog or .ulg; "
+        "name the files, or the folder that holds them",
+        {folder}};
   }
   std::sort(chosen.begin(), chosen.end());
   return std::move(chosen);

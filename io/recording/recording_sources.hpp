@@ -20,8 +20,8 @@ bool is_table_name(std::string_view name);
 std::string_view foreign_show(std::string_view name);
 
 // What there is to read in the folder, by name: its tables; where there is none, its .json files,
-// otherwise its .tlog files. Hidden files are left out. Errors: kCannotOpen, kNoPoints when there
-// is nothing.
+// otherwise its .tlog files, or its .ulg files. Hidden files are left out. Errors: kCannotOpen,
+// kNoPoints when there is nothing.
 Result<std::vector<std::string>> recordings_in(const std::string& folder);
 
 // "swarm" of "data/swarm.csv.gz"; "stdin" of "-".

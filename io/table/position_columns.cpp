@@ -97,6 +97,7 @@ NamePattern id_word() {
       {Says::kNoun, "icao icao24 hex callsign", Role::kId, "aviation"},
       {Says::kNoun, "nombre", Role::kId, "Spanish"},
       {Says::kNoun, "nom", Role::kId, "French"},
+      {Says::kOther, "frame child_frame", Role::kNone, "robotics"},  // whose axes, or which picture
   };
   pattern.needed = Says::kNoun;
   pattern.anything = true;

@@ -46,6 +46,15 @@ Error line_without_end(std::string_view beginning) {
           {}};
 }
 
+Error comment_or_record(std::string_view line) {
+  return {ErrorCode::kMalformedRecord,
+          "a comment, or a record? " + excerpt(line) +
+              " begins with # and has the columns of a record; remove it, or let no id begin with "
+              "#" +
+              std::string(kOrLeaveOut),
+          {}};
+}
+
 std::optional<Error> record_problem(std::string_view line, const TableLayout& layout,
                                     std::size_t count, std::string_view cursor_problem) {
   if (line.find('\0') != std::string_view::npos) {
@@ -54,12 +63,7 @@ std::optional<Error> record_problem(std::string_view line, const TableLayout& la
                      "; this is no text table, or it is damaged",
                  {}};
   }
-  if (const auto text = without_padding(line); !text.empty() && text.front() == '#') {
-    return Error{ErrorCode::kMalformedRecord,
-                 "a comment line: " + excerpt(line) + "; comments are not read, remove it" +
-                     std::string(kOrLeaveOut),
-                 {}};
-  }
+  if (has_comment_sign(line)) return comment_or_record(line);
   if (!cursor_problem.empty()) {
     return at_column(ErrorCode::kMalformedRecord,
                      std::string(cursor_problem) + ": " + excerpt(line) +

@@ -25,6 +25,9 @@ Error long_line(std::string_view line);
 // only be guessed.
 Error line_without_end(std::string_view beginning);
 
+// kMalformedRecord: it begins with "#", and is_comment() does not hold.
+Error comment_or_record(std::string_view line);
+
 // What is wrong with the line as a whole, after a FieldCursor went through it: `count` fields, and
 // its problem(). Errors: kUnsupportedFormat (NUL bytes), kMalformedRecord, kColumnCount.
 std::optional<Error> record_problem(std::string_view line, const TableLayout& layout,

@@ -1,9 +1,11 @@
 // A walk over the records of a text table, line by line, counting lines and data rows. Blank lines
-// are lines but no rows. Finds line ends and nothing else, so it costs little more than memchr.
+// and comments are lines but no rows. Finds line ends and nothing else, so it costs little more
+// than memchr.
 #pragma once
 
 #include "io/bytes/characters.hpp"
 #include "io/table/fields.hpp"
+#include "io/table/table_layout.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +20,12 @@ class RecordWalk {
   RecordWalk(std::string_view text, std::size_t begin, char line_end)
       : at_(text.data() + begin), end_(text.data() + text.size()), line_end_(line_end) {}
 
+  // The same, where lines of that table may be comments; `layout` must outlive this.
+  RecordWalk(std::string_view text, std::size_t begin, const TableLayout& layout)
+      : RecordWalk(text, begin, layout.line_end) {
+    layout_ = &layout;
+  }
+
   // To the next record; false when there is none.
   bool next() {
     while (at_ < end_) {
@@ -28,8 +36,8 @@ class RecordWalk {
       ++lines_;
       if (line_end_ == '\n' && behind > begin && behind[-1] == '\r') --behind;
       line_ = std::string_view(begin, static_cast<std::size_t>(behind - begin));
-      const bool surely_no_blank = behind > begin && *begin > ' ';
-      if (surely_no_blank || !is_blank_line(line_)) {
+      const bool surely_record = behind > begin && *begin > ' ' && *begin != '#';
+      if (surely_record || (!is_blank_line(line_) && !passes_over(line_))) {
         ++rows_;
         return true;
       }
@@ -43,12 +51,17 @@ class RecordWalk {
   [[nodiscard]] std::uint64_t line() const { return lines_ - 1; }
 
  private:
+  [[nodiscard]] bool passes_over(std::string_view line) const {
+    return layout_ != nullptr && is_comment(line, *layout_);
+  }
+
   const char* at_;
   const char* end_;
   char line_end_;
   std::string_view line_ = {};
   std::uint64_t rows_ = 0;
   std::uint64_t lines_ = 0;
+  const TableLayout* layout_ = nullptr;
 };
 
 }  // namespace beespace::io

@@ -3,6 +3,7 @@
 #include "io/bytes/characters.hpp"
 #include "io/bytes/number.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/problems/skipped_records.hpp"
 #include "io/table/column_choice.hpp"
 #include "io/table/column_names.hpp"
 #include "io/table/fields.hpp"
@@ -10,6 +11,7 @@
 #include "io/table/record_problems.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <optional>
 #include <utility>
@@ -19,6 +21,7 @@ namespace {
 
 constexpr std::size_t kSampleLines = 16;
 constexpr std::size_t kSampleBytes = std::size_t{1} << 16;
+constexpr std::array<char, 4> kDelimiters = {'\t', ';', ',', ' '};
 
 // "1,5": a number as half of the world writes it.
 bool is_decimal_comma(std::string_view text) {
@@ -60,7 +63,7 @@ char find_delimiter(const std::vector<std::string_view>& lines) {
   std::size_t most = 0;
   std::size_t least_else = 0;
   char splitting = '\0';
-  for (const char delimiter : {'\t', ';', ',', ' '}) {
+  for (const char delimiter : kDelimiters) {
     std::size_t numeric = 0;
     std::size_t other = 0;
     for (const auto line : lines) {
@@ -101,7 +104,8 @@ std::vector<std::string_view> sample_lines(std::string_view text, std::size_t of
     const Line line = line_at(text, offset, line_end);
     // The first one whole; of others no halves.
     const bool taken = lines.empty() || line.text.size() <= kSampleBytes;
-    if (taken && !is_blank_line(line.text)) lines.push_back(line.text);
+    const bool says_something = !is_blank_line(line.text) && !has_comment_sign(line.text);
+    if (taken && says_something) lines.push_back(line.text);
     offset = line.next;
   }
   return lines;
@@ -211,30 +215,67 @@ Error no_points(bool header) {
 
 // The line without the "#" that some programs put before the names.
 std::string_view without_comment_sign(std::string_view line) {
-  const std::string_view text = without_padding(line);
-  return !text.empty() && text.front() == '#' ? without_padding(text.substr(1)) : line;
+  return has_comment_sign(line) ? without_padding(without_padding(line).substr(1)) : line;
 }
 
-Error comment_error(std::string_view line) {
+Error comment_error(std::string_view line, std::string_view why) {
   return {ErrorCode::kMalformedRecord,
-          "a comment line: " + excerpt(line) +
-              "; comments are not read, remove it (or name the columns: # x y z)",
+          "a comment line: " + excerpt(line) + " " + std::string(why) +
+              ", or remove it (where it names the columns: # x y z)",
           {}};
 }
 
-// Takes the first line as the header, where it is one.
-std::optional<Error> read_header_line(const std::vector<std::string_view>& samples,
-                                      const Line& line, bool skip_bad, TableLayout& layout) {
-  const std::string_view names = samples.front();
-  const bool comment = names.data() != line.text.data();
-  auto first = read_fields(names, layout.delimiter);
-  if (!first) return first.error();
-  if (first->has_number()) {
-    if (comment) return comment_error(line.text);
-    return std::nullopt;
+// A comment before the table.
+struct Comment {
+  std::string_view text;
+  std::uint64_t line = 0;  // 1-based
+};
+
+// Whether some of its words say a position, whatever stands between them.
+bool names_columns(std::string_view comment) {
+  return std::any_of(std::begin(kDelimiters), std::end(kDelimiters), [comment](char delimiter) {
+    return header_names(comment, delimiter).has_value();
+  });
+}
+
+// The comment that names the columns of records that have so many, in `header`, or none does.
+std::optional<Error> find_header(const std::vector<Comment>& comments, TableLayout& layout) {
+  bool found = false;
+  std::optional<Comment> other;
+  for (const Comment& comment : comments) {
+    const std::string_view names = without_comment_sign(comment.text);
+    auto fields = read_fields(names, layout.delimiter);
+    if (!fields || fields->has_number() || fields->fields.size() != layout.contents.size()) {
+      if (!other && names_columns(comment.text)) other = comment;
+      continue;
+    }
+    if (found) {
+      Error error =
+          comment_error(comment.text, "may name the columns, and so may one before it; remove one");
+      error.location.line = comment.line;
+      return error;
+    }
+    found = true;
+    layout.header = names;
+    layout.names = std::move(fields->fields);
   }
-  if (const auto damaged = damaged_value(first.value()); damaged && !comment) {
-    if (skip_bad) return std::nullopt;
+  if (found || !other) return std::nullopt;
+  Error error = comment_error(other->text,
+                              "seems to name the columns, but not as many as there "
+                              "are; correct it");
+  error.location.line = other->line;
+  return error;
+}
+
+// Takes the first line as the header, where it is one, or a comment before it.
+std::optional<Error> read_header_line(const std::vector<std::string_view>& samples,
+                                      const std::vector<Comment>& comments, const Line& line,
+                                      bool skip_bad, TableLayout& layout) {
+  auto first = read_fields(line.text, layout.delimiter);
+  if (!first) return first.error();
+  if (first->has_number()) return find_header(comments, layout);
+  if (const auto damaged = damaged_value(first.value())) {
+    if (skip_bad) return find_header(comments, layout);
     Error error{ErrorCode::kNotANumber,
                 excerpt(first->fields[*damaged]) +
                     " is neither a number nor the name of a column; correct the line, or put a "
@@ -245,8 +286,7 @@ std::optional<Error> read_header_line(const std::vector<std::string_view>& sampl
   }
   std::vector<ColumnContent> contents = look_at_records(samples, 1, layout.delimiter);
   const std::size_t count = first->fields.size();
-  if (comment && !contents.empty() && contents.size() != count) return comment_error(line.text);
-  layout.header = comment ? names : line.text;
+  layout.header = line.text;
   layout.names = std::move(first->fields);
   layout.data_offset = line.next;
   layout.lines_before += 1;
@@ -271,9 +311,28 @@ std::optional<std::vector<std::string>> header_names(std::string_view line, char
   return std::move(fields->fields);
 }
 
+bool has_comment_sign(std::string_view line) {
+  const std::string_view text = without_padding(line);
+  return !text.empty() && text.front() == '#';
+}
+
+// What could be a record that somebody does not want, or an id, is for the reader of records to
+// refuse.
+bool is_comment(std::string_view line, const TableLayout& layout) {
+  if (!has_comment_sign(line)) return false;
+  const std::size_t most = std::min<std::size_t>(2, layout.columns);
+  for (const std::string_view text : {line, without_comment_sign(line)}) {
+    const FieldCount count = count_fields(text, layout.delimiter);
+    if (count.fields == layout.columns && count.numeric >= most) return false;
+  }
+  return true;
+}
+
 std::optional<Error> no_record_problem(std::string_view text, const TableLayout& layout) {
-  if (text.find_first_not_of(" \t\r\n\v\f", layout.data_offset) != std::string_view::npos) {
-    return std::nullopt;
+  for (std::size_t offset = layout.data_offset; offset < text.size();) {
+    const Line line = line_at(text, offset, layout.line_end);
+    if (!is_blank_line(line.text) && !is_comment(line.text, layout)) return std::nullopt;
+    offset = line.next;
   }
   return no_points(true);
 }
@@ -318,29 +377,40 @@ Result<TableLayout> find_table(std::string_view text, bool skip_bad) {
   layout.line_end = find_line_end(text);
   std::size_t offset = 0;
   Line line{{}, 0};
+  std::vector<Comment> comments;
   while (true) {
-    if (offset >= text.size()) return no_points(false);
+    if (offset >= text.size()) return no_points(!comments.empty());
     line = line_at(text, offset, layout.line_end);
-    if (!is_blank_line(line.text)) break;
+    const bool comment = has_comment_sign(line.text);
+    if (comment) comments.push_back({line.text, layout.lines_before + 1});
+    if (line.text.size() > kLongestLine) {
+      Error error = long_line(line.text);
+      error.location.line = layout.lines_before + 1;
+      return error;
+    }
+    if (!comment && !is_blank_line(line.text)) break;
     offset = line.next;
     ++layout.lines_before;
   }
   const std::uint64_t line_number = layout.lines_before + 1;
-  if (line.text.size() > kLongestLine) {
-    Error error = long_line(line.text);
-    error.location.line = line_number;
-    return error;
-  }
-  auto samples = sample_lines(text, offset, layout.line_end);
-  samples.front() = without_comment_sign(samples.front());
+  const auto samples = sample_lines(text, offset, layout.line_end);
   layout.delimiter = find_delimiter(samples);
   layout.data_offset = offset;
   layout.contents = look_at_records(samples, 0, layout.delimiter);
-  if (auto error = read_header_line(samples, line, skip_bad, layout)) {
-    if (error->code != ErrorCode::kInvalidArgument) error->location.line = line_number;
+  if (auto error = read_header_line(samples, comments, line, skip_bad, layout)) {
+    if (error->code != ErrorCode::kInvalidArgument && !error->location.line) {
+      error->location.line = line_number;
+    }
     return *std::move(error);
   }
   layout.columns = layout.contents.size();
+  const bool header_behind = layout.header.data() == line.text.data();
+  for (const Comment& comment : comments) {
+    if (header_behind || is_comment(comment.text, layout)) continue;
+    Error error = without_advice(comment_or_record(comment.text));
+    error.location.line = comment.line;
+    return error;
+  }
   return layout;
 }
 

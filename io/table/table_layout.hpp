@@ -75,6 +75,13 @@ Result<TableLayout> find_table(std::string_view text, bool skip_bad);
 // none.
 Error at_first_line(Error error, const TableLayout& table);
 
+// Whether it begins with "#".
+bool has_comment_sign(std::string_view line);
+
+// Whether it is a comment: a line that begins with "#", but not one that could be a record that was
+// taken out, or has an id that begins so: those are errors of read_record() and its like.
+bool is_comment(std::string_view line, const TableLayout& layout);
+
 // kNoPoints where nothing follows the header.
 std::optional<Error> no_record_problem(std::string_view text, const TableLayout& layout);
 

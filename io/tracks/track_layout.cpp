@@ -8,6 +8,7 @@
 #include "io/table/record_problems.hpp"
 #include "io/table/record_walk.hpp"
 #include "io/table/unit_choice.hpp"
+#include "io/tracks/ros_table.hpp"
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_animals.hpp"
 #include "io/tracks/track_columns.hpp"
@@ -83,7 +84,7 @@ bool is_empty_throughout(std::string_view text, const TableLayout& table, std::s
   const std::size_t column = choice.axes[axis];
   if (axis >= choice.dimensions || column >= table.contents.size()) return false;
   if (table.contents[column] != ColumnContent::kUnknown) return false;
-  RecordWalk walk(text, table.data_offset, table.line_end);
+  RecordWalk walk(text, table.data_offset, table);
   while (walk.next()) {
     const Field field = field_at(walk.record(), table.delimiter, column);
     if (!is_unknown(without_padding(field.text))) return false;
@@ -150,7 +151,7 @@ bool is_path_with_colours(std::string_view text, const TableLayout& table) {
   constexpr std::size_t kColumns = 7;
   constexpr std::uint64_t kRows = 100;
   if (!table.names.empty() || table.columns != kColumns) return false;
-  RecordWalk walk(text, table.data_offset, table.line_end);
+  RecordWalk walk(text, table.data_offset, table);
   std::optional<std::uint64_t> before_ms;
   while (walk.next() && walk.row() < kRows) {
     FieldCursor cursor(walk.record(), table.delimiter);
@@ -196,10 +197,30 @@ Result<TrackLayout> skybrush_layout(TableLayout table, const RecordingOptions& o
   layout.show = true;
   TimeChoice time;
   time.unit = options.time_unit != Unit::kUnstated ? options.time_unit : Unit::kMillisecond;
+  time.named = options.time_unit == Unit::kUnstated;
   layout.time = time;
   layout.notes.push_back("without a header, this is taken for a Skybrush CSV: t in " +
                          std::string(symbol_of(time.unit)) + ", then x, y, z in metres" +
                          (columns == 7 ? " and a colour" : ""));
+  return layout;
+}
+
+// Of ROS it is known what the columns are.
+Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::string_view text,
+                               RecordingOptions options, bool whole) {
+  options.columns = ros.columns;
+  table.names = ros.names;
+  auto layout = choose_track_layout(std::move(table), text, options, whole);
+  if (!layout) return layout;
+  if (options.frame == Frame::kAuto) layout->frame_reason = "positions of ROS are in metres";
+  for (UnitTaken& taken : layout->units) {
+    if (taken.evidence == UnitEvidence::kUsual) {
+      taken.evidence = UnitEvidence::kNamed;
+      taken.reason = "messages of ROS have them so";
+    }
+  }
+  layout->axes_name = ros.axes_name;
+  layout->notes.push_back(ros.note);
   return layout;
 }
 
@@ -213,6 +234,7 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   const ColumnChoice& choice = layout.table.choice;
   if (layout.label) fill(*layout.label, TrackSlot::kLabel);
   if (layout.on_ground) fill(*layout.on_ground, TrackSlot::kOnGround);
+  if (layout.axes_name) fill(*layout.axes_name, TrackSlot::kAxesName);
   for (std::size_t i = 0; layout.velocity && i < layout.velocity->dimensions; ++i) {
     fill(layout.velocity->columns[i], TrackSlot::kVelocity + i);
   }
@@ -222,6 +244,9 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   if (layout.visible) fill(*layout.visible, TrackSlot::kVisible);
   if (layout.time && layout.time->date) fill(*layout.time->date, TrackSlot::kDate);
   if (layout.time) fill(layout.time->column, TrackSlot::kTime);
+  if (layout.time && layout.time->nanoseconds) {
+    fill(*layout.time->nanoseconds, TrackSlot::kNanoseconds);
+  }
   if (choice.id) fill(*choice.id, TrackSlot::kId);
   return slots;
 }
@@ -280,10 +305,12 @@ Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOpti
   auto table = find_table(text, options.skip_bad);
   if (!table) return table.error();
   if (auto error = no_record_problem(text, *table)) return *std::move(error);
+  const bool free = options.columns.empty();
   const bool skybrush = bare_skybrush || is_path_with_colours(text, *table);
-  auto chosen = skybrush && table->names.empty() && options.columns.empty()
-                    ? skybrush_layout(*table, options)
-                    : choose_track_layout(*table, text, options, whole);
+  const auto ros = free ? find_ros_table(text, *table) : std::nullopt;
+  auto chosen = skybrush && table->names.empty() && free ? skybrush_layout(*table, options)
+                : ros ? ros_layout(*ros, *table, text, options, whole)
+                      : choose_track_layout(*table, text, options, whole);
   if (!chosen) return at_first_line(std::move(chosen).error(), *table);
   return chosen;
 }

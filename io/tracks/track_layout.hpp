@@ -42,6 +42,10 @@ struct TimeChoice {
   // Of dates and times, or times of day, without a zone: what they are counted from.
   std::optional<WallClock> clock = {};
   double frames_per_second = 0.0;
+  bool named = false;  // the header alone, or the format, says the unit
+  // Of whole seconds, as ROS has them: the column of what is to be added, in nanoseconds.
+  std::optional<std::size_t> nanoseconds = {};
+  std::optional<std::size_t> other = {};  // another column that looks like a time, and is not taken
 };
 
 struct VelocityChoice {
@@ -72,6 +76,7 @@ struct TrackLayout {
   std::optional<std::size_t> label = {};      // what each is called beside its id: the flight
   std::optional<std::size_t> on_ground = {};  // of those that are left out
   bool show = false;                          // of a drone show: a path with colours
+  std::optional<std::size_t> axes_name = {};  // of ROS: what x, y, z are counted in ("map")
   std::vector<UnitTaken> units = {};          // of positions and velocities
   std::vector<std::string> notes = {};
 };
@@ -86,7 +91,9 @@ struct TrackSlot {
   static constexpr std::size_t kOnGround = 9;
   static constexpr std::size_t kDate = 10;
   static constexpr std::size_t kVisible = 11;
-  static constexpr std::size_t kNothing = 12;  // where columns go that are not asked for
+  static constexpr std::size_t kNanoseconds = 12;
+  static constexpr std::size_t kAxesName = 13;
+  static constexpr std::size_t kNothing = 14;  // where columns go that are not asked for
 };
 
 // By column: which slot it fills. An id may be read from a column that is something else too, but

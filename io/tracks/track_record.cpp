@@ -140,6 +140,7 @@ std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
                      excerpt(text) + " is not a time: " + problem + std::string(kOrLeaveOut),
                      time.column);
   }
+  if (time.nanoseconds) return read_stamp(text, record);
   double value = 0.0;
   const NumberKind kind = read_number(text, value);
   if (kind == NumberKind::kNotFinite) {
@@ -161,6 +162,37 @@ std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
   }
   record.time_s = without_dust(time.form == TimeForm::kFrames ? value / time.frames_per_second
                                                               : in_metric(value, time.unit));
+  if (in_motion_domain(record.time_s)) return std::nullopt;
+  return outside_domain(text, "time", " s", time.column);
+}
+
+// Whole seconds, and what of the next one has passed in nanoseconds.
+std::optional<Error> TrackRecordReader::read_stamp(std::string_view text, TrackRecord& record) {
+  constexpr double kNanosecondsPerSecond = 1e9;
+  const TimeChoice& time = *layout_.time;
+  const auto whole = [](std::string_view number, double& value) {
+    return read_number(number, value) == NumberKind::kNumber && value == std::floor(value);
+  };
+  double seconds = 0.0;
+  if (!whole(text, seconds)) {
+    return at_column(ErrorCode::kNotANumber,
+                     excerpt(text) +
+                         " is no number of whole seconds, beside nanoseconds; correct "
+                         "it" +
+                         std::string(kOrLeaveOut),
+                     time.column);
+  }
+  const std::string_view rest = without_padding(fields_[TrackSlot::kNanoseconds].text);
+  double nanoseconds = 0.0;
+  if (!whole(rest, nanoseconds) || nanoseconds < 0.0 || nanoseconds >= kNanosecondsPerSecond) {
+    return at_column(ErrorCode::kNotANumber,
+                     excerpt(rest) +
+                         " is no number of nanoseconds, 0 to 999999999, beside whole "
+                         "seconds; correct it" +
+                         std::string(kOrLeaveOut),
+                     *time.nanoseconds);
+  }
+  record.time_s = without_dust(seconds + nanoseconds / kNanosecondsPerSecond);
   if (in_motion_domain(record.time_s)) return std::nullopt;
   return outside_domain(text, "time", " s", time.column);
 }
@@ -246,6 +278,7 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   if (auto problem = read_id(record)) return problem;
   if (record.left_out != nullptr) return std::nullopt;
   read_label(record);
+  if (layout_.axes_name) record.axes_name = without_padding(fields_[TrackSlot::kAxesName].text);
   record.left_out = reason_to_leave_out();
   if (record.left_out != nullptr) return std::nullopt;
   if (auto problem = read_time(record)) return problem;

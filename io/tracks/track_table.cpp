@@ -71,6 +71,9 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   facts.has_time = layout.time.has_value();
   facts.since_1970 = layout.time && layout.time->since_1970;
   if (layout.time) facts.clock = layout.time->clock;
+  if (layout.time && layout.time->named && layout.time->form == TimeForm::kNumbers) {
+    facts.named_time = layout.time->unit;
+  }
   facts.heights = choice.datum;
   facts.height_unit = choice.height_unit();
   facts.units = layout.units;
@@ -92,7 +95,7 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
   std::string row_id;
   std::uint64_t rows = 0;
   const char* reported = text.data();
-  RecordWalk walk(text, 0, layout.table.line_end);
+  RecordWalk walk(text, 0, layout.table);
   while (walk.next()) {
     const std::uint64_t line =
         layout.table.lines_before + walk.line() / layout.table.records_per_line + 1;
@@ -123,6 +126,12 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       place(error, line, rows_before + walk.row(), place_of, layout);
       if (auto fatal = assembly.bad(std::move(error), record.id)) return fatal;
       continue;
+    }
+    if (layout.axes_name) {
+      if (auto error = assembly.agree_on_axes(record.axes_name)) {
+        place(*error, line, rows_before + walk.row(), place_of, layout);
+        return error;
+      }
     }
     Origin origin;
     origin.source = assembly.source() & 0xFF'FFFFu;

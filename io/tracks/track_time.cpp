@@ -5,6 +5,7 @@
 #include "io/bytes/number_text.hpp"
 #include "io/points/record_reading.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/table/column_names.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/table/table_sources.hpp"
@@ -26,7 +27,7 @@ std::vector<std::string_view> first_fields(std::string_view text, const TableLay
   for (int i = 0; i < kLookedAt && offset < text.size(); ++i) {
     const Line line = line_at(text, offset, table.line_end);
     offset = line.next;
-    if (line.text.size() > kLongestLine) continue;
+    if (line.text.size() > kLongestLine || has_comment_sign(line.text)) continue;
     const auto time = without_padding(field_at(line.text, table.delimiter, column).text);
     if (!is_unknown(time)) times.push_back(time);
   }
@@ -48,8 +49,89 @@ Unit common_unit(const std::vector<std::string_view>& times) {
   return common;
 }
 
-// A time of aircraft that counts from 1970 tells its unit by its size; where no aircraft is spoken
-// of, microseconds since a boot may look the same.
+// ---- Seconds and nanoseconds in two columns -----------------------------------------------------
+
+struct Stamp {
+  std::size_t seconds = 0;
+  std::size_t nanoseconds = 0;
+  bool of_header = false;  // "header.stamp.sec": when it was measured, not when it was recorded
+};
+
+// "header.stamp" of "header.stamp.sec", if the last word is one of these; otherwise nothing.
+std::optional<std::string> words_before(std::string_view name, std::string_view last) {
+  std::vector<std::string> words = split_words(name);
+  if (words.empty() || !is_one_of(last, words.back())) return std::nullopt;
+  words.pop_back();
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ".") + word;
+  return text;
+}
+
+std::vector<Stamp> stamps_in(const TableLayout& table) {
+  std::vector<Stamp> stamps;
+  for (std::size_t i = 0; i < table.names.size(); ++i) {
+    const auto before = words_before(table.names[i], "sec secs second seconds");
+    for (std::size_t j = 0; before && j < table.names.size(); ++j) {
+      const auto same =
+          words_before(table.names[j], "nanosec nanosecs nsec nsecs nanosecond nanoseconds");
+      if (same == before)
+        stamps.push_back({i, j, before->find("header.stamp") != std::string::npos});
+    }
+  }
+  return stamps;
+}
+
+// The one to take: of several that of the header.
+Result<std::optional<Stamp>> choose_stamp(const Header& header) {
+  std::vector<Stamp> stamps = stamps_in(header.table());
+  const std::optional<std::size_t>& asked = header.override_of(Role::kTime);
+  if (asked) {
+    std::erase_if(stamps, [&](const Stamp& stamp) { return stamp.seconds != *asked; });
+  } else if (stamps.size() > 1) {
+    std::vector<Stamp> of_header = stamps;
+    std::erase_if(of_header, [](const Stamp& stamp) { return !stamp.of_header; });
+    if (of_header.size() == 1) stamps = std::move(of_header);
+  }
+  if (stamps.empty()) return std::optional<Stamp>();
+  if (stamps.size() == 1) return std::optional<Stamp>(stamps.front());
+  return missing_column("both " + column_text(header.table(), stamps[0].seconds) + " and " +
+                        column_text(header.table(), stamps[1].seconds) +
+                        " look like the seconds of the time; say which with --columns time=" +
+                        std::to_string(stamps[0].seconds + 1) +
+                        " or time=" + std::to_string(stamps[1].seconds + 1));
+}
+
+Result<TimeChoice> time_of_stamp(const Stamp& stamp, std::string_view text, const Header& header,
+                                 Unit asked) {
+  if (asked != Unit::kUnstated) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "the times are in seconds and nanoseconds, in " +
+                     column_text(header.table(), stamp.seconds) + " and " +
+                     column_text(header.table(), stamp.nanoseconds) + "; leave --time-unit out",
+                 {}};
+  }
+  TimeChoice time;
+  time.column = stamp.seconds;
+  time.nanoseconds = stamp.nanoseconds;
+  const auto times = first_fields(text, header.table(), stamp.seconds);
+  time.since_1970 = !times.empty() && common_unit(times) == Unit::kSecond;
+  for (const std::size_t other : header.columns(Role::kTime)) {
+    if (other != stamp.seconds && other != stamp.nanoseconds) time.other = other;
+  }
+  return time;
+}
+
+// ---- One column
+// ----------------------------------------------------------------------------------
+
+// "field.header.stamp": one number, nanoseconds since 1970, beside the time of the recording.
+bool is_header_stamp(std::string_view name) {
+  const std::vector<std::string> words = split_words(name);
+  return words.size() >= 2 && words[words.size() - 2] == "header" && words.back() == "stamp";
+}
+
+// A time of aircraft, or of ROS, that counts from 1970 tells its unit by its size; elsewhere
+// microseconds since a boot may look the same.
 Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
                                const std::vector<std::string_view>& times, const TableLayout& table,
                                Unit asked) {
@@ -62,11 +144,13 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
                      time.column);
   }
   const Unit by_size = common_unit(times);
-  if (time.unit == Unit::kUnstated && !words_of_aviation(table.names).empty()) {
+  const bool of_ros = time.column < table.names.size() && is_header_stamp(table.names[time.column]);
+  if (time.unit == Unit::kUnstated && (of_ros || !words_of_aviation(table.names).empty())) {
     time.unit = by_size;
     time.by_size = by_size != Unit::kUnstated;
   }
   time.since_1970 = time.since_1970 || (by_size != Unit::kUnstated && by_size == time.unit);
+  time.named = asked == Unit::kUnstated && !time.since_1970;
   if (time.unit == Unit::kUnstated) {
     return at_column(ErrorCode::kInvalidArgument,
                      column_text(table, time.column) +
@@ -149,9 +233,24 @@ Unit unit_since_1970(double value) {
 Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Header& header,
                                               const RecordingOptions& options) {
   const TableLayout& table = header.table();
+  const auto stamp = choose_stamp(header);
+  if (!stamp) return stamp.error();
+  if (*stamp) {
+    auto time = time_of_stamp(**stamp, text, header, options.time_unit);
+    if (!time) return time.error();
+    return std::optional<TimeChoice>(time.value());
+  }
   std::optional<std::size_t> column = header.override_of(Role::kTime);
   const ColumnMeaning meaning = column ? header.stated(*column) : ColumnMeaning();
-  const std::vector<std::size_t>& found = header.columns(Role::kTime);
+  std::vector<std::size_t> found = header.columns(Role::kTime);
+  std::optional<std::size_t> other;
+  if (!column && found.size() == 2) {
+    const bool first = is_header_stamp(table.names[found[0]]);
+    if (first != is_header_stamp(table.names[found[1]])) {
+      other = found[first ? 1 : 0];
+      found = {found[first ? 0 : 1]};
+    }
+  }
   const std::optional<std::size_t> frames = header.override_of(Role::kFrame)
                                                 ? header.override_of(Role::kFrame)
                                                 : header.only(Role::kFrame);
@@ -178,6 +277,7 @@ Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Heade
   }
   if (!column && found.empty()) return std::optional<TimeChoice>();
   time.column = column ? *column : found.front();
+  time.other = other;
   const std::vector<std::string_view> times = first_fields(text, table, time.column);
   if (!times.empty() && looks_like_iso_time(times.front())) {
     time.form = TimeForm::kDatesAndTimes;
@@ -280,9 +380,13 @@ std::string time_note(const TableLayout& table, const TimeChoice& time, bool ask
            time.zone_reason;
   }
   text += " in " + std::string(symbol_of(time.unit));
+  if (time.nanoseconds) text += " and " + column_text(table, *time.nanoseconds) + " in ns";
   if (asked) text += ", as asked for";
   if (time.since_1970) text += ", since 1970";
-  return text + (time.by_size ? ", as their size tells" : "");
+  if (time.by_size) text += ", as their size tells";
+  if (!time.other) return text;
+  return text + ", not from " + column_text(table, *time.other) +
+         "; --columns time=" + std::to_string(*time.other + 1) + " would change that";
 }
 
 }  // namespace beespace::io

@@ -72,7 +72,7 @@ std::string long_text(std::string_view text, const WideLayout& wide) {
   std::vector<std::string_view> fields;
   std::size_t frame = 0;
   std::uint64_t lines = 0;
-  RecordWalk walk(text, wide.table.data_offset, wide.table.line_end);
+  RecordWalk walk(text, wide.table.data_offset, wide.table);
   while (walk.next()) {
     // Blank lines count, as many for each as there are animals.
     out.append((walk.line() - lines) * wide.animals.size(), '\n');

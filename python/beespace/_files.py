@@ -326,7 +326,7 @@ def read_recording(
     grounded: bool = False,
 ) -> FileRecording:
     """Reads a recording, which says where each of many agents was when: a table of fixes, or many; a
-    drone show (.skyc); a MAVLink log (.tlog); reports of aircraft.
+    drone show (.skyc); a MAVLink log (.tlog); PX4 logs (.ulg); reports of aircraft.
 
     No fix is interpolated. Curves of drone shows become straight lines between fixes, at most 1 mm
     away from the curve.

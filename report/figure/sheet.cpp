@@ -96,10 +96,13 @@ std::string as_sentence(std::string note) {
   return note;
 }
 
-std::string origin_note(const GeographicPosition& origin, bool flat) {
+std::string origin_note(const GeographicPosition& origin, const HeightWords& heights, bool flat) {
+  const std::string_view counted = heights.by_pressure ? "by pressure"
+                                   : heights.above_sea ? "above mean sea level"
+                                                       : "above the ellipsoid";
   return "East and north are counted along the ground from " +
          degrees(origin.latitude_deg, "N", "S") + ", " + degrees(origin.longitude_deg, "E", "W") +
-         (flat ? "." : "; heights are above the ellipsoid.");
+         (flat ? "." : "; heights are " + std::string(counted) + ".");
 }
 
 }  // namespace
@@ -167,7 +170,7 @@ void finish_sheet(const SwarmFacts& swarm, double bottom, Drawing& drawing) {
     const auto more = wrapped(as_sentence(one_line(note)), kLabelSize, kRight - kMargin);
     lines.insert(lines.end(), more.begin(), more.end());
   };
-  if (swarm.origin) say(origin_note(*swarm.origin, swarm.flat));
+  if (swarm.origin) say(origin_note(*swarm.origin, swarm.heights, swarm.flat));
   for (const std::string& note : swarm.notes) say(note);
   if (lines.size() > kMostLines) {
     lines.resize(kMostLines);

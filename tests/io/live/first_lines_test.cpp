@@ -52,13 +52,51 @@ TEST(FirstLines, TheSignBeforeNamesIsLeftOut) {
   }
 }
 
-TEST(FirstLines, CommentsElsewhereAreNamed) {
-  expect_error(load_text("# my bees\n1,2,3\n", in_metres()),
-               {ErrorCode::kMalformedRecord, "bees.csv:1", "a comment line: '# my bees'"});
+TEST(FirstLines, CommentsArePassedOver) {
+  const std::vector<Point> expected = {{1, 2, 3}, {4, 5, 6}};
+  for (const char* text :
+       {"# my bees\nx,y,z\n1,2,3\n4,5,6\n", "x,y,z\n1,2,3\n# in between\n4,5,6\n",
+        "x,y,z\n1,2,3\n4,5,6\n# end\n", "# one\n\n# two, three\n# x,y,z\n# four\n1,2,3\n4,5,6\n",
+        "# x y z\n# of 2 robots\n1 2 3\n#\n4 5 6\n", "#\n1,2,3\n  # indented\n4,5,6"}) {
+    const auto loaded = load_text(text, in_metres());
+    EXPECT_EQ(points_of(loaded), expected) << text;
+    LoadOptions few_bytes = in_metres();
+    few_bytes.threads = 2;
+    EXPECT_EQ(points_of(load_text(text, few_bytes)), expected) << text;
+  }
+}
+
+TEST(FirstLines, CommentsAreLinesAndNoRecords) {
+  expect_error(load_text("# my bees\nx,y,z\n1,2,3\n# more\n4,oops,6\n", in_metres()),
+               {ErrorCode::kNotANumber, "bees.csv:5:2", "'oops'"});
+  const auto loaded = load_text("# a\nid,x,y,z\n# b\nfirst,1,2,3\n# c\nsecond,4,5,6\n");
+  ASSERT_TRUE(loaded);
+  std::vector<std::string> ids;
+  for_each_record(loaded.value(), {0, 1}, [&](const Record& record) {
+    ids.emplace_back(record.id);
+    EXPECT_EQ(record.row, ids.size() - 1);
+  });
+  EXPECT_EQ(ids, (std::vector<std::string>{"first", "second"}));
+}
+
+TEST(FirstLines, WhatCouldBeARecordIsNoComment) {
   expect_error(load_text("# 4,5,6\n1,2,3\n", in_metres()),
-               {ErrorCode::kMalformedRecord, "bees.csv:1", "a comment line"});
-  expect_error(load_text("x,y,z\n1,2,3\n# end\n"),
-               {ErrorCode::kMalformedRecord, "bees.csv:3", "comments are not read"});
+               {ErrorCode::kMalformedRecord, "bees.csv:1", "a comment, or a record? '# 4,5,6'"});
+  expect_error(load_text("# x,y,z\n# 4,5,6\n1,2,3\n", in_metres()),
+               {ErrorCode::kMalformedRecord, "bees.csv:2", "a comment, or a record?"});
+  expect_error(load_text("x,y,z\n1,2,3\n#4,5,6\n", in_metres()),
+               {ErrorCode::kMalformedRecord, "bees.csv:3", "a comment, or a record?"});
+  expect_error(load_text("id,x,y,z\n#1,1,2,3\n#2,1,2,4\n", in_metres()),
+               {ErrorCode::kMalformedRecord, "bees.csv:2", "let no id begin with #"});
+}
+
+TEST(FirstLines, ACommentThatMayNameTheColumnsMustDoSo) {
+  expect_error(load_text("# lon lat\n8 47 500\n"),
+               {ErrorCode::kMalformedRecord, "bees.csv:1", "seems to name the columns"});
+  expect_error(load_text("# x y z\n# m m m\n1 2 3\n"),
+               {ErrorCode::kMalformedRecord, "bees.csv:2", "and so may one before it"});
+  expect_error(load_text("# nothing\n# but comments\n"),
+               {ErrorCode::kNoPoints, "bees.csv", "no record after it"});
 }
 
 TEST(FirstLines, DecimalCommasBetweenBlanksAreNamed) {

@@ -146,7 +146,7 @@ TEST(BadPlans, RecordsThatAreDamaged) {
   expect_error(with_row("\"b,0,1,2,3,4,5,6,7,8,9,10"),
                {ErrorCode::kMalformedRecord, "bees.csv:3:1", "may not span several lines"});
   expect_error(with_row("# b,0,1,2,3,4,5,6,7,8,9,10"),
-               {ErrorCode::kMalformedRecord, "bees.csv:3", "comments are not read"});
+               {ErrorCode::kMalformedRecord, "bees.csv:3", "a comment, or a record?"});
   expect_error(with_row(",0,1,2,3,4,5,6,7,8,9,10"),
                {ErrorCode::kMalformedRecord, "bees.csv:3:1", "the id is empty; fill it in"});
 }
@@ -158,8 +158,8 @@ TEST(BadPlans, NoBeeIsThereTwice) {
 }
 
 TEST(BadPlans, NoErrorSpeaksOfOptionsThatAreNotThere) {
-  for (const char* row : {"b,oops,1,2,3,4,5,6,7,8,9,10", "b,,1,2,3,4,5,6,7,8,9,10", "b,0", "# b",
-                          "\"b", "b,nan,1,2,3,4,5,6,7,8,9,10"}) {
+  for (const char* row : {"b,oops,1,2,3,4,5,6,7,8,9,10", "b,,1,2,3,4,5,6,7,8,9,10", "b,0", "\"b",
+                          "b,nan,1,2,3,4,5,6,7,8,9,10"}) {
     const auto loaded = with_row(row);
     ASSERT_FALSE(loaded.has_value());
     EXPECT_EQ(loaded.error().message.find("--"), std::string::npos) << loaded.error().message;

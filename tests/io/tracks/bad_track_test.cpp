@@ -180,8 +180,9 @@ TEST(BadTrack, RecordsOfAnotherShape) {
                {ErrorCode::kMalformedRecord, "bees.csv:3:1", "the id is empty"});
   expect_error(with_row("\"a,1,1,2,3"),
                {ErrorCode::kMalformedRecord, "bees.csv:3:1", "never closed on this line"});
-  expect_error(with_row("# a comment"),
-               {ErrorCode::kMalformedRecord, "bees.csv:3", "comments are not read"});
+  expect_error(with_row("# a,1,1,2,3"),
+               {ErrorCode::kMalformedRecord, "bees.csv:3", "a comment, or a record?"});
+  EXPECT_TRUE(with_row("# a comment"));
   expect_error(with_row(std::string_view("a,1,1,\0,3", 10)),
                {ErrorCode::kUnsupportedFormat, "bees.csv", "NUL"});
 }

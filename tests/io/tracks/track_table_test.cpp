@@ -108,9 +108,9 @@ TEST(TrackTable, WithoutIdsTheFileIsTheBee) {
 
 TEST(TrackTable, OfSeveralIdsTheWholeWordIsTakenAndThatIsReported) {
   const auto recording = recording_of(
-      record("frame_id,time_s,id,callsign,x_m,y_m,z_m\n1,0,a,FOO,1,2,3\n2,0,b,BAR,4,5,6\n"));
+      record("track_id,time_s,id,callsign,x_m,y_m,z_m\n1,0,a,FOO,1,2,3\n2,0,b,BAR,4,5,6\n"));
   EXPECT_EQ(ids_of(recording), (Ids{"a", "b"}));
-  EXPECT_TRUE(has_note(recording, "ids are read from column 3 'id', not from column 1 'frame_id'"));
+  EXPECT_TRUE(has_note(recording, "ids are read from column 3 'id', not from column 1 'track_id'"));
   EXPECT_TRUE(has_note(recording,
                        "how they are called beside from column 4 'callsign'; --columns "
                        "id=4 would take that for the id"));

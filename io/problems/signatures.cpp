@@ -1,0 +1,119 @@
+#include "io/problems/signatures.hpp"
+
+#include <array>
+
+namespace beespace::io {
+namespace {
+
+// What is read by this program, or once it is unpacked; and what is of other programs.
+enum class Of : bool { kUs, kOthers };
+
+struct Signature {
+  std::string_view bytes;
+  std::string_view what;
+  std::string_view advice = {};
+  Of of = Of::kUs;
+};
+
+// What to type, with FILE for the name of the file.
+constexpr std::string_view kBag =
+    ", which is not read; make a table of its poses: pip install rosbags, then python3 -c \"import "
+    "pathlib; from rosbags.highlevel import AnyReader; bag = AnyReader([pathlib.Path('FILE')]); "
+    "bag.open(); print('id,time_ns,x,y,z'); [print(c.topic, m.header.stamp.sec * 10**9 + "
+    "m.header.stamp.nanosec, p.x, p.y, p.z, sep=',') for c, _, raw in bag.messages() if c.msgtype "
+    "== 'geometry_msgs/msg/PoseStamped' for m in [bag.deserialize(raw, c.msgtype)] for p in "
+    "[m.pose.position]]\" > poses.csv; docs/recipes/ros-bags.md has other messages, and says what "
+    "frames are";
+constexpr std::string_view kDatabase =
+    ", as ROS 2 records (.db3), which is not read; where it is a bag, make a table of its poses: "
+    "pip install rosbags, then the lines of docs/recipes/ros-bags.md; of any other, export the "
+    "table as CSV: sqlite3 -csv -header FILE 'SELECT * FROM positions' > positions.csv";
+constexpr std::string_view kDataFlash =
+    ", which is not read; make a table of its positions: pip install pymavlink, then "
+    "mavlogdump.py --format csv --types POS FILE > pos.csv, and read it with --columns "
+    "time=timestamp,lon=Lng,lat=Lat,height=Alt --time-unit s";
+constexpr std::string_view kMatlab =
+    ", which is not read; see what it has: pip install scipy, then python3 -c \"import scipy.io; "
+    "print(scipy.io.whosmat('FILE'))\"; docs/recipes/matlab.md has the lines that ask about it";
+constexpr std::string_view kHdf5 =
+    " (also .mat of MATLAB 7.3), which is not read; see what it has: pip install h5py, then "
+    "python3 -c \"import h5py; h5py.File('FILE').visititems(print)\"; docs/recipes/matlab.md has "
+    "the lines that ask about arrays";
+constexpr std::string_view kParquet =
+    ", which is not read; make CSV of it: pip install pandas pyarrow, then python3 -c \"import "
+    "pandas; pandas.read_parquet('FILE').to_csv('bees.csv', index=False)\"";
+constexpr std::string_view kFeather =
+    ", which is not read; make CSV of it: pip install pandas pyarrow, then python3 -c \"import "
+    "pandas; pandas.read_feather('FILE').to_csv('bees.csv', index=False)\"";
+
+// Longer ones before those they begin with.
+constexpr std::array<Signature, 31> kSignatures = {{
+    {std::string_view("\xFF\xFE\0\0", 4), "UTF-32 text; save it as UTF-8"},
+    {std::string_view("\0\0\xFE\xFF", 4), "UTF-32 text; save it as UTF-8"},
+    {"\xFF\xFE", "UTF-16 text; save it as UTF-8"},
+    {"\xFE\xFF", "UTF-16 text; save it as UTF-8"},
+    {"PK\x03\x04",
+     "a zip archive: a drone show is for 'beespace replay'; unpack or export anything else as CSV"},
+    {"\x1F\x8B", "gzip-compressed data, which is not unpacked here; pipe it in: zcat FILE |"},
+    {"\x28\xB5\x2F\xFD",
+     "zstd-compressed data, which is not unpacked here; pipe it in: zstdcat FILE |"},
+    {"BZh", "bzip2-compressed data; unpack it first: bzip2 -dk FILE"},
+    {"\xFD"
+     "7zXZ",
+     "xz-compressed data; unpack it first: xz -dk FILE"},
+    {"\x93NUMPY",
+     "a .npy array, which holds positions and nothing else; 'beespace detect' reads it"},
+    {"ULog\x01\x12\x35", "a PX4 log (ULog); 'beespace replay' and 'beespace predict' read it"},
+    {"ULogEnc",
+     "a PX4 log that is encrypted; decrypt it first, with the key of the drone",
+     {},
+     Of::kOthers},
+    {"#ROSBAG V", "a bag of ROS 1", kBag, Of::kOthers},
+    {"\x89MCAP0\r\n", "an MCAP file, as ROS 2 records", kBag, Of::kOthers},
+    {"SQLite format 3", "an SQLite database", kDatabase, Of::kOthers},
+    {"\xA3\x95\x80\x80\x59", "a DataFlash log of ArduPilot (.bin)", kDataFlash, Of::kOthers},
+    {"FMT, 128, 89, FMT,", "a DataFlash log of ArduPilot, as text (.log)", kDataFlash, Of::kOthers},
+    {"MATLAB 5.0 MAT-file", "a file of MATLAB (.mat)", kMatlab, Of::kOthers},
+    {"\x89HDF\r\n\x1A\n", "an HDF5 file", kHdf5, Of::kOthers},
+    {"PAR1", "a Parquet file", kParquet, Of::kOthers},
+    {"ARROW1", "a Feather file (Arrow)", kFeather, Of::kOthers},
+    {"CDF\x01", "a NetCDF file; export the table as CSV", {}, Of::kOthers},
+    {"CDF\x02", "a NetCDF file; export the table as CSV", {}, Of::kOthers},
+    {"%PDF", "a PDF document; export the table as CSV", {}, Of::kOthers},
+    {"\x89PNG", "a picture", {}, Of::kOthers},
+    {"\xFF\xD8\xFF", "a picture", {}, Of::kOthers},
+    {"\x7F"
+     "ELF",
+     "a program",
+     {},
+     Of::kOthers},
+    {"\x89HDF", "an HDF5 file", kHdf5, Of::kOthers},
+    {"<?xml", "XML; export the table as CSV"},
+    {"<kml", "KML, which is not read; export the table as CSV"},
+    {"\xD0\xCF\x11\xE0",
+     "a document of Office of old (.xls); export the table as CSV",
+     {},
+     Of::kOthers},
+}};
+
+const Signature* signature_of(std::string_view bytes) {
+  for (const Signature& signature : kSignatures) {
+    if (bytes.starts_with(signature.bytes)) return &signature;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::string words_of_signature(std::string_view bytes) {
+  const Signature* const found = signature_of(bytes);
+  if (found == nullptr) return {};
+  return std::string(found->what).append(found->advice);
+}
+
+bool is_foreign_file(std::string_view bytes) {
+  const Signature* const found = signature_of(bytes);
+  return found != nullptr && found->of == Of::kOthers;
+}
+
+}  // namespace beespace::io

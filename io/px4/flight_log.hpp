@@ -1,0 +1,56 @@
+// What a PX4 log says of where its drone was: the messages of three topics, in units of ours.
+#pragma once
+
+#include "io/px4/ulog_walk.hpp"
+
+#include <beespace/mover.hpp>
+#include <beespace/point.hpp>
+#include <beespace/result.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::io {
+
+// One message of vehicle_global_position or vehicle_local_position.
+struct Px4Place {
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+  std::uint64_t micros = 0;         // since the drone was switched on
+  std::uint64_t sample_micros = 0;  // of what was measured for it; 0 where it is not said
+  std::uint64_t message = 0;        // counted from 0, of its topic
+  Point position = {};              // degrees and m above mean sea level; or east, north, up in m
+  double ellipsoid_height = kUnknown;                  // m
+  Velocity velocity = {kUnknown, kUnknown, kUnknown};  // m/s east, north, up
+  bool known = true;                                   // it says so itself
+  bool height_known = true;
+  // Of vehicle_local_position: longitude, latitude, height of its origin; not-a-number where the
+  // drone does not know them.
+  Point origin = {kUnknown, kUnknown, kUnknown};
+};
+
+// How UTC differs from the time since the drone was switched on, by GPS.
+struct Px4Clock {
+  std::int64_t ahead_micros = 0;    // the median
+  std::uint64_t spread_micros = 0;  // in which nine of ten of the differences lie
+  std::size_t samples = 0;
+};
+
+struct Px4FlightLog {
+  std::vector<Px4Place> global;
+  std::vector<Px4Place> local;
+  std::optional<Px4Clock> clock;             // nothing where GPS never said a time
+  std::vector<std::string> other_instances;  // of these topics, that are not taken
+  UlogLosses losses;
+};
+
+// Errors: those of UlogWalk::begin(), kCorrupt for a topic that is there and whose definition
+// cannot be read, or has no time or place.
+Result<Px4FlightLog> read_flight_log(std::string_view bytes);
+
+}  // namespace beespace::io

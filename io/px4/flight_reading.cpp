@@ -1,0 +1,319 @@
+#include "io/px4/flight_reading.hpp"
+
+#include "io/aircraft/aircraft_report.hpp"
+#include "io/frames/track_domain.hpp"
+#include "io/problems/skipped_records.hpp"
+#include "io/px4/flight_log.hpp"
+#include "io/px4/map_projection.hpp"
+#include "io/recording/recording_sources.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+constexpr LeftOutReason kNotKnown = {
+    "in which a drone says itself that it does not know its place"};
+constexpr LeftOutReason kHeightNotKnown = {
+    "in which a drone says itself that it does not know its height"};
+constexpr LeftOutReason kNoReference = {
+    "of local positions whose place on the Earth is not known yet",
+    "--crs metres takes local positions as they are"};
+constexpr LeftOutReason kNoEllipsoid = {"without a height above the ellipsoid"};
+constexpr LeftOutReason kNoTimeOfIt = {"with a time that cannot be"};
+
+std::string counted(std::uint64_t count, std::string_view what) {
+  return std::to_string(count) + " " + std::string(what) + (count == 1 ? "" : "s");
+}
+
+std::string milliseconds(std::uint64_t micros) {
+  return std::to_string((micros + 500) / 1000) + " ms";
+}
+
+// Where positions are taken from.
+enum class Source : std::uint8_t { kGlobal, kReferred, kLocal };
+
+class FlightReading {
+ public:
+  FlightReading(Px4FlightLog log, RecordingAssembly& assembly)
+      : log_(std::move(log)), assembly_(assembly) {}
+
+  std::optional<Error> read(std::string_view path) {
+    id_ = assembly_.name_of_source(stem_of(path));
+    if (auto error = choose_source()) return error;
+    if (auto error = clock_problem()) return error;
+    if (auto error = assembly_.agree(facts())) return error;
+    assembly_.tracks().round_times(0.0);
+    say_aloud();
+    if (source_ == Source::kGlobal) gather_velocities();
+    for (const Px4Place& place : source_ == Source::kGlobal ? log_.global : log_.local) {
+      if (auto error = take(place)) return error;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] bool by_ellipsoid() const {
+    return assembly_.options().heights == HeightSource::kGeometric;
+  }
+
+  // Why a message cannot be taken from there; nothing where it can.
+  [[nodiscard]] const LeftOutReason* lacks(const Px4Place& place, Source source) const {
+    const Point& at = source == Source::kReferred ? place.origin : place.position;
+    if (place.micros == 0 || place.micros >= std::uint64_t{1} << 53u) return &kNoTimeOfIt;
+    if (!place.known) return &kNotKnown;
+    if (!place.height_known) return &kHeightNotKnown;
+    if (source == Source::kGlobal && at.x == 0.0 && at.y == 0.0) return &kNotKnown;
+    if (source == Source::kGlobal && by_ellipsoid() && !std::isfinite(place.ellipsoid_height)) {
+      return &kNoEllipsoid;
+    }
+    const bool somewhere = std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z);
+    if (source == Source::kReferred && !somewhere) return &kNoReference;
+    return nullptr;
+  }
+
+  [[nodiscard]] bool tells(Source source) const {
+    const auto& places = source == Source::kGlobal ? log_.global : log_.local;
+    return std::any_of(places.begin(), places.end(),
+                       [&](const Px4Place& place) { return lacks(place, source) == nullptr; });
+  }
+
+  std::optional<Error> choose_source() {
+    const RecordingOptions& options = assembly_.options();
+    if (options.heights == HeightSource::kPressure) {
+      return Error{
+          ErrorCode::kInvalidArgument,
+          "a PX4 log tells heights above mean sea level, or with --heights geometric above "
+          "the ellipsoid, but none by pressure; leave --heights out",
+          {}};
+    }
+    if (options.frame != Frame::kMetres) {
+      for (const Source source : {Source::kGlobal, Source::kReferred}) {
+        if (!tells(source) || (source == Source::kReferred && by_ellipsoid())) continue;
+        source_ = source;
+        return std::nullopt;
+      }
+    }
+    if (options.frame != Frame::kWgs84 && !by_ellipsoid() && tells(Source::kLocal)) {
+      source_ = Source::kLocal;
+      return own_origin_problem();
+    }
+    return no_position();
+  }
+
+  // Each drone counts metres from where it was switched on, or from what it was told.
+  [[nodiscard]] std::optional<Error> own_origin_problem() const {
+    if (assembly_.options().frame == Frame::kMetres || !assembly_.has_several()) {
+      return std::nullopt;
+    }
+    return Error{ErrorCode::kUnknownFrame,
+                 "this PX4 log tells metres from the drone's own origin only, and not where on the "
+                 "Earth that is; say --crs metres if all drones have the same origin, as with "
+                 "motion capture, or read it alone",
+                 {}};
+  }
+
+  [[nodiscard]] Error no_position() const {
+    const Frame asked = assembly_.options().frame;
+    std::string message = "this PX4 log tells no position";
+    if (asked == Frame::kWgs84) message += " in degrees";
+    if (asked == Frame::kMetres) message += " in metres";
+    if (by_ellipsoid()) message += " with a height above the ellipsoid";
+    message += ": it has " + counted(log_.global.size(), "message") +
+               " of vehicle_global_position and " + std::to_string(log_.local.size()) +
+               " of vehicle_local_position";
+    if (!log_.global.empty() || !log_.local.empty()) message += ", none of which can be taken";
+    if (log_.losses.damaged_places > 0) {
+      message += "; it is damaged from byte " + std::to_string(log_.losses.first_damage) + " on";
+    } else if (log_.losses.cut_at) {
+      message += "; it ends within a message, at byte " + std::to_string(*log_.losses.cut_at);
+    }
+    if (asked != Frame::kAuto || by_ellipsoid()) {
+      message += std::string("; leave ") + (by_ellipsoid() ? "--heights" : "--crs") + " out";
+    }
+    return {ErrorCode::kNoPoints, std::move(message), {}};
+  }
+
+  // Logs of several drones have one clock only by GPS.
+  [[nodiscard]] std::optional<Error> clock_problem() const {
+    constexpr std::uint64_t kMostSpread_us = 1'000'000;
+    if (!assembly_.has_several()) return std::nullopt;
+    if (!log_.clock) {
+      return Error{
+          ErrorCode::kInvalidArgument,
+          "this PX4 log has no time of GPS (vehicle_gps_position), only one since the drone "
+          "was switched on, so that it shares no clock with other inputs; read it alone, "
+          "or leave it out",
+          {}};
+    }
+    if (log_.clock->spread_micros <= kMostSpread_us) return std::nullopt;
+    return Error{ErrorCode::kInvalidArgument,
+                 "the times of GPS in this PX4 log contradict its own clock by " +
+                     milliseconds(log_.clock->spread_micros) +
+                     ", so that it shares no clock with other inputs; read it alone, or leave it "
+                     "out",
+                 {}};
+  }
+
+  [[nodiscard]] SourceFacts facts() const {
+    SourceFacts facts;
+    const bool degrees = source_ != Source::kLocal;
+    facts.frame = degrees ? Frame::kWgs84 : Frame::kMetres;
+    facts.frame_reason = source_ == Source::kGlobal
+                             ? "vehicle_global_position tells longitude and latitude"
+                         : degrees ? "vehicle_local_position tells where its metres count from"
+                                   : "vehicle_local_position tells metres";
+    facts.since_1970 = log_.clock.has_value();
+    facts.heights = !degrees         ? HeightDatum::kHome
+                    : by_ellipsoid() ? HeightDatum::kEllipsoid
+                                     : HeightDatum::kMeanSeaLevel;
+    facts.units = {{degrees ? "heights" : "x, y and z", Unit::kMetre, UnitEvidence::kNamed,
+                    "PX4 logs have them so"}};
+    facts.description = "PX4 log (ULog)";
+    return facts;
+  }
+
+  void say_aloud() {
+    say_positions();
+    say_clock();
+    say_losses();
+    for (const std::string& other : log_.other_instances) {
+      assembly_.note("in " + assembly_.source_name() + " " + other +
+                     " is another instance of the same topic, and is left out");
+    }
+  }
+
+  void say_positions() {
+    if (source_ == Source::kGlobal) {
+      assembly_.note(std::string("positions are those of vehicle_global_position, heights above ") +
+                     (by_ellipsoid() ? "the ellipsoid (alt_ellipsoid)" : "mean sea level (alt)"));
+    } else if (source_ == Source::kReferred) {
+      assembly_.note(
+          "positions are those of vehicle_local_position, brought to longitude and latitude from "
+          "their reference as PX4 does, heights above mean sea level");
+    } else {
+      assembly_.note(
+          "positions are those of vehicle_local_position, metres east, north and up of each "
+          "drone's own origin: they can be compared only if all drones have the same one");
+    }
+  }
+
+  void say_clock() {
+    const std::string& name = assembly_.source_name();
+    if (!log_.clock) {
+      assembly_.note("in " + name +
+                     " times are seconds since the drone was switched on: there is no time of GPS");
+      return;
+    }
+    assembly_.note("the clock of " + name + " is set by " + counted(log_.clock->samples, "time") +
+                   " of GPS, nine of ten of which agree within " +
+                   milliseconds(log_.clock->spread_micros));
+  }
+
+  void say_losses() {
+    const UlogLosses& losses = log_.losses;
+    const std::string& name = assembly_.source_name();
+    if (losses.dropouts > 0) {
+      assembly_.note("in " + name +
+                     " the drone could not write all: " + counted(losses.dropouts, "dropout") +
+                     ", " + std::to_string(losses.dropped_ms) + " ms in all");
+    }
+    if (losses.damaged_places > 0) {
+      assembly_.note("in " + name + " " + counted(losses.damaged_bytes, "byte") + " in " +
+                     counted(losses.damaged_places, "place") +
+                     " are no message of a log, or a damaged one, and are passed over; the first "
+                     "at byte " +
+                     std::to_string(losses.first_damage));
+      assembly_.miss(losses.damaged_places, id_);
+    }
+    if (losses.cut_at) {
+      assembly_.note("the log " + name + " ends within a message, at byte " +
+                     std::to_string(*losses.cut_at) + "; that one is left out");
+    }
+  }
+
+  // Messages of both topics that were made of the same measurement belong together.
+  static std::uint64_t moment_of(const Px4Place& place) {
+    return place.sample_micros != 0 ? place.sample_micros : place.micros;
+  }
+
+  void gather_velocities() {
+    for (const Px4Place& place : log_.local) velocities_[moment_of(place)] = place.velocity;
+  }
+
+  // Its own, or that of the local position of the same moment.
+  [[nodiscard]] Velocity velocity_of(const Px4Place& place) const {
+    const Velocity& own = place.velocity;
+    if (source_ != Source::kGlobal || std::isfinite(own.x + own.y + own.z)) return own;
+    const auto found = velocities_.find(moment_of(place));
+    return found != velocities_.end() ? found->second : own;
+  }
+
+  [[nodiscard]] Point position_of(const Px4Place& place) const {
+    Point at = place.position;
+    if (source_ == Source::kGlobal && by_ellipsoid()) at.z = place.ellipsoid_height;
+    if (source_ != Source::kReferred) return at;
+    const LongitudeLatitude there = px4_reprojected({place.origin.x, place.origin.y}, at.y, at.x);
+    return {there.longitude_deg, there.latitude_deg, without_dust(place.origin.z + at.z)};
+  }
+
+  std::optional<Error> take(const Px4Place& place) {
+    if (const LeftOutReason* const reason = lacks(place, source_)) {
+      assembly_.leave_out(*reason, id_);
+      return std::nullopt;
+    }
+    const Point at = position_of(place);
+    if (auto error = position_problem(at)) {
+      error->location.record = place.message;
+      return assembly_.bad(*std::move(error), id_);
+    }
+    constexpr double kMicrosPerSecond = 1e6;
+    const auto own = static_cast<std::int64_t>(place.micros);
+    const std::int64_t micros = own + (log_.clock ? log_.clock->ahead_micros : 0);
+    const Velocity velocity = velocity_of(place);
+    Origin origin;
+    origin.source = assembly_.source() & 0xFF'FFFFu;
+    origin.line = (place.message + 1) & 0xFF'FFFF'FFFFu;
+    assembly_.tracks().add(id_, {static_cast<double>(micros) / kMicrosPerSecond, at}, &velocity,
+                           origin);
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<Error> position_problem(const Point& at) const {
+    if (!std::isfinite(at.x + at.y + at.z)) {
+      return Error{
+          ErrorCode::kNotFinite, "its position is not a number" + std::string(kOrLeaveOut), {}};
+    }
+    if (source_ != Source::kLocal) return impossible_place(at);
+    if (in_motion_domain(at.x) && in_motion_domain(at.y) && in_motion_domain(at.z)) {
+      return std::nullopt;
+    }
+    return Error{ErrorCode::kOutsideDomain,
+                 "its position cannot be computed with exactly; use 0, or a size of " +
+                     std::string(kMotionDomain) + " m" + std::string(kOrLeaveOut),
+                 {}};
+  }
+
+  Px4FlightLog log_;
+  RecordingAssembly& assembly_;
+  std::string id_;
+  Source source_ = Source::kGlobal;
+  std::unordered_map<std::uint64_t, Velocity> velocities_;  // by moment_of()
+};
+
+}  // namespace
+
+std::optional<Error> read_flight(std::string_view bytes, std::string_view path,
+                                 RecordingAssembly& assembly) {
+  if (auto error = fixed_layout_problem(assembly.options(), "a PX4 log")) return error;
+  auto log = read_flight_log(bytes);
+  if (!log) return std::move(log).error();
+  return FlightReading(*std::move(log), assembly).read(path);
+}
+
+}  // namespace beespace::io

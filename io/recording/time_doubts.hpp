@@ -1,0 +1,20 @@
+// Times in another unit than the header says, as "time[ms]" over microseconds: the speeds that
+// follow show it. What is doubtful is asked.
+#pragma once
+
+#include "io/recording/recording.hpp"
+#include "io/units/units.hpp"
+
+#include <beespace/result.hpp>
+
+#include <optional>
+
+namespace beespace::io {
+
+// Doubts where distances and times make speeds that contradict the velocities of the input a
+// thousandfold; or, without velocities, where times in milliseconds make them slower than anything
+// that is followed so, and microseconds would make them usual. Errors: kInvalidArgument, without
+// source.
+std::optional<Error> doubt_of_time_unit(const Recording& recording, Unit named);
+
+}  // namespace beespace::io

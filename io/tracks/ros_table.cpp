@@ -1,0 +1,176 @@
+#include "io/tracks/ros_table.hpp"
+
+#include "io/bytes/characters.hpp"
+#include "io/bytes/number.hpp"
+#include "io/points/record_reading.hpp"
+#include "io/table/column_names.hpp"
+#include "io/table/fields.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
+
+std::string columns_text(const std::array<std::size_t, 3>& axes) {
+  std::string text;
+  for (std::size_t i = 0; i < 3; ++i) {
+    text.append(i == 0 ? "" : ",").append(kAxes[i]).append("=").append(std::to_string(axes[i] + 1));
+  }
+  return text;
+}
+
+// ---- With a header
+// -------------------------------------------------------------------------------
+
+using Words = std::vector<std::string>;
+
+bool has(const Words& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// "header.stamp.secs", "field.header.stamp": no other source has such a column.
+bool is_header_stamp(const Words& words) {
+  return has(words, "header") && has(words, "stamp");
+}
+
+// "frame_id" of the header, not that of a child.
+bool is_axes_name(const Words& words) {
+  return words.size() >= 2 && words[words.size() - 2] == "frame" && words.back() == "id" &&
+         !has(words, "child");
+}
+
+// "pose.position" of "pose.position.x"; nothing of other columns.
+std::optional<Words> position_before(Words words, std::string_view axis) {
+  if (words.size() < 2 || words.back() != axis) return std::nullopt;
+  words.pop_back();
+  if (!is_one_of("position point translation", words.back())) return std::nullopt;
+  return words;
+}
+
+std::optional<RosTable> by_names(const TableLayout& table) {
+  RosTable found{table.names, {}, {}, {}};
+  std::array<std::vector<std::size_t>, 3> axes;
+  std::array<Words, 3> before;
+  bool stamped = false;
+  for (std::size_t column = 0; column < table.names.size(); ++column) {
+    const Words words = split_words(table.names[column]);
+    stamped = stamped || is_header_stamp(words);
+    if (!found.axes_name && is_axes_name(words)) found.axes_name = column;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      auto place = position_before(words, kAxes[axis]);
+      if (!place) continue;
+      axes[axis].push_back(column);
+      before[axis] = *std::move(place);
+    }
+  }
+  const bool one = std::all_of(axes.begin(), axes.end(),
+                               [](const auto& columns) { return columns.size() == 1; });
+  if (!stamped || !one || before[0] != before[1] || before[1] != before[2]) return std::nullopt;
+  found.columns = columns_text({axes[0][0], axes[1][0], axes[2][0]});
+  found.note =
+      "this is taken for a table of a topic of ROS: positions in metres; orientations, and "
+      "velocities, which are along the robot's own axes, are not read";
+  return found;
+}
+
+// ---- Without
+// -------------------------------------------------------------------------------------
+
+// The messages whose poses are stamped: how many columns, and how many names of frames stand behind
+// the two of the time.
+struct Message {
+  std::string_view name;
+  std::size_t columns;
+  std::size_t frames;
+};
+
+constexpr std::array<Message, 4> kMessages = {{
+    {"geometry_msgs/PoseStamped", 10, 1},
+    {"geometry_msgs/TransformStamped", 11, 2},
+    {"geometry_msgs/PoseWithCovarianceStamped", 46, 1},
+    {"nav_msgs/Odometry", 89, 2},
+}};
+
+bool is_whole(double value, double below) {
+  return value == std::floor(value) && value >= 0.0 && value < below;
+}
+
+// Whether a record has a time, names of frames, a place, and an orientation of length one.
+bool looks_like(const Message& message, std::string_view line, char delimiter) {
+  const auto number = [&](std::size_t column, double& value) {
+    const std::string_view text = without_padding(field_at(line, delimiter, column).text);
+    return parse_number(text, value) == NumberKind::kNumber;
+  };
+  double seconds = 0.0;
+  double nanoseconds = 0.0;
+  if (!number(0, seconds) || !number(1, nanoseconds)) return false;
+  if (!is_whole(seconds, 1e10) || !is_whole(nanoseconds, 1e9)) return false;
+  double ignored = 0.0;
+  for (std::size_t i = 0; i < message.frames; ++i) {
+    if (number(2 + i, ignored)) return false;
+  }
+  double length = 0.0;
+  for (std::size_t i = 0; i < 7; ++i) {
+    double value = 0.0;
+    if (!number(2 + message.frames + i, value)) return false;
+    if (i >= 3) length += value * value;
+  }
+  return std::abs(length - 1.0) < 0.02;
+}
+
+bool all_look_like(const Message& message, std::string_view text, const TableLayout& table) {
+  constexpr int kLookedAt = 16;
+  std::size_t offset = table.data_offset;
+  int seen = 0;
+  while (seen < kLookedAt && offset < text.size()) {
+    const Line line = line_at(text, offset, table.line_end);
+    offset = line.next;
+    if (is_blank_line(line.text) || has_comment_sign(line.text)) continue;
+    if (line.text.size() > kLongestLine) return false;
+    if (!looks_like(message, line.text, table.delimiter)) return false;
+    ++seen;
+  }
+  return seen > 0;
+}
+
+RosTable table_of(const Message& message) {
+  RosTable found;
+  found.names = {"header.stamp.sec", "header.stamp.nanosec", "header.frame_id"};
+  if (message.frames == 2) found.names.emplace_back("child_frame_id");
+  const std::size_t first = found.names.size();
+  for (const char* const name : {"position.x", "position.y", "position.z", "orientation.x",
+                                 "orientation.y", "orientation.z", "orientation.w"}) {
+    found.names.emplace_back(name);
+  }
+  while (found.names.size() < message.columns) {
+    found.names.push_back("unread." + std::to_string(found.names.size() + 1));
+  }
+  found.columns = columns_text({first, first + 1, first + 2});
+  found.axes_name = 2;
+  found.note = "without a header, this is taken for " + std::string(message.name) +
+               " as 'ros2 topic echo --csv' writes it: seconds, nanoseconds, frame, position in "
+               "metres, orientation";
+  return found;
+}
+
+std::optional<RosTable> by_content(std::string_view text, const TableLayout& table) {
+  for (const Message& message : kMessages) {
+    if (table.columns == message.columns && all_look_like(message, text, table)) {
+      return table_of(message);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<RosTable> find_ros_table(std::string_view text, const TableLayout& table) {
+  return table.names.empty() ? by_content(text, table) : by_names(table);
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,25 @@
+// Tables of poses as tools of ROS write them: which columns hold what, by their names or, where
+// `ros2 topic echo --csv` writes no header, by what poses must look like.
+#pragma once
+
+#include "io/table/table_layout.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::io {
+
+struct RosTable {
+  std::vector<std::string> names;  // of the columns; those of the header, where there is one
+  std::string columns;             // as --columns says them
+  std::optional<std::size_t> axes_name = {};  // "frame_id"
+  std::string note;
+};
+
+// `text` are records of the table. Nothing where it is of another kind.
+std::optional<RosTable> find_ros_table(std::string_view text, const TableLayout& table);
+
+}  // namespace beespace::io

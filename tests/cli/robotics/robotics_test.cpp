@@ -1,0 +1,180 @@
+// What robots and their tools write, by the first command that somebody would type. The files are
+// made by the tools' own writers (see make-files): two fly towards each other and meet after 20 s.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/expectations.hpp"
+#include "tests/cli/run/temporary_folder.hpp"
+
+namespace beespace::cli_test {
+namespace {
+
+constexpr double kStarted_s = 1772373600.0;  // 2026-03-01T14:00:00Z
+
+std::string made(const std::string& name) {
+  return std::string(BEESPACE_ROBOT_FILES) + "/" + name;
+}
+
+std::string content_of(const std::string& name) {
+  std::ifstream file(made(name), std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+// At 4 m/s each and 3 m above each other: closer than 5 m for a second.
+void expect_the_meeting(const Finished& finished, const std::string& names) {
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  const TextRows rows = rows_of(finished.out, ',');
+  ASSERT_EQ(rows.size(), 2u) << finished.out << finished.err;
+  EXPECT_EQ(rows[1].at(0) + " " + rows[1].at(1), names);
+  EXPECT_NEAR(std::stod(rows[1].at(2)), kStarted_s + 19.5, 0.01);
+  EXPECT_NEAR(std::stod(rows[1].at(3)), kStarted_s + 20, 0.01);
+  EXPECT_NEAR(std::stod(rows[1].at(4)), kStarted_s + 20.5, 0.01);
+  EXPECT_NEAR(std::stod(rows[1].at(5)), 3, 0.01);
+}
+
+TEST(Robotics, TwoLogsOfPx4AreTwoDronesOnOneClock) {
+  const Finished finished =
+      run({"replay", made("north.ulg"), made("south.ulg"), "--threshold", "5", "--csv"});
+  expect_the_meeting(finished, "north south");
+  expect_parts(finished.err, {"PX4 log (ULog)", "heights above mean sea level",
+                              "north.ulg is set by 81 times of GPS"});
+}
+
+TEST(Robotics, ALocalPositionIsWhereTheGlobalOneIs) {
+  TemporaryFolder folder;
+  // Without global positions, whose topic gets a name that nobody knows.
+  for (const std::string name : {"north.ulg", "south.ulg"}) {
+    std::string log = content_of(name);
+    for (std::size_t at = 0; (at = log.find("vehicle_global_position", at)) != std::string::npos;) {
+      log.replace(at, 14, "unknown_global");
+    }
+    folder.file(name, log);
+  }
+  const Finished finished = run(
+      {"replay", folder.path("north.ulg"), folder.path("south.ulg"), "--threshold", "5", "--csv"});
+  expect_the_meeting(finished, "north south");
+  expect_parts(finished.err, {"vehicle_local_position, brought to longitude and latitude"});
+}
+
+TEST(Robotics, LogsOfPx4CompressedAndFromStandardInput) {
+  TemporaryFolder folder;
+  const Finished one = run({"replay", "-", "--threshold", "5"}, content_of("north.ulg"));
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  expect_parts(one.err, {"1 bee"});
+  const Finished predicted =
+      run({"predict", made("north.ulg"), made("south.ulg"), "--threshold", "5"});
+  EXPECT_EQ(predicted.exit_code, 0) << predicted.err;
+  expect_parts(predicted.err, {"none", "2026-03-01"});
+}
+
+TEST(Robotics, ATelemetryLogIsReadByItself) {
+  const Finished finished = run({"replay", made("both.tlog"), "--threshold", "5", "--csv"});
+  expect_the_meeting(finished, "1 2");
+}
+
+TEST(Robotics, ATelemetryLogIsWatched) {
+  const Arguments options = {"--threshold", "5", "--horizon", "0"};
+  const Finished file = run(Arguments{"watch", made("both.tlog")} + options);
+  EXPECT_EQ(file.exit_code, 0) << file.err;
+  expect_parts(file.out, {R"("event": "entered")", R"("event": "left")", R"("first": "1")"});
+  expect_parts(file.err, {"MAVLink telemetry", "above mean sea level"});
+  const Finished piped = run(Arguments{"watch"} + options, content_of("both.tlog"));
+  EXPECT_EQ(piped.out, file.out) << piped.err;
+}
+
+TEST(Robotics, DamagedTelemetryIsWatchedAndCounted) {
+  std::string log = content_of("both.tlog");
+  log.insert(1000, "no frame at all");
+  log.resize(log.size() - 10);  // cut short, which is no mistake
+  const Finished finished = run({"watch", "--threshold", "5", "--horizon", "0"}, log);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_parts(finished.out, {R"("event": "entered")"});
+  expect_parts(finished.err, {"no frame of MAVLink, or a damaged one", "bad lines  1 left out"});
+}
+
+TEST(Robotics, TablesOfPosesFromABag) {
+  const Finished finished =
+      run({"replay", made("poses.csv"), "--crs", "metres", "--threshold", "1", "--csv"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  const TextRows rows = rows_of(finished.out, ',');
+  ASSERT_EQ(rows.size(), 2u) << finished.out << finished.err;
+  EXPECT_EQ(rows[1].at(0) + rows[1].at(1), "/north/pose/south/pose");
+  EXPECT_NEAR(std::stod(rows[1].at(3)), kStarted_s + 20, 0.01);
+  EXPECT_NEAR(std::stod(rows[1].at(5)), 0.3, 1e-6);
+}
+
+TEST(Robotics, TablesAsRos2EchoesThemHaveNoHeader) {
+  const Finished finished =
+      run({"replay", made("north-echo.csv"), made("south-echo.csv"), "--threshold", "1", "--csv"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  const TextRows rows = rows_of(finished.out, ',');
+  ASSERT_EQ(rows.size(), 2u) << finished.out << finished.err;
+  EXPECT_EQ(rows[1].at(0) + " " + rows[1].at(1), "north-echo south-echo");
+  EXPECT_NEAR(std::stod(rows[1].at(3)), kStarted_s + 20, 0.01);
+  EXPECT_NEAR(std::stod(rows[1].at(5)), 0.3, 1e-6);
+  expect_parts(finished.err, {"geometry_msgs/PoseStamped as 'ros2 topic echo --csv' writes it"});
+}
+
+TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
+  struct Known {
+    std::string_view bytes;
+    std::string_view what;
+    std::string_view type;
+  };
+  std::string recipe = content_of("bag-recipe.txt");
+  recipe.erase(recipe.find_last_not_of('\n') + 1);
+  const Known files[] = {
+      {"#ROSBAG V2.0\nrest", "a bag of ROS 1", recipe},
+      {"\x89MCAP0\r\nrest", "an MCAP file", recipe},
+      {"SQLite format 3", "an SQLite database, as ROS 2 records (.db3)", "pip install rosbags"},
+      {"\xA3\x95\x80\x80\x59"
+       "FMT",
+       "a DataFlash log of ArduPilot (.bin)", "mavlogdump.py --format csv"},
+      {"MATLAB 5.0 MAT-file, Platform", "a file of MATLAB (.mat)", "scipy.io.whosmat('FILE')"},
+      {"\x89HDF\r\n\x1A\nrest", "an HDF5 file", "h5py.File('FILE').visititems(print)"},
+      {"PAR1rest", "a Parquet file", "pandas.read_parquet('FILE').to_csv('bees.csv', index=False)"},
+      {"ULogEncrest", "a PX4 log that is encrypted", "decrypt it first"},
+  };
+  TemporaryFolder folder;
+  for (const Known& known : files) {
+    const std::string file = folder.file("log.bin", known.bytes);
+    for (const std::string command : {"replay", "predict", "detect", "watch"}) {
+      const Finished finished = run({command, file});
+      EXPECT_EQ(finished.exit_code, 3) << command << known.what << finished.err;
+      EXPECT_EQ(finished.out, "");
+      if (command == "watch" && known.bytes.find('\n') != std::string_view::npos) continue;
+      expect_parts(finished.err, {known.what, known.type});
+    }
+  }
+  const Finished snapshot = run({"detect", made("north.ulg")});
+  EXPECT_EQ(snapshot.exit_code, 3);
+  expect_parts(snapshot.err,
+               {"a PX4 log (ULog); 'beespace replay' and 'beespace predict' read it"});
+}
+
+TEST(Robotics, TimesInAnotherUnitThanTheHeaderSaysAreAsked) {
+  std::string table = "id,time[ms],x_m,y_m,z_m\n";
+  for (int i = 0; i < 20; ++i) {
+    const std::string time = std::to_string(i * 100'000);
+    table += "a," + time + "," + std::to_string(i * 0.5) + ",0,10\n";
+    table += "b," + time + "," + std::to_string(i * 0.5) + ",30,10\n";
+  }
+  const Finished asked = run({"replay", "--threshold", "5"}, table);
+  EXPECT_EQ(asked.exit_code, 3);
+  expect_parts(asked.err,
+               {"are the times in ms, as the header says?", "0.005 m/s",
+                "in us it would be 5 m/s, every 0.1 s", "--time-unit us or --time-unit ms"});
+  for (const std::string unit : {"us", "ms"}) {
+    const Finished said = run({"replay", "--threshold", "5", "--time-unit", unit}, table);
+    EXPECT_EQ(said.exit_code, 0) << said.err;
+  }
+}
+
+}  // namespace
+}  // namespace beespace::cli_test
