@@ -178,6 +178,8 @@ def test_nothing_grows(calls, options):
     ).stdout
     grown = json.loads(printed)
     assert grown["references"] == grown["threads"] == grown["files"] == 0
+    if options and sys.version_info < (3, 11):
+        pytest.skip("Python 3.10 gives each function a cache at its 1,024th call; then nothing grows")
     if options:
         assert grown["python_bytes"] < 8192, grown
     else:
