@@ -75,6 +75,11 @@ std::string input_summary(const io::Recording& recording, const MovingRequest& r
                      recording.flat);
   append_units(out, recording.units);
   append_vertical(out, request.vertical, recording.height_unit);
+  if (recording.flat && request.vertical) {
+    append_summary_line(out, "note",
+                        "there are no heights: all count as at the same one, so that --vertical "
+                        "keeps no two apart");
+  }
   for (const std::string& note : recording.notes) {
     append_summary_line(out, "note", printable(note));
   }

@@ -12,8 +12,8 @@ void settle_animals(const Header& header, TrackLayout& layout) {
   const bool of_animals = source != nullptr && source->of_animals;
   // Who tells how fast it is is no animal in a picture: it should know where it is.
   layout.places_may_be_unknown = of_animals || !layout.velocity;
-  layout.no_height = &kUnknownHeight;
   if (!of_animals) return;
+  layout.no_height = &kUnknownHeight;
   layout.ids_may_be_empty = true;
   layout.infinite_is_unknown = source->infinite_is_unknown;
   for (std::size_t i = 0; i < header.size(); ++i) {

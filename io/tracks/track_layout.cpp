@@ -7,6 +7,7 @@
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/table/record_walk.hpp"
+#include "io/table/table_sources.hpp"
 #include "io/table/unit_choice.hpp"
 #include "io/tracks/ros_table.hpp"
 #include "io/tracks/track_aircraft.hpp"
@@ -83,6 +84,7 @@ bool is_empty_throughout(std::string_view text, const TableLayout& table, std::s
   const ColumnChoice& choice = table.choice;
   const std::size_t column = choice.axes[axis];
   if (axis >= choice.dimensions || column >= table.contents.size()) return false;
+  if (!words_of_aviation(table.names).empty()) return false;  // aircraft have heights, said or not
   if (table.contents[column] != ColumnContent::kUnknown) return false;
   RecordWalk walk(text, table.data_offset, table);
   while (walk.next()) {

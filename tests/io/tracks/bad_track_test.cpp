@@ -155,8 +155,11 @@ TEST(BadTrack, DatesThatAreNone) {
   expect_error(record(text + "a,yesterday,1,2,3\n"),
                {ErrorCode::kNotANumber, "bees.csv:3:2", "write it as 2024-05-01T12:00:00.25Z"});
   expect_error(record(text + "a,,1,2,3\n"), {ErrorCode::kNotANumber, "bees.csv:3:2", "no"});
-  expect_error(record("id,time,x,y,z\na,2024-05-01 12:00:00,1,2,3\n"),
-               {ErrorCode::kNotANumber, "bees.csv:2:2", "it has no time zone; write Z for UTC"});
+  // Beside those that have a zone.
+  expect_error(record(text + "a,2024-05-01 12:00:00,1,2,3\n"),
+               {ErrorCode::kNotANumber, "bees.csv:3:2", "it has no time zone; write Z for UTC"});
+  expect_error(record("id,time,x,y,z\na,2024-05-01 12:00:00,1,2,3\na,2024-05-01 12:00:01Z,1,2,3\n"),
+               {ErrorCode::kNotANumber, "bees.csv:3:2", "but the first times have none"});
 }
 
 TEST(BadTrack, OneBeeAtTwoPlacesAtATime) {

@@ -115,8 +115,8 @@ TEST(JsonTable, WhatIsBrokenSaysWhere) {
   expect_problem(
       R"([{"id": "a", "time_s": 0, "x": 1, "y": 2}, {"id": "b", "time_s": 0, "x": "east", "y": 2}])",
       ErrorCode::kNotANumber, "point 1: 'x': 'east' is not a number (x)");
-  expect_problem(R"([{"id": "a", "time_s": 0, "x": 1, "y": 2}, {"id": "b", "time_s": 0, "y": 2}])",
-                 ErrorCode::kNotANumber, "point 1: 'x': the field is empty");
+  expect_problem(R"([{"id": "a", "time_s": 0, "x": 1, "y": 2}, {"id": "b", "x": 1, "y": 2}])",
+                 ErrorCode::kNotANumber, "point 1: 'time_s': the field is empty");
   expect_problem(R"([{"id": "a", "time_s": 0, "x": 1, "y": 2}, 7])", ErrorCode::kColumnCount,
                  "a number where an object should be");
   expect_problem(R"([{"id": "a", "time_s": 0, "x": 1, "y": 2, "x": 3}])", ErrorCode::kColumnCount,
