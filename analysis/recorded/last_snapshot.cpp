@@ -83,7 +83,7 @@ bool has_velocities(const io::Recording& recording) {
 Result<double> last_time(const io::Recording& recording) {
   double time_s = -std::numeric_limits<double>::infinity();
   for (const io::RecordedBee& bee : recording.bees) {
-    if (bee.path) {
+    if (bee.path || recording.show) {
       return of_bee({ErrorCode::kUnsupportedFormat,
                      "this is a show, which says where drones go; ask 'beespace replay' about it",
                      {}},

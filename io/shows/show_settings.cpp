@@ -55,7 +55,7 @@ std::optional<Error> read_limits(ShowDocuments& documents, ShowLimits& limits) {
                {"maxVelocityZUp", limits.climb_mps},
                {"maxAltitude", limits.height_m}};
   for (const auto& [key, taken] : table) {
-    auto value = limit(documents, key, ErrorCode::kInvalidArgument);
+    auto value = limit(documents, key, ErrorCode::kMalformedRecord);
     if (!value) return value.error();
     taken = *value;
   }

@@ -111,7 +111,7 @@ TEST(CheckPath, PeaksAreThoseOfTheCurve) {
   EXPECT_NEAR(peak(check, PathLimit::kSpeed).value, std::hypot(3.75, 2.25), 1e-8);
   EXPECT_EQ(peak(check, PathLimit::kDescent).value, 0.0);
   EXPECT_EQ(peak(check, PathLimit::kHeight).value, 10.0);
-  EXPECT_EQ(peak(check, PathLimit::kAcceleration).value, std::hypot(6.0, 10.0) * 6.0 / 16.0);
+  EXPECT_DOUBLE_EQ(peak(check, PathLimit::kAcceleration).value, std::hypot(6.0, 10.0) * 6.0 / 16.0);
 }
 
 TEST(CheckPath, AValueAtItsLimitIsWithinItAndALittleMoreIsNot) {

@@ -182,13 +182,20 @@ TEST(Verify, AccelerationsNeedVelocities) {
                      "--max-acceleration needs the velocities, and --straight ignores them");
 }
 
-TEST(Verify, AShowIsForReplay) {
+TEST(Verify, AShowFliesAlongItsCurves) {
   const TemporaryFolder folder;
   const std::string show = folder.file(
       "show.json", R"({"version": 1, "settings": {}, "swarm": {"drones": [{"type": "generic",
         "settings": {"name": "a", "trajectory": {"version": 1,
         "points": [[0, [0, 0, 0], []], [9, [0, 0, 9], []]]}}}]}})");
-  expect_failure({"verify", show}, {}, kBadInput, "ask 'beespace replay' about it");
+  expect_parts(run({"verify", show}).err, {"motion     along the curves of the show\n"});
+  EXPECT_EQ(run({"verify", show, "--max-climb", "1"}).exit_code, 0);
+  const Finished fast = run({"verify", show, "--max-climb", "0.9"});
+  EXPECT_EQ(fast.exit_code, 1);
+  expect_rows(rows_of(fast.out), {{"climb", "a", "", "0", "9", "1", "0.9", "0"}});
+  const Finished straight = run({"verify", show, "--straight"});
+  EXPECT_NE(straight.exit_code, 0);
+  expect_parts(straight.err, {"drones of a show fly along their curves; leave --straight out"});
 }
 
 TEST(Verify, BadInputIsRefusedWithItsPlace) {

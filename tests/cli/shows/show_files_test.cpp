@@ -164,9 +164,9 @@ TEST(ShowPlace, TurnsAxes) {
         .out;
   };
   // A degree is 111,319.49 m along the equator, and 110,574.28 m along a meridian there.
-  expect_parts(exported("90"), {"[0.008983153, 0.000009044, 105]"});
-  expect_parts(exported("0"), {"[-0.000008983, 0.009043695, 105]"});
-  expect_parts(exported("180"), {"[0.000008983, -0.009043695, 105]"});
+  expect_parts(exported("90"), {"[0.008983153, 9.044e-06, 105]"});
+  expect_parts(exported("0"), {"[-8.983e-06, 0.009043695, 105]"});
+  expect_parts(exported("180"), {"[8.983e-06, -0.009043695, 105]"});
 }
 
 TEST(ShowPlace, OfAShowIsNotGuessed) {
