@@ -15,11 +15,12 @@ bool ends_with(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-// Whether the name ends in one of these, in any case, perhaps with .gz behind.
+// Whether the name ends in one of these, in any case, perhaps with .gz or .zst behind.
 bool has_ending(std::string_view name, std::initializer_list<std::string_view> endings) {
   const std::string lower = lower_case(name);
   std::string_view rest = lower;
   if (ends_with(rest, ".gz")) rest.remove_suffix(3);
+  if (ends_with(rest, ".zst")) rest.remove_suffix(4);
   return std::any_of(endings.begin(), endings.end(),
                      [rest](std::string_view ending) { return ends_with(rest, ending); });
 }
@@ -47,7 +48,7 @@ Result<std::vector<std::string>> recordings_in(const std::string& folder) {
     const std::string path = entry->path().string();
     if (name.front() == '.' || is_folder(path)) continue;
     if (is_table_name(name)) tables.push_back(path);
-    if (has_ending(name, {".json"})) documents.push_back(path);
+    if (has_ending(name, {".json", ".ndjson", ".jsonl"})) documents.push_back(path);
     if (has_ending(name, {".tlog"})) logs.push_back(path);
     if (has_ending(name, {".ulg", ".ulog"})) flights.push_back(path);
   }
@@ -62,8 +63,8 @@ Result<std::vector<std::string>> recordings_in(const std::string& folder) {
                                       : flights;
   if (chosen.empty()) {
     return Error{ErrorCode::kNoPoints,
-                 "there is no .csv, .tsv or .txt file in this folder, nor any .json, .tlog or .ulg; "
-                 "name the files, or the folder that holds them",
+                 "there is no .csv, .tsv or .txt file in this folder, nor any .json, .ndjson, .tlog or "
+                 ".ulg; name the files, or the folder that holds them",
                  {folder}};
   }
   std::sort(chosen.begin(), chosen.end());
@@ -76,6 +77,7 @@ std::string stem_of(std::string_view path) {
   if (slash != std::string_view::npos) path.remove_prefix(slash + 1);
   std::string_view stem = path;
   if (ends_with(lower_case(stem), ".gz")) stem.remove_suffix(3);
+  if (ends_with(lower_case(stem), ".zst")) stem.remove_suffix(4);
   const std::size_t dot = stem.rfind('.');
   if (dot != std::string_view::npos && dot > 0) stem = stem.substr(0, dot);
   return std::string(stem.empty() ? path : stem);

@@ -132,7 +132,7 @@ TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
   const Known files[] = {
       {"#ROSBAG V2.0\nrest", "a bag of ROS 1", recipe},
       {"\x89MCAP0\r\nrest", "an MCAP file", recipe},
-      {"SQLite format 3", "an SQLite database, as ROS 2 records (.db3)", "pip install rosbags"},
+      {"SQLite format 3", "an SQLite database, as ROS 2 records (.db3)", recipe},
       {"\xA3\x95\x80\x80\x59" "FMT", "a DataFlash log of ArduPilot (.bin)", "mavlogdump.py --format csv"},
       {"MATLAB 5.0 MAT-file, Platform", "a file of MATLAB (.mat)", "scipy.io.whosmat('FILE')"},
       {"\x89HDF\r\n\x1A\nrest", "an HDF5 file", "h5py.File('FILE').visititems(print)"},
