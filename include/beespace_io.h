@@ -3,9 +3,9 @@
 /// about them. A library of its own, libbeespace_io.so, beside that of <beespace.h>.
 ///
 /// C99. What is read, and how, is what the command `beespace` does: tables of text in any layout,
-/// arrays of NumPy, raw doubles, drone shows, telemetry and PX4 logs, reports of aircraft; each plain or
-/// gzip-compressed. Nothing is guessed: where a file does not say whether it holds degrees or
-/// metres, or in which unit, reading it is an error that says how to say it.
+/// arrays of NumPy, raw doubles, drone shows, telemetry and PX4 logs, reports of aircraft; each
+/// plain or gzip-compressed. Nothing is guessed: where a file does not say whether it holds degrees
+/// or metres, or in which unit, reading it is an error that says how to say it.
 ///
 /// Units: metres and seconds, whatever the file has. Longitude, latitude and height become metres
 /// of ECEF (earth-centred, earth-fixed), so their z is not a height.
@@ -209,8 +209,8 @@ static inline beespace_points beespace_io_points_view(const beespace_io_points* 
 /// columns, agent by agent, those of each in ascending order of time.
 typedef struct beespace_io_recording beespace_io_recording;
 
-/// @brief Reads a recording: a table of fixes, or many; a drone show; a telemetry log; PX4 logs; reports of
-/// aircraft.
+/// @brief Reads a recording: a table of fixes, or many; a drone show; a telemetry log; PX4 logs;
+/// reports of aircraft.
 ///
 /// Where nothing is known, between fixes far apart in time or of records that were left out,
 /// nothing is made up: no fix is interpolated. Curves of drone shows become straight lines between

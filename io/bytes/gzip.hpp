@@ -1,5 +1,6 @@
-// Compressed input, unpacked in memory: all at once, or piece after piece. Of gzip one or more members
-// one after the other, as written by gzip, pigz, bgzip or `cat a.gz b.gz`; of zstd likewise (zstd.hpp).
+// Compressed input, unpacked in memory: all at once, or piece after piece. Of gzip one or more
+// members one after the other, as written by gzip, pigz, bgzip or `cat a.gz b.gz`; of zstd likewise
+// (zstd.hpp).
 #pragma once
 
 #include "io/bytes/byte_source.hpp"

@@ -48,9 +48,10 @@ Status ZstdUnpacking::unpack(std::string_view& packed, bool last, GrowingBytes& 
     // Nothing more comes out of what is there.
     if (!between_frames_ && packed.empty() && into.free_size() > 0) {
       if (!last) return std::monostate{};
-      return Error{ErrorCode::kTruncated,
-                   "the zstd data ends too early; the file is incomplete, copy or download it again",
-                   {source_}};
+      return Error{
+          ErrorCode::kTruncated,
+          "the zstd data ends too early; the file is incomplete, copy or download it again",
+          {source_}};
     }
   }
   return std::monostate{};
@@ -64,10 +65,11 @@ ZstdUnpacking::ZstdUnpacking(std::string source) : source_(std::move(source)) {
 }
 
 Status ZstdUnpacking::unpack(std::string_view& /*packed*/, bool /*last*/, GrowingBytes& /*into*/) {
-  return Error{ErrorCode::kUnsupportedFormat,
-               "this is zstd-compressed, which this beespace was built without; pipe it in: zstdcat "
-               "FILE | beespace ..., or build it where libzstd-dev is installed",
-               {source_}};
+  return Error{
+      ErrorCode::kUnsupportedFormat,
+      "this is zstd-compressed, which this beespace was built without; pipe it in: zstdcat "
+      "FILE | beespace ..., or build it where libzstd-dev is installed",
+      {source_}};
 }
 
 #endif

@@ -114,8 +114,8 @@ class TelemetryFrames final : public LineReader {
         in_motion_domain(place.y) && in_motion_domain(place.z)) {
       return std::nullopt;
     }
-    return Error{ErrorCode::kNotFinite, "its position is not a number that can be computed with",
-                 {}};
+    return Error{
+        ErrorCode::kNotFinite, "its position is not a number that can be computed with", {}};
   }
 
   RecordingOptions options_;

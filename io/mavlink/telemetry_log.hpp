@@ -13,8 +13,8 @@ namespace beespace::io {
 // Whether it is one, by the first frames; what lies before them may be damaged.
 bool is_telemetry_log(std::string_view bytes);
 
-// Whether what comes may be a log, by its first nine bytes: a time of these decades, and how a frame
-// begins. No text begins so.
+// Whether what comes may be a log, by its first nine bytes: a time of these decades, and how a
+// frame begins. No text begins so.
 inline constexpr std::size_t kTelemetryFront = 9;
 bool begins_as_telemetry_log(std::string_view bytes);
 

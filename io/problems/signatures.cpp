@@ -51,7 +51,8 @@ constexpr std::array<Signature, 31> kSignatures = {{
     {"PK\x03\x04",
      "a zip archive: a drone show is for 'beespace replay'; unpack or export anything else as CSV"},
     {"\x1F\x8B", "gzip-compressed data, which is not unpacked here; pipe it in: zcat FILE |"},
-    {"\x28\xB5\x2F\xFD", "zstd-compressed data, which is not unpacked here; pipe it in: zstdcat FILE |"},
+    {"\x28\xB5\x2F\xFD",
+     "zstd-compressed data, which is not unpacked here; pipe it in: zstdcat FILE |"},
     {"BZh", "bzip2-compressed data; unpack it first: bzip2 -dk FILE"},
     {"\xFD"
      "7zXZ",
@@ -59,8 +60,10 @@ constexpr std::array<Signature, 31> kSignatures = {{
     {"\x93NUMPY",
      "a .npy array, which holds positions and nothing else; 'beespace detect' reads it"},
     {"ULog\x01\x12\x35", "a PX4 log (ULog); 'beespace replay' and 'beespace predict' read it"},
-    {"ULogEnc", "a PX4 log that is encrypted; decrypt it first, with the key of the drone",
-     {}, Of::kOthers},
+    {"ULogEnc",
+     "a PX4 log that is encrypted; decrypt it first, with the key of the drone",
+     {},
+     Of::kOthers},
     {"#ROSBAG V", "a bag of ROS 1", kBag, Of::kOthers},
     {"\x89MCAP0\r\n", "an MCAP file, as ROS 2 records", kBag, Of::kOthers},
     {"SQLite format 3", "an SQLite database, as ROS 2 records (.db3)", kBag, Of::kOthers},
@@ -77,11 +80,16 @@ constexpr std::array<Signature, 31> kSignatures = {{
     {"\xFF\xD8\xFF", "a picture", {}, Of::kOthers},
     {"\x7F"
      "ELF",
-     "a program", {}, Of::kOthers},
+     "a program",
+     {},
+     Of::kOthers},
     {"\x89HDF", "an HDF5 file", kHdf5, Of::kOthers},
     {"<?xml", "XML; export the table as CSV"},
     {"<kml", "KML, which is not read; export the table as CSV"},
-    {"\xD0\xCF\x11\xE0", "a document of Office of old (.xls); export the table as CSV", {}, Of::kOthers},
+    {"\xD0\xCF\x11\xE0",
+     "a document of Office of old (.xls); export the table as CSV",
+     {},
+     Of::kOthers},
 }};
 
 const Signature* signature_of(std::string_view bytes) {

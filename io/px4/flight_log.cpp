@@ -63,9 +63,9 @@ Px4Place global_place(const Numbers& numbers) {
   place.position = {numbers.degrees("lon"), numbers.degrees("lat"),
                     without_dust(numbers.metres("alt"))};
   place.ellipsoid_height = without_dust(numbers.metres("alt_ellipsoid"));
-  place.velocity = east_north_up(known_speed(numbers.of("vel_n"), true),
-                                 known_speed(numbers.of("vel_e"), true),
-                                 known_speed(numbers.of("vel_d"), true));
+  place.velocity =
+      east_north_up(known_speed(numbers.of("vel_n"), true), known_speed(numbers.of("vel_e"), true),
+                    known_speed(numbers.of("vel_d"), true));
   place.known = numbers.flag("lat_lon_valid");
   place.height_known = numbers.flag("alt_valid");
   return place;
@@ -76,9 +76,9 @@ Px4Place local_place(const Numbers& numbers) {
   place.position = {without_dust(numbers.of("y")), without_dust(numbers.of("x")),
                     0.0 - without_dust(numbers.of("z"))};
   const bool planar = numbers.flag("v_xy_valid");
-  place.velocity = east_north_up(known_speed(numbers.of("vx"), planar),
-                                 known_speed(numbers.of("vy"), planar),
-                                 known_speed(numbers.of("vz"), numbers.flag("v_z_valid")));
+  place.velocity =
+      east_north_up(known_speed(numbers.of("vx"), planar), known_speed(numbers.of("vy"), planar),
+                    known_speed(numbers.of("vz"), numbers.flag("v_z_valid")));
   place.known = numbers.flag("xy_valid");
   place.height_known = numbers.flag("z_valid");
   const double longitude = numbers.degrees("ref_lon");

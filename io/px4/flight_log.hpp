@@ -25,7 +25,7 @@ struct Px4Place {
   std::uint64_t sample_micros = 0;  // of what was measured for it; 0 where it is not said
   std::uint64_t message = 0;        // counted from 0, of its topic
   Point position = {};              // degrees and m above mean sea level; or east, north, up in m
-  double ellipsoid_height = kUnknown;  // m
+  double ellipsoid_height = kUnknown;                  // m
   Velocity velocity = {kUnknown, kUnknown, kUnknown};  // m/s east, north, up
   bool known = true;                                   // it says so itself
   bool height_known = true;
@@ -36,7 +36,7 @@ struct Px4Place {
 
 // How UTC differs from the time since the drone was switched on, by GPS.
 struct Px4Clock {
-  std::int64_t ahead_micros = 0;  // the median
+  std::int64_t ahead_micros = 0;    // the median
   std::uint64_t spread_micros = 0;  // in which nine of ten of the differences lie
   std::size_t samples = 0;
 };
@@ -44,7 +44,7 @@ struct Px4Clock {
 struct Px4FlightLog {
   std::vector<Px4Place> global;
   std::vector<Px4Place> local;
-  std::optional<Px4Clock> clock;  // nothing where GPS never said a time
+  std::optional<Px4Clock> clock;             // nothing where GPS never said a time
   std::vector<std::string> other_instances;  // of these topics, that are not taken
   UlogLosses losses;
 };

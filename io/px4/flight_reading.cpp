@@ -17,7 +17,8 @@
 namespace beespace::io {
 namespace {
 
-constexpr LeftOutReason kNotKnown = {"in which a drone says itself that it does not know its place"};
+constexpr LeftOutReason kNotKnown = {
+    "in which a drone says itself that it does not know its place"};
 constexpr LeftOutReason kHeightNotKnown = {
     "in which a drone says itself that it does not know its height"};
 constexpr LeftOutReason kNoReference = {
@@ -78,18 +79,18 @@ class FlightReading {
 
   [[nodiscard]] bool tells(Source source) const {
     const auto& places = source == Source::kGlobal ? log_.global : log_.local;
-    return std::any_of(places.begin(), places.end(), [&](const Px4Place& place) {
-      return lacks(place, source) == nullptr;
-    });
+    return std::any_of(places.begin(), places.end(),
+                       [&](const Px4Place& place) { return lacks(place, source) == nullptr; });
   }
 
   std::optional<Error> choose_source() {
     const RecordingOptions& options = assembly_.options();
     if (options.heights == HeightSource::kPressure) {
-      return Error{ErrorCode::kInvalidArgument,
-                   "a PX4 log tells heights above mean sea level, or with --heights geometric above "
-                   "the ellipsoid, but none by pressure; leave --heights out",
-                   {}};
+      return Error{
+          ErrorCode::kInvalidArgument,
+          "a PX4 log tells heights above mean sea level, or with --heights geometric above "
+          "the ellipsoid, but none by pressure; leave --heights out",
+          {}};
     }
     if (options.frame != Frame::kMetres) {
       for (const Source source : {Source::kGlobal, Source::kReferred}) {
@@ -143,11 +144,12 @@ class FlightReading {
     constexpr std::uint64_t kMostSpread_us = 1'000'000;
     if (!assembly_.has_several()) return std::nullopt;
     if (!log_.clock) {
-      return Error{ErrorCode::kInvalidArgument,
-                   "this PX4 log has no time of GPS (vehicle_gps_position), only one since the drone "
-                   "was switched on, so that it shares no clock with other inputs; read it alone, "
-                   "or leave it out",
-                   {}};
+      return Error{
+          ErrorCode::kInvalidArgument,
+          "this PX4 log has no time of GPS (vehicle_gps_position), only one since the drone "
+          "was switched on, so that it shares no clock with other inputs; read it alone, "
+          "or leave it out",
+          {}};
     }
     if (log_.clock->spread_micros <= kMostSpread_us) return std::nullopt;
     return Error{ErrorCode::kInvalidArgument,
@@ -217,9 +219,9 @@ class FlightReading {
     const UlogLosses& losses = log_.losses;
     const std::string& name = assembly_.source_name();
     if (losses.dropouts > 0) {
-      assembly_.note("in " + name + " the drone could not write all: " +
-                     counted(losses.dropouts, "dropout") + ", " +
-                     std::to_string(losses.dropped_ms) + " ms in all");
+      assembly_.note("in " + name +
+                     " the drone could not write all: " + counted(losses.dropouts, "dropout") +
+                     ", " + std::to_string(losses.dropped_ms) + " ms in all");
     }
     if (losses.damaged_places > 0) {
       assembly_.note("in " + name + " " + counted(losses.damaged_bytes, "byte") + " in " +

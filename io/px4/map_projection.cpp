@@ -20,10 +20,9 @@ LongitudeLatitude px4_reprojected(const LongitudeLatitude& reference, double nor
   place.latitude_deg =
       std::asin(cosine * std::sin(latitude) + north * sine * std::cos(latitude) / away) / kDegree;
   place.longitude_deg =
-      reference.longitude_deg +
-      std::atan2(east * sine,
-                 away * std::cos(latitude) * cosine - north * std::sin(latitude) * sine) /
-          kDegree;
+      reference.longitude_deg + std::atan2(east * sine, away * std::cos(latitude) * cosine -
+                                                            north * std::sin(latitude) * sine) /
+                                    kDegree;
   if (place.longitude_deg > 180.0) place.longitude_deg -= 360.0;
   if (place.longitude_deg < -180.0) place.longitude_deg += 360.0;
   return place;

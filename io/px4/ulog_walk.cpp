@@ -114,8 +114,7 @@ bool UlogWalk::fits(const Message& message) const {
   switch (message.type) {
     case 'D': {
       if (message.body.size() < kTopic) return false;
-      const auto topic =
-          topics_.find(static_cast<std::uint16_t>(unsigned16(message.body, 0)));
+      const auto topic = topics_.find(static_cast<std::uint16_t>(unsigned16(message.body, 0)));
       if (topic == topics_.end()) return false;
       if (!topic->second.layout) return true;
       const std::size_t size = message.body.size() - kTopic;

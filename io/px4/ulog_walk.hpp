@@ -33,7 +33,7 @@ struct UlogLosses {
   std::uint64_t dropped_ms = 0;
   std::uint64_t damaged_places = 0;
   std::uint64_t damaged_bytes = 0;
-  std::size_t first_damage = 0;  // where, where there is any
+  std::size_t first_damage = 0;            // where, where there is any
   std::optional<std::size_t> cut_at = {};  // the last message begins there, and is not all there
 };
 
@@ -81,7 +81,7 @@ class UlogWalk {
 
   std::string_view bytes_;
   std::size_t at_ = 0;
-  std::size_t section_end_ = 0;  // what was appended later begins there, or nothing
+  std::size_t section_end_ = 0;           // what was appended later begins there, or nothing
   std::array<std::size_t, 4> ends_ = {};  // of the sections that follow
   std::size_t next_end_ = 0;
   UlogDefinitions definitions_;

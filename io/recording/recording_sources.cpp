@@ -62,10 +62,11 @@ Result<std::vector<std::string>> recordings_in(const std::string& folder) {
                  : !logs.empty()      ? logs
                                       : flights;
   if (chosen.empty()) {
-    return Error{ErrorCode::kNoPoints,
-                 "there is no .csv, .tsv or .txt file in this folder, nor any .json, .ndjson, .tlog or "
-                 ".ulg; name the files, or the folder that holds them",
-                 {folder}};
+    return Error{
+        ErrorCode::kNoPoints,
+        "there is no .csv, .tsv or .txt file in this folder, nor any .json, .ndjson, .tlog or "
+        ".ulg; name the files, or the folder that holds them",
+        {folder}};
   }
   std::sort(chosen.begin(), chosen.end());
   return std::move(chosen);

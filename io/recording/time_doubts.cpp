@@ -65,9 +65,9 @@ Steps steps_of(const Recording& recording) {
 
 std::string short_number(double value) {
   std::array<char, 32> text = {};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                 std::chars_format::general, 3)
-                       .ptr;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3)
+          .ptr;
   return {text.data(), end};
 }
 

@@ -1,5 +1,5 @@
-// Times in another unit than the header says, as "time[ms]" over microseconds: the speeds that follow
-// show it. What is doubtful is asked.
+// Times in another unit than the header says, as "time[ms]" over microseconds: the speeds that
+// follow show it. What is doubtful is asked.
 #pragma once
 
 #include "io/recording/recording.hpp"

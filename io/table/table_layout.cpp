@@ -250,8 +250,8 @@ std::optional<Error> find_header(const std::vector<Comment>& comments, TableLayo
       continue;
     }
     if (found) {
-      Error error = comment_error(comment.text,
-                                  "may name the columns, and so may one before it; remove one");
+      Error error =
+          comment_error(comment.text, "may name the columns, and so may one before it; remove one");
       error.location.line = comment.line;
       return error;
     }
@@ -260,8 +260,9 @@ std::optional<Error> find_header(const std::vector<Comment>& comments, TableLayo
     layout.names = std::move(fields->fields);
   }
   if (found || !other) return std::nullopt;
-  Error error = comment_error(other->text, "seems to name the columns, but not as many as there "
-                                           "are; correct it");
+  Error error = comment_error(other->text,
+                              "seems to name the columns, but not as many as there "
+                              "are; correct it");
   error.location.line = other->line;
   return error;
 }

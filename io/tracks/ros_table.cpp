@@ -24,7 +24,8 @@ std::string columns_text(const std::array<std::size_t, 3>& axes) {
   return text;
 }
 
-// ---- With a header -------------------------------------------------------------------------------
+// ---- With a header
+// -------------------------------------------------------------------------------
 
 using Words = std::vector<std::string>;
 
@@ -71,12 +72,14 @@ std::optional<RosTable> by_names(const TableLayout& table) {
                                [](const auto& columns) { return columns.size() == 1; });
   if (!stamped || !one || before[0] != before[1] || before[1] != before[2]) return std::nullopt;
   found.columns = columns_text({axes[0][0], axes[1][0], axes[2][0]});
-  found.note = "this is taken for a table of a topic of ROS: positions in metres; orientations, and "
-               "velocities, which are along the robot's own axes, are not read";
+  found.note =
+      "this is taken for a table of a topic of ROS: positions in metres; orientations, and "
+      "velocities, which are along the robot's own axes, are not read";
   return found;
 }
 
-// ---- Without -------------------------------------------------------------------------------------
+// ---- Without
+// -------------------------------------------------------------------------------------
 
 // The messages whose poses are stamped: how many columns, and how many names of frames stand behind
 // the two of the time.

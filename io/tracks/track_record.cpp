@@ -163,8 +163,9 @@ std::optional<Error> TrackRecordReader::read_stamp(std::string_view text, TrackR
   double seconds = 0.0;
   if (!whole(text, seconds)) {
     return at_column(ErrorCode::kNotANumber,
-                     excerpt(text) + " is no number of whole seconds, beside nanoseconds; correct "
-                                     "it" +
+                     excerpt(text) +
+                         " is no number of whole seconds, beside nanoseconds; correct "
+                         "it" +
                          std::string(kOrLeaveOut),
                      time.column);
   }
@@ -172,8 +173,9 @@ std::optional<Error> TrackRecordReader::read_stamp(std::string_view text, TrackR
   double nanoseconds = 0.0;
   if (!whole(rest, nanoseconds) || nanoseconds < 0.0 || nanoseconds >= kNanosecondsPerSecond) {
     return at_column(ErrorCode::kNotANumber,
-                     excerpt(rest) + " is no number of nanoseconds, 0 to 999999999, beside whole "
-                                     "seconds; correct it" +
+                     excerpt(rest) +
+                         " is no number of nanoseconds, 0 to 999999999, beside whole "
+                         "seconds; correct it" +
                          std::string(kOrLeaveOut),
                      *time.nanoseconds);
   }

@@ -22,12 +22,12 @@ namespace beespace::io {
 struct TrackRecord {
   // Why the record of an aircraft is left out, and read no further; or nothing.
   const LeftOutReason* left_out = nullptr;
-  std::string_view label = {};  // what it is called beside its id; as long as that
-  std::string_view id = {};     // as long as the line and the reader live
-  double time_s = 0.0;          // 0 where there is no time
-  Point position = {};          // metres, or degrees and a height in metres
-  double stated_height = 0.0;   // or z, as the input has it
-  Velocity velocity = {};       // not-a-number where it is unknown
+  std::string_view label = {};      // what it is called beside its id; as long as that
+  std::string_view id = {};         // as long as the line and the reader live
+  double time_s = 0.0;              // 0 where there is no time
+  Point position = {};              // metres, or degrees and a height in metres
+  double stated_height = 0.0;       // or z, as the input has it
+  Velocity velocity = {};           // not-a-number where it is unknown
   std::string_view axes_name = {};  // of ROS: what the position is counted in; as long as the line
 };
 

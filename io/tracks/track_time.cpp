@@ -73,7 +73,8 @@ std::vector<Stamp> stamps_in(const TableLayout& table) {
     for (std::size_t j = 0; before && j < table.names.size(); ++j) {
       const auto same =
           words_before(table.names[j], "nanosec nanosecs nsec nsecs nanosecond nanoseconds");
-      if (same == before) stamps.push_back({i, j, before->find("header.stamp") != std::string::npos});
+      if (same == before)
+        stamps.push_back({i, j, before->find("header.stamp") != std::string::npos});
     }
   }
   return stamps;
@@ -95,8 +96,8 @@ Result<std::optional<Stamp>> choose_stamp(const Header& header) {
   return missing_column("both " + column_text(header.table(), stamps[0].seconds) + " and " +
                         column_text(header.table(), stamps[1].seconds) +
                         " look like the seconds of the time; say which with --columns time=" +
-                        std::to_string(stamps[0].seconds + 1) + " or time=" +
-                        std::to_string(stamps[1].seconds + 1));
+                        std::to_string(stamps[0].seconds + 1) +
+                        " or time=" + std::to_string(stamps[1].seconds + 1));
 }
 
 Result<TimeChoice> time_of_stamp(const Stamp& stamp, std::string_view text, const Header& header,
@@ -119,7 +120,8 @@ Result<TimeChoice> time_of_stamp(const Stamp& stamp, std::string_view text, cons
   return time;
 }
 
-// ---- One column ----------------------------------------------------------------------------------
+// ---- One column
+// ----------------------------------------------------------------------------------
 
 // "field.header.stamp": one number, nanoseconds since 1970, beside the time of the recording.
 bool is_header_stamp(std::string_view name) {
@@ -224,8 +226,8 @@ std::string time_note(const TableLayout& table, const TimeChoice& time, bool ask
   if (time.since_1970) text += ", since 1970";
   if (time.by_size) text += ", as their size tells";
   if (!time.other) return text;
-  return text + ", not from " + column_text(table, *time.other) + "; --columns time=" +
-         std::to_string(*time.other + 1) + " would change that";
+  return text + ", not from " + column_text(table, *time.other) +
+         "; --columns time=" + std::to_string(*time.other + 1) + " would change that";
 }
 
 }  // namespace beespace::io

@@ -1,9 +1,9 @@
-// Fuzzes the reader of PX4 logs: the walk over messages, layouts of definitions, and what becomes of
-// them in a recording.
+// Fuzzes the reader of PX4 logs: the walk over messages, layouts of definitions, and what becomes
+// of them in a recording.
 //
 // The input is a log behind its first sixteen bytes, which are put before it, so that nothing is
-// wasted on the magic. Beyond the sanitizers, it checks that a message has the length that its layout
-// says, that damage and messages together are no longer than the log, and that times ascend.
+// wasted on the magic. Beyond the sanitizers, it checks that a message has the length that its
+// layout says, that damage and messages together are no longer than the log, and that times ascend.
 #include "io/load_recording.hpp"
 #include "io/px4/ulog_walk.hpp"
 
@@ -33,7 +33,8 @@ void walk_through(std::string_view log) {
     require(walk->offset() >= behind && walk->offset() < log.size());
     behind = walk->offset() + walk->message().size();
     for (const UlogField& field : topic.layout->fields) {
-      if (topic.layout->number(field.name) != &field || field.name.starts_with("_padding")) continue;
+      if (topic.layout->number(field.name) != &field || field.name.starts_with("_padding"))
+        continue;
       static_cast<void>(ulog_number(walk->message(), field));
     }
   }

@@ -56,8 +56,8 @@ TEST(Robotics, ALocalPositionIsWhereTheGlobalOneIs) {
     }
     folder.file(name, log);
   }
-  const Finished finished = run({"replay", folder.path("north.ulg"), folder.path("south.ulg"),
-                                 "--threshold", "5", "--csv"});
+  const Finished finished = run(
+      {"replay", folder.path("north.ulg"), folder.path("south.ulg"), "--threshold", "5", "--csv"});
   expect_the_meeting(finished, "north south");
   expect_parts(finished.err, {"vehicle_local_position, brought to longitude and latitude"});
 }
@@ -110,8 +110,8 @@ TEST(Robotics, TablesOfPosesFromABag) {
 }
 
 TEST(Robotics, TablesAsRos2EchoesThemHaveNoHeader) {
-  const Finished finished = run({"replay", made("north-echo.csv"), made("south-echo.csv"),
-                                 "--threshold", "1", "--csv"});
+  const Finished finished =
+      run({"replay", made("north-echo.csv"), made("south-echo.csv"), "--threshold", "1", "--csv"});
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   const TextRows rows = rows_of(finished.out, ',');
   ASSERT_EQ(rows.size(), 2u) << finished.out << finished.err;
@@ -133,7 +133,9 @@ TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
       {"#ROSBAG V2.0\nrest", "a bag of ROS 1", recipe},
       {"\x89MCAP0\r\nrest", "an MCAP file", recipe},
       {"SQLite format 3", "an SQLite database, as ROS 2 records (.db3)", recipe},
-      {"\xA3\x95\x80\x80\x59" "FMT", "a DataFlash log of ArduPilot (.bin)", "mavlogdump.py --format csv"},
+      {"\xA3\x95\x80\x80\x59"
+       "FMT",
+       "a DataFlash log of ArduPilot (.bin)", "mavlogdump.py --format csv"},
       {"MATLAB 5.0 MAT-file, Platform", "a file of MATLAB (.mat)", "scipy.io.whosmat('FILE')"},
       {"\x89HDF\r\n\x1A\nrest", "an HDF5 file", "h5py.File('FILE').visititems(print)"},
       {"PAR1rest", "a Parquet file", "pandas.read_parquet('FILE').to_csv('bees.csv', index=False)"},
@@ -152,7 +154,8 @@ TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
   }
   const Finished snapshot = run({"detect", made("north.ulg")});
   EXPECT_EQ(snapshot.exit_code, 3);
-  expect_parts(snapshot.err, {"a PX4 log (ULog); 'beespace replay' and 'beespace predict' read it"});
+  expect_parts(snapshot.err,
+               {"a PX4 log (ULog); 'beespace replay' and 'beespace predict' read it"});
 }
 
 TEST(Robotics, TimesInAnotherUnitThanTheHeaderSaysAreAsked) {
@@ -164,9 +167,9 @@ TEST(Robotics, TimesInAnotherUnitThanTheHeaderSaysAreAsked) {
   }
   const Finished asked = run({"replay", "--threshold", "5"}, table);
   EXPECT_EQ(asked.exit_code, 3);
-  expect_parts(asked.err, {"are the times in ms, as the header says?", "0.005 m/s",
-                           "in us it would be 5 m/s, every 0.1 s",
-                           "--time-unit us or --time-unit ms"});
+  expect_parts(asked.err,
+               {"are the times in ms, as the header says?", "0.005 m/s",
+                "in us it would be 5 m/s, every 0.1 s", "--time-unit us or --time-unit ms"});
   for (const std::string unit : {"us", "ms"}) {
     const Finished said = run({"replay", "--threshold", "5", "--time-unit", unit}, table);
     EXPECT_EQ(said.exit_code, 0) << said.err;

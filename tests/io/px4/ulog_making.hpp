@@ -91,7 +91,8 @@ inline constexpr std::string_view kLocalFormat =
     "vehicle_local_position:uint64_t timestamp;uint64_t timestamp_sample;uint64_t ref_timestamp;"
     "double ref_lat;double ref_lon;float x;float y;float z;float[2] delta_xy;float delta_z;"
     "float vx;float vy;float vz;float z_deriv;float ref_alt;heading_of heading;bool xy_valid;"
-    "bool z_valid;bool v_xy_valid;bool v_z_valid;bool xy_global;bool z_global;uint8_t[2] _padding0;";
+    "bool z_valid;bool v_xy_valid;bool v_z_valid;bool xy_global;bool z_global;uint8_t[2] "
+    "_padding0;";
 inline constexpr std::string_view kHeadingFormat = "heading_of:float heading;float delta_heading;";
 inline constexpr std::string_view kGpsFormat =
     "vehicle_gps_position:uint64_t timestamp;uint64_t time_utc_usec;int32_t lat;int32_t lon;"
@@ -105,8 +106,9 @@ inline constexpr unsigned kGpsNumber = 12;
 inline UlogMaking px4_log() {
   UlogMaking log;
   log.flags(0);
-  log.message('I', "\x10"
-                   "char[4] sys_namePX4 ");
+  log.message('I',
+              "\x10"
+              "char[4] sys_namePX4 ");
   log.format(kGlobalFormat).format(kLocalFormat).format(kHeadingFormat).format(kGpsFormat);
   log.format("battery:float voltage;uint8_t cells;");
   log.message('P', std::string("\x12int32_t MAV_SYS_ID", 19) + UlogBody().i32(3).bytes());

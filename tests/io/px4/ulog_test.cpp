@@ -50,12 +50,14 @@ TEST(UlogMaking, KeepsLogsWhereItIsAskedTo) {
   std::ofstream(std::string(folder) + "/made.ulg", std::ios::binary) << log.bytes();
 }
 
-// ---- Definitions ---------------------------------------------------------------------------------
+// ---- Definitions
+// ---------------------------------------------------------------------------------
 
 TEST(UlogFormat, FieldsFollowEachOtherThroughArraysAndNestedDefinitions) {
   UlogDefinitions definitions;
-  definitions.add("outer:uint64_t timestamp;inner[2] both;float[3] three;int16_t last;"
-                  "uint8_t[2] _padding0;");
+  definitions.add(
+      "outer:uint64_t timestamp;inner[2] both;float[3] three;int16_t last;"
+      "uint8_t[2] _padding0;");
   definitions.add("inner:int8_t a;leaf b;bool c;");
   definitions.add("leaf:double d;char[4] e;");
   const auto layout = definitions.layout("outer");
@@ -71,16 +73,17 @@ TEST(UlogFormat, FieldsFollowEachOtherThroughArraysAndNestedDefinitions) {
 
 TEST(UlogFormat, NumbersOfAllTypes) {
   UlogDefinitions definitions;
-  definitions.add("all:int8_t a;uint8_t b;int16_t c;uint16_t d;int32_t e;uint32_t f;int64_t g;"
-                  "uint64_t h;float i;double j;bool k;char l;");
+  definitions.add(
+      "all:int8_t a;uint8_t b;int16_t c;uint16_t d;int32_t e;uint32_t f;int64_t g;"
+      "uint64_t h;float i;double j;bool k;char l;");
   const auto layout = definitions.layout("all");
   ASSERT_TRUE(layout);
   UlogBody body;
   body.u8(0xFF).u8(0xFF).u16(0xFFFE).u16(0xFFFE).u32(0xFFFFFFFD).u32(0xFFFFFFFD);
   body.u64(0xFFFFFFFFFFFFFFFC).u64(4'000'000'000'000).f32(-1.5).f64(2.25).u8(1).u8('x');
   ASSERT_EQ(body.bytes().size(), layout->size);
-  const std::vector<double> expected = {-1,  255, -2,    65534, -3, 4294967293.0,
-                                        -4,  4e12, -1.5, 2.25,  1,  120};
+  const std::vector<double> expected = {-1, 255,  -2,   65534, -3, 4294967293.0,
+                                        -4, 4e12, -1.5, 2.25,  1,  120};
   for (std::size_t i = 0; i < expected.size(); ++i) {
     EXPECT_EQ(ulog_number(body.bytes(), layout->fields[i]), expected[i]) << i;
   }
@@ -118,7 +121,8 @@ TEST(UlogFormat, WhatCannotBeReadIsNoLayout) {
   EXPECT_TRUE(definitions.layout("w1"));
 }
 
-// ---- Positions -----------------------------------------------------------------------------------
+// ---- Positions
+// -----------------------------------------------------------------------------------
 
 TEST(Ulog, GlobalPositionsAreDegreesAndMetresAboveMeanSeaLevel) {
   const auto recording = recording_of(load(small_log().bytes()));
@@ -154,8 +158,8 @@ TEST(Ulog, HeightsAboveTheEllipsoidAreTakenForAllWhereAsked) {
 TEST(Ulog, VelocitiesAreThoseOfTheLocalPositionOfTheSameMeasurement) {
   UlogMaking log = px4_log();
   log.data(kGpsNumber, gps_message(1, kNoon_us + 1));
-  log.data(kLocalNumber, local_message({.micros = 1'000'900, .vx = 4, .vy = 5, .vz = -6,
-                                        .sample = 1'000'000}));
+  log.data(kLocalNumber,
+           local_message({.micros = 1'000'900, .vx = 4, .vy = 5, .vz = -6, .sample = 1'000'000}));
   log.data(kGlobalNumber, global_message({.micros = 1'000'950, .sample = 1'000'000}));
   log.data(kGlobalNumber, global_message({.micros = 1'200'950, .sample = 1'200'000}));
   const auto recording = recording_of(load(log.bytes()));
@@ -166,8 +170,9 @@ TEST(Ulog, VelocitiesAreThoseOfTheLocalPositionOfTheSameMeasurement) {
 
 TEST(Ulog, LogsOfOldHaveWholeDegreesAndTheirOwnVelocities) {
   UlogMaking log(0);
-  log.format("vehicle_global_position:uint64_t timestamp;int32_t lat;int32_t lon;float alt;"
-             "float vel_n;float vel_e;float vel_d;");
+  log.format(
+      "vehicle_global_position:uint64_t timestamp;int32_t lat;int32_t lon;float alt;"
+      "float vel_n;float vel_e;float vel_d;");
   log.subscribe(1, "vehicle_global_position");
   UlogBody body;
   body.u64(2'000'000).i32(-338'500'001).i32(-705'000'000).f32(90.5).f32(1).f32(2).f32(3);
@@ -185,8 +190,9 @@ TEST(Ulog, LocalPositionsAreBroughtToDegreesFromTheirReference) {
   UlogMaking log = px4_log();
   log.data(kGpsNumber, gps_message(1, kNoon_us + 1));
   log.data(kLocalNumber, local_message({.micros = 500'000, .global = false}));
-  log.data(kLocalNumber, local_message({.micros = 1'000'000, .x = 300, .y = 400, .z = -20,
-                                        .vx = 1, .vy = 2, .vz = 3}));
+  log.data(kLocalNumber,
+           local_message(
+               {.micros = 1'000'000, .x = 300, .y = 400, .z = -20, .vx = 1, .vy = 2, .vz = 3}));
   const auto recording = recording_of(load(log.bytes()));
   EXPECT_EQ(recording.frame, Frame::kWgs84);
   EXPECT_EQ(recording.heights, HeightDatum::kMeanSeaLevel);
@@ -212,9 +218,9 @@ TEST(Ulog, TheReferenceIsReachedFromAllSides) {
     const double turn = (there.longitude_deg - reference.longitude_deg) * degree;
     const double away = std::acos(std::sin(lat0) * std::sin(lat1) +
                                   std::cos(lat0) * std::cos(lat1) * std::cos(turn));
-    const double bearing =
-        std::atan2(std::sin(turn) * std::cos(lat1),
-                   std::cos(lat0) * std::sin(lat1) - std::sin(lat0) * std::cos(lat1) * std::cos(turn));
+    const double bearing = std::atan2(
+        std::sin(turn) * std::cos(lat1),
+        std::cos(lat0) * std::sin(lat1) - std::sin(lat0) * std::cos(lat1) * std::cos(turn));
     EXPECT_NEAR(away * 6371000, std::hypot(north, east), 1e-2);
     EXPECT_NEAR(std::remainder(bearing - std::atan2(east, north), 2 * M_PI), 0, 1e-6);
     EXPECT_LE(std::abs(there.longitude_deg), 180);
@@ -223,8 +229,14 @@ TEST(Ulog, TheReferenceIsReachedFromAllSides) {
 
 TEST(Ulog, LocalPositionsWithoutAReferenceAreMetresEastNorthUp) {
   UlogMaking log = px4_log();
-  log.data(kLocalNumber, local_message({.micros = 1'000'000, .x = 1.5, .y = 2.5, .z = -10,
-                                        .vx = 4, .vy = 5, .vz = -6, .global = false}));
+  log.data(kLocalNumber, local_message({.micros = 1'000'000,
+                                        .x = 1.5,
+                                        .y = 2.5,
+                                        .z = -10,
+                                        .vx = 4,
+                                        .vy = 5,
+                                        .vz = -6,
+                                        .global = false}));
   log.data(kLocalNumber, local_message({.micros = 2'000'000, .v_valid = false, .global = false}));
   log.data(kLocalNumber, local_message({.micros = 3'000'000, .valid = false, .global = false}));
   log.data(kLocalNumber, local_message({.micros = 4'000'000, .z_valid = false, .global = false}));
@@ -236,8 +248,9 @@ TEST(Ulog, LocalPositionsWithoutAReferenceAreMetresEastNorthUp) {
   EXPECT_EQ(bee.fixes[0].position, (Point{2.5, 1.5, 10}));
   EXPECT_EQ(bee.velocities[0], (Velocity{5, 4, 6}));
   EXPECT_TRUE(std::isnan(bee.velocities[1].x));
-  EXPECT_TRUE(has_note(recording, "1 record in which a drone says itself that it does not know its "
-                                  "place is left out"));
+  EXPECT_TRUE(has_note(recording,
+                       "1 record in which a drone says itself that it does not know its "
+                       "place is left out"));
   EXPECT_TRUE(has_note(recording, "does not know its height is left out"));
   EXPECT_EQ(recording.missing.count, 2u);
 }
@@ -255,8 +268,9 @@ TEST(Ulog, MetresThatAreAskedForAreLocalOnes) {
 
 TEST(Ulog, FlagsOfNewerLogsAreObeyed) {
   UlogMaking log;
-  log.format("vehicle_global_position:uint64_t timestamp;double lat;double lon;float alt;"
-             "bool lat_lon_valid;bool alt_valid;uint8_t[2] _padding0;");
+  log.format(
+      "vehicle_global_position:uint64_t timestamp;double lat;double lon;float alt;"
+      "bool lat_lon_valid;bool alt_valid;uint8_t[2] _padding0;");
   log.subscribe(1, "vehicle_global_position");
   for (const auto& [place, height] : {std::pair{1u, 1u}, {0u, 1u}, {1u, 0u}}) {
     const std::uint64_t micros = 1'000'000 + 100u * (2 * place + height);
@@ -276,18 +290,19 @@ TEST(Ulog, AnotherInstanceOfATopicIsLeftOutAndSaid) {
   EXPECT_TRUE(has_note(recording, "vehicle_global_position 1 is another instance"));
 }
 
-// ---- Clocks --------------------------------------------------------------------------------------
+// ---- Clocks
+// --------------------------------------------------------------------------------------
 
 TEST(Ulog, TheClockIsTheMedianOfGps) {
   UlogMaking log = px4_log();
-  log.data(kGpsNumber, gps_message(1'000'000, 0));  // does not know the time yet
+  log.data(kGpsNumber, gps_message(1'000'000, 0));                    // does not know the time yet
   log.data(kGpsNumber, gps_message(1'100'000, 990'000'000'000'000));  // nor really
   log.data(kGpsNumber, gps_message(2'000'000, kNoon_us + 2'000'000 + 18'000'000));  // leap seconds
   // Each says the time of an instant 60 ms before it came; a few are later.
   for (std::uint64_t i = 3; i < 60; ++i) {
     const std::uint64_t late = i % 10 == 0 ? 30'000 : 0;
-    log.data(kGpsNumber, gps_message(i * 1'000'000 + late, kNoon_us + i * 1'000'000 - 60'000,
-                                     -60'000));
+    log.data(kGpsNumber,
+             gps_message(i * 1'000'000 + late, kNoon_us + i * 1'000'000 - 60'000, -60'000));
   }
   log.data(kGlobalNumber, global_message({.micros = 4'000'000}));
   const auto recording = recording_of(load(log.bytes()));
@@ -308,8 +323,8 @@ TEST_F(SeveralLogs, AreDronesOnOneClock) {
   UlogMaking other = px4_log();  // switched on 100 s later
   other.data(kGpsNumber, gps_message(1'000'000, kNoon_us + 101'000'000));
   other.data(kGlobalNumber, global_message({.micros = 2'000'000, .lat = 47.3}));
-  const auto recording = recording_of(load_recording(
-      {write("a.ulg", small_log().bytes()), write("b.ulg", other.bytes())}, {}));
+  const auto recording = recording_of(
+      load_recording({write("a.ulg", small_log().bytes()), write("b.ulg", other.bytes())}, {}));
   EXPECT_EQ(ids_of(recording), (Ids{"a", "b"}));
   EXPECT_EQ(times_of(recording.bees[0]), (Times{kNoon_s + 5, kNoon_s + 5.5}));
   EXPECT_EQ(times_of(recording.bees[1]), Times{kNoon_s + 102});
@@ -352,18 +367,20 @@ TEST_F(SeveralLogs, InMetresOfTheirOwnAreComparedOnlyWhereThatIsSaid) {
   log.data(kLocalNumber, local_message({.micros = 1'000'000, .global = false}));
   const std::string a = write("a.ulg", log.bytes());
   const std::string b = write("b.ulg", log.bytes());
-  expect_error(load_recording({a, b}, {}),
-               {ErrorCode::kUnknownFrame, a, "say --crs metres if all drones have the same origin"});
+  expect_error(load_recording({a, b}, {}), {ErrorCode::kUnknownFrame, a,
+                                            "say --crs metres if all drones have the same origin"});
   EXPECT_EQ(ids_of(recording_of(load_recording({a, b}, with_metres()))), (Ids{"a", "b"}));
 }
 
 TEST_F(SeveralLogs, WithHeightsOfTwoKindsAreNotMixed) {
-  const std::string table = write("t.csv", "id,unix_time_s,lon,lat,height_ellipsoid_m\nc,5,8,47,3\n");
+  const std::string table =
+      write("t.csv", "id,unix_time_s,lon,lat,height_ellipsoid_m\nc,5,8,47,3\n");
   const auto loaded = load_recording({write("a.ulg", small_log().bytes()), table}, {});
   expect_error(loaded, {ErrorCode::kInvalidArgument, table, "above mean sea level"});
 }
 
-// ---- Damage --------------------------------------------------------------------------------------
+// ---- Damage
+// --------------------------------------------------------------------------------------
 
 TEST(Ulog, DropoutsAreCountedAndSaid) {
   UlogMaking log = small_log();
@@ -409,7 +426,8 @@ TEST(Ulog, ALogThatIsCutShortIsReadAsFarAsItGoes) {
   for (std::size_t length = whole.size() + 1; length < next.size(); ++length) {
     const auto recording = recording_of(load(next.substr(0, length)));
     EXPECT_EQ(recording.bees[0].fixes.size(), 2u) << length;
-    EXPECT_TRUE(has_note(recording, "ends within a message, at byte " + std::to_string(whole.size())))
+    EXPECT_TRUE(
+        has_note(recording, "ends within a message, at byte " + std::to_string(whole.size())))
         << length;
   }
 }
@@ -420,7 +438,8 @@ TEST(Ulog, ALogThatEndsBeforeItsDataSaysWhere) {
     const auto loaded = load(whole.substr(0, length));
     ASSERT_FALSE(loaded) << length;
     const Error& error = loaded.error();
-    EXPECT_TRUE(error.code == ErrorCode::kTruncated || error.code == ErrorCode::kNoPoints) << length;
+    EXPECT_TRUE(error.code == ErrorCode::kTruncated || error.code == ErrorCode::kNoPoints)
+        << length;
     EXPECT_NE(error.message.find("PX4 log"), std::string::npos) << error.message;
   }
   expect_error(load(whole.substr(0, 12)),
@@ -457,8 +476,8 @@ TEST(Ulog, DataAppendedLaterIsReadBehindAMessageThatWasCut) {
     log.flags(appended_at == 0 ? 0 : 1, appended_at);
     log.format(kGlobalFormat).subscribe(kGlobalNumber, "vehicle_global_position");
     log.data(kGlobalNumber, global_message({.micros = 1'000'000}));
-    const std::string cut = ulog_message(
-        'D', UlogBody().u16(kGlobalNumber).text(global_message({}).bytes()).bytes());
+    const std::string cut =
+        ulog_message('D', UlogBody().u16(kGlobalNumber).text(global_message({}).bytes()).bytes());
     return log.raw(cut.substr(0, 20));
   };
   UlogMaking log = made(made(0).bytes().size());
