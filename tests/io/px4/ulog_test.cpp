@@ -50,8 +50,7 @@ TEST(UlogMaking, KeepsLogsWhereItIsAskedTo) {
   std::ofstream(std::string(folder) + "/made.ulg", std::ios::binary) << log.bytes();
 }
 
-// ---- Definitions
-// ---------------------------------------------------------------------------------
+// ---- Definitions --------------------------------------------------------------------------------
 
 TEST(UlogFormat, FieldsFollowEachOtherThroughArraysAndNestedDefinitions) {
   UlogDefinitions definitions;
@@ -121,8 +120,7 @@ TEST(UlogFormat, WhatCannotBeReadIsNoLayout) {
   EXPECT_TRUE(definitions.layout("w1"));
 }
 
-// ---- Positions
-// -----------------------------------------------------------------------------------
+// ---- Positions ----------------------------------------------------------------------------------
 
 TEST(Ulog, GlobalPositionsAreDegreesAndMetresAboveMeanSeaLevel) {
   const auto recording = recording_of(load(small_log().bytes()));
@@ -290,8 +288,7 @@ TEST(Ulog, AnotherInstanceOfATopicIsLeftOutAndSaid) {
   EXPECT_TRUE(has_note(recording, "vehicle_global_position 1 is another instance"));
 }
 
-// ---- Clocks
-// --------------------------------------------------------------------------------------
+// ---- Clocks -------------------------------------------------------------------------------------
 
 TEST(Ulog, TheClockIsTheMedianOfGps) {
   UlogMaking log = px4_log();
@@ -379,8 +376,7 @@ TEST_F(SeveralLogs, WithHeightsOfTwoKindsAreNotMixed) {
   expect_error(loaded, {ErrorCode::kInvalidArgument, table, "above mean sea level"});
 }
 
-// ---- Damage
-// --------------------------------------------------------------------------------------
+// ---- Damage -------------------------------------------------------------------------------------
 
 TEST(Ulog, DropoutsAreCountedAndSaid) {
   UlogMaking log = small_log();
