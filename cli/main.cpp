@@ -41,6 +41,7 @@ constexpr const char* kExamples =
     "  beespace predict traffic.json --separation enroute\n"
     "                                                the same of aircraft: 5 NM and 1000 ft\n"
     "  beespace replay show.skyc                     whether a drone show keeps its distance\n"
+    "  beespace replay north.ulg south.ulg           the same of flights, by the drones' logs\n"
     "  tail -f swarm.csv | beespace watch            the same live\n"
     "  beespace advise swarm.csv                     how all bees should fly to keep apart\n"
     "  beespace guide --threshold 5 --max-speed 10 --max-acceleration 5\n"

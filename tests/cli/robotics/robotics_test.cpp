@@ -88,6 +88,32 @@ TEST(Robotics, ATelemetryLogIsWatched) {
   EXPECT_EQ(piped.out, file.out) << piped.err;
 }
 
+TEST(Robotics, WhatIsCompressedIsWatchedAsItComes) {
+  const Arguments options = {"--threshold", "5", "--horizon", "0"};
+  const Finished plain = run(Arguments{"watch", made("both.tlog")} + options);
+  const Finished packed = run(Arguments{"watch", made("both.tlog.gz")} + options);
+  EXPECT_EQ(packed.exit_code, 0) << packed.err;
+  EXPECT_EQ(packed.out, plain.out);
+  const std::string bytes = content_of("both.tlog.gz");
+  EXPECT_EQ(run(Arguments{"watch"} + options, bytes).out, plain.out);
+  const Finished cut = run(Arguments{"watch"} + options, bytes.substr(0, bytes.size() / 2));
+  EXPECT_EQ(cut.exit_code, 3);
+  expect_parts(cut.err, {"the gzip data ends too early"});
+  // Reports that came whole are known at once, while more is awaited.
+  Running running(Arguments{"watch"} + options);
+  running.send(bytes.substr(0, bytes.size() - 20));
+  EXPECT_NE(running.read_line().find("entered"), std::string::npos);
+  running.send(bytes.substr(bytes.size() - 20));
+  running.close_input();
+  EXPECT_EQ(running.finish().exit_code, 0);
+}
+
+TEST(Robotics, LocalPositionsAreWatchedWhereMetresAreAskedFor) {
+  const Finished finished = run({"watch", made("both.tlog"), "--crs", "metres"});
+  EXPECT_EQ(finished.exit_code, 3) << finished.err;
+  expect_parts(finished.err, {"LOCAL_POSITION_NED"});
+}
+
 TEST(Robotics, DamagedTelemetryIsWatchedAndCounted) {
   std::string log = content_of("both.tlog");
   log.insert(1000, "no frame at all");
