@@ -25,6 +25,38 @@ bool has_ending(std::string_view name, std::initializer_list<std::string_view> e
                      [rest](std::string_view ending) { return ends_with(rest, ending); });
 }
 
+// What a folder has, by kind.
+struct Listed {
+  std::vector<std::string> tables = {};
+  std::vector<std::string> documents = {};
+  std::vector<std::string> logs = {};
+  std::vector<std::string> flights = {};
+  std::error_code problem = {};
+
+  // The kind that is read.
+  std::vector<std::string>& chosen() {
+    if (!tables.empty()) return tables;
+    if (!documents.empty()) return documents;
+    return !logs.empty() ? logs : flights;
+  }
+};
+
+Listed listed(const std::string& folder) {
+  Listed found;
+  std::filesystem::directory_iterator entry(folder, found.problem);
+  for (; !found.problem && entry != std::filesystem::directory_iterator();
+       entry.increment(found.problem)) {
+    const std::string name = entry->path().filename().string();
+    const std::string path = entry->path().string();
+    if (name.front() == '.' || is_folder(path)) continue;
+    if (is_table_name(name)) found.tables.push_back(path);
+    if (has_ending(name, {".json", ".ndjson", ".jsonl"})) found.documents.push_back(path);
+    if (has_ending(name, {".tlog"})) found.logs.push_back(path);
+    if (has_ending(name, {".ulg", ".ulog"})) found.flights.push_back(path);
+  }
+  return found;
+}
+
 }  // namespace
 
 bool is_folder(const std::string& path) {
@@ -37,39 +69,37 @@ bool is_table_name(std::string_view name) {
 }
 
 Result<std::vector<std::string>> recordings_in(const std::string& folder) {
-  std::vector<std::string> tables;
-  std::vector<std::string> documents;
-  std::vector<std::string> logs;
-  std::vector<std::string> flights;
-  std::error_code problem;
-  std::filesystem::directory_iterator entry(folder, problem);
-  for (; !problem && entry != std::filesystem::directory_iterator(); entry.increment(problem)) {
-    const std::string name = entry->path().filename().string();
-    const std::string path = entry->path().string();
-    if (name.front() == '.' || is_folder(path)) continue;
-    if (is_table_name(name)) tables.push_back(path);
-    if (has_ending(name, {".json", ".ndjson", ".jsonl"})) documents.push_back(path);
-    if (has_ending(name, {".tlog"})) logs.push_back(path);
-    if (has_ending(name, {".ulg", ".ulog"})) flights.push_back(path);
-  }
-  if (problem) {
+  Listed found = listed(folder);
+  if (found.problem) {
     return Error{ErrorCode::kCannotOpen,
-                 "cannot read this folder: " + problem.message() + "; check its permissions",
+                 "cannot read this folder: " + found.problem.message() + "; check its permissions",
                  {folder}};
   }
-  auto& chosen = !tables.empty()      ? tables
-                 : !documents.empty() ? documents
-                 : !logs.empty()      ? logs
-                                      : flights;
+  auto& chosen = found.chosen();
   if (chosen.empty()) {
     return Error{
         ErrorCode::kNoPoints,
-        "there is no .csv, .tsv or .txt file in this folder, nor any .json, .ndjson, .tlog or "
-        ".ulg; name the files, or the folder that holds them",
+        "there is no .csv, .tsv or .txt file in this folder, nor any .json, .ndjson, .tlog "
+        "or .ulg; name the files, or the folder that holds them",
         {folder}};
   }
   std::sort(chosen.begin(), chosen.end());
   return std::move(chosen);
+}
+
+std::string recordings_left_in(const std::string& folder) {
+  Listed found = listed(folder);
+  const std::vector<std::string>* const chosen = &found.chosen();
+  std::vector<std::string> left;
+  for (const auto* kind : {&found.logs, &found.flights}) {
+    if (kind != chosen) left.insert(left.end(), kind->begin(), kind->end());
+  }
+  if (left.empty()) return {};
+  const std::string& first = *std::min_element(left.begin(), left.end());
+  const std::string more =
+      left.size() == 1 ? " is" : " and " + std::to_string(left.size() - 1) + " more are";
+  return "of a folder one kind of files is read: " + first + more +
+         " left out; name them, too, if they belong to it";
 }
 
 std::string stem_of(std::string_view path) {

@@ -335,6 +335,16 @@ TEST_F(SeveralLogs, OfAFolderAreReadByTheirNames) {
   EXPECT_EQ(ids_of(recording), (Ids{"a", "b"}));
 }
 
+TEST_F(SeveralLogs, BesideTablesInAFolderAreSaidToBeLeftOut) {
+  write("b.ulg", small_log().bytes());
+  write("c.ulg", small_log().bytes());
+  EXPECT_FALSE(has_note(recording_of(load_recording({folder_.file("")}, {})), "left out"));
+  write("a.csv", "id,time_s,x_m,y_m,z_m\nd,0,1,2,3\n");
+  const auto recording = recording_of(load_recording({folder_.file("")}, {}));
+  EXPECT_EQ(ids_of(recording), Ids{"d"});
+  EXPECT_TRUE(has_note(recording, "b.ulg and 1 more are left out; name them, too"));
+}
+
 TEST_F(SeveralLogs, WithoutATimeOfGpsShareNoClock) {
   UlogMaking other = px4_log();
   other.data(kGlobalNumber, global_message({.micros = 2'000'000}));
