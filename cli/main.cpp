@@ -44,6 +44,7 @@ constexpr const char* kExamples =
     "  beespace replay storks.csv --threshold 50     which animals met: Movebank, trackdf, TRex, "
     "...\n"
     "  beespace verify show.skyc                     the same, and whether it keeps its limits\n"
+    "  beespace replay north.ulg south.ulg           the same of flights, by the drones' logs\n"
     "  tail -f swarm.csv | beespace watch            the same live\n"
     "  beespace advise swarm.csv                     how all bees should fly to keep apart\n"
     "  beespace guide --threshold 5 --max-speed 10 --max-acceleration 5\n"

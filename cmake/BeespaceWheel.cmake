@@ -3,6 +3,9 @@
 # must work where a compiler is all there is. Without it, reading says in Python what is missing.
 set(BEESPACE_FILES "AUTO" CACHE STRING "Whether a wheel has what reads files: ON, OFF, AUTO")
 
+# A wheel has inside what it needs; zstd is not worth that.
+set(BEESPACE_ZSTD "OFF" CACHE STRING "Whether zstd-compressed input is read: ON, OFF, AUTO")
+
 # Whether the readers can be built, and why not.
 function(beespace_find_readers found missing)
   set(absent "")

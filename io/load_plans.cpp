@@ -75,14 +75,15 @@ Result<FlightPlans> read_plans(std::string_view bytes, PlanNeed need) {
 
 Result<FlightPlans> load_bytes(Bytes bytes, const std::string& path, PlanNeed need) {
   const std::string source = source_name(path);
-  const bool compressed = is_gzip(bytes.view);
+  const bool compressed = is_packed(bytes.view);
+  const bool zstd = is_zstd(bytes.view);
   auto content = unpacked(std::move(bytes), source);
   if (!content) return content.error();
   auto plans = read_plans(content->view, need);
   if (!plans) {
     plans.error().location.source = source;
   } else if (compressed) {
-    plans->format_description += ", gzip-compressed";
+    plans->format_description += zstd ? ", zstd-compressed" : ", gzip-compressed";
   }
   return plans;
 }

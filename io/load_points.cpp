@@ -251,7 +251,8 @@ Result<LoadedPoints> load_bytes(Bytes bytes, const std::string& path, const Load
   LoadedPoints loaded;
   loaded.bytes = bytes.view.size();
   Progress* const progress = options.progress;
-  const bool compressed = is_gzip(bytes.view);
+  const bool compressed = is_packed(bytes.view);
+  const bool zstd = is_zstd(bytes.view);
   if (progress != nullptr) {
     progress->done = 0;
     progress->total = bytes.view.size();
@@ -265,7 +266,7 @@ Result<LoadedPoints> load_bytes(Bytes bytes, const std::string& path, const Load
   auto source = std::make_shared<RecordSource>();
   source->bytes = std::move(bytes);
   const Format format = format_of(source->bytes.view, path, options.format);
-  if (compressed && format == Format::kText && is_gzip(source->bytes.view)) {
+  if (compressed && format == Format::kText && is_packed(source->bytes.view)) {
     return compressed_twice(name);
   }
   auto error = format == Format::kText ? load_table(loaded, *source, options)
@@ -282,7 +283,7 @@ Result<LoadedPoints> load_bytes(Bytes bytes, const std::string& path, const Load
     }
     return placed({ErrorCode::kNoPoints, std::move(message), {}});
   }
-  if (compressed) loaded.format_description += ", gzip-compressed";
+  if (compressed) loaded.format_description += zstd ? ", zstd-compressed" : ", gzip-compressed";
   loaded.records = std::move(source);
   return loaded;
 }
@@ -295,7 +296,8 @@ Format format_of(std::string_view bytes, const std::string& path, Format asked) 
   const std::string name = lower_case(path);
   // Logs of drones may be called so, too.
   const bool raw =
-      (ends_with(name, ".bin") || ends_with(name, ".bin.gz")) && !is_foreign_file(bytes);
+      (ends_with(name, ".bin") || ends_with(name, ".bin.gz") || ends_with(name, ".bin.zst")) &&
+      !is_foreign_file(bytes);
   return raw ? Format::kRawFloat64 : Format::kText;
 }
 

@@ -197,6 +197,7 @@ std::optional<Error> read_path(const std::string& path, RecordingAssembly& assem
     const auto files = recordings_in(path);
     if (!files) return files.error();
     if (files->size() > 1) assembly.expect_several();
+    if (std::string left = recordings_left_in(path); !left.empty()) assembly.note(std::move(left));
     for (const std::string& file : *files) {
       if (auto error = read_path(file, assembly)) return error;
     }

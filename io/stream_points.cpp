@@ -74,7 +74,9 @@ void PointStream::keep_first(LoadedPoints first) {
   facts_.skipped.clear();
   facts_.skipped_count = 0;
   if (array_) facts_.format_description = array_->description;
-  if (stream_.is_compressed()) facts_.format_description += ", gzip-compressed";
+  if (stream_.is_compressed())
+    facts_.format_description +=
+        std::string(", ").append(stream_.packed_by()).append("-compressed");
   const auto read = static_cast<double>(first.bytes);
   const auto unpacked = read + static_cast<double>(pending().size());
   const auto taken = static_cast<double>(stream_.taken());
@@ -112,7 +114,7 @@ Status PointStream::settle() {
   if (auto status = want(kHeadBytes); !status) return status;
   const Format format = format_of(pending(), path_, options_.format);
   if (format != Format::kText) return settle_array(format);
-  if (stream_.is_compressed() && is_gzip(pending())) return compressed_twice(path_);
+  if (stream_.is_compressed() && is_packed(pending())) return compressed_twice(path_);
   return settle_table();
 }
 

@@ -9,6 +9,7 @@
 #include "io/mavlink/telemetry_log.hpp"
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/text_check.hpp"
+#include "io/px4/ulog_walk.hpp"
 #include "io/recording/recording_sources.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
@@ -43,7 +44,7 @@ Error not_as_it_comes(const std::string& what) {
 
 std::optional<Error> format_problem(std::string_view beginning, RecordingFormat format) {
   if (is_zip(beginning)) return not_as_it_comes("a zip archive");
-  if (is_gzip(beginning)) return not_as_it_comes("compressed twice");
+  if (is_packed(beginning)) return not_as_it_comes("compressed twice");
   const std::string_view text = without_byte_order_mark(beginning);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool json =
@@ -53,6 +54,7 @@ std::optional<Error> format_problem(std::string_view beginning, RecordingFormat 
   if (format == RecordingFormat::kSkybrushShow) return not_as_it_comes("said to be a show");
   if (json && !table) return not_as_it_comes("JSON");
   if (format != RecordingFormat::kAuto) return std::nullopt;
+  if (is_ulog(beginning)) return not_as_it_comes("a PX4 log");
   if (is_telemetry_log(beginning)) return not_as_it_comes("a MAVLink telemetry log");
   if (is_base_station(beginning)) return not_as_it_comes("a list of BaseStation messages");
   if (is_daidalus_encounter(text)) return not_as_it_comes("an encounter of DAIDALUS");

@@ -142,7 +142,7 @@ Status LineSource::add(std::string_view bytes) {
   packed_.append(bytes);
   if (!compressed_) {
     if (packed_.size() < 2 && !ended_) return std::monostate{};
-    compressed_ = io::is_gzip(packed_);
+    compressed_ = io::is_packed(packed_);
     if (*compressed_) unpacking_.emplace(name_);
   }
   if (!*compressed_) {

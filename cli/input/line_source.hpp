@@ -1,5 +1,5 @@
 // Lines as they come from a file or standard input, without waiting for more than there is; of a
-// telemetry log its frames. What is gzip-compressed is unpacked as it comes.
+// telemetry log its frames. What is compressed is unpacked as it comes.
 #pragma once
 
 #include "io/bytes/byte_source.hpp"

@@ -20,7 +20,10 @@ Result<ByteStream> ByteStream::open(const std::string& path) {
   while (stream.waiting_.size() < 2 && !stream.ended_) {
     if (auto status = stream.fill(); !status) return std::move(status).error();
   }
-  if (is_gzip(stream.waiting_)) stream.unpacking_.emplace(source_name(path));
+  if (is_packed(stream.waiting_)) {
+    stream.unpacking_.emplace(source_name(path));
+    stream.packed_by_ = is_zstd(stream.waiting_) ? "zstd" : "gzip";
+  }
   return stream;
 }
 

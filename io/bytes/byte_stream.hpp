@@ -26,6 +26,8 @@ class ByteStream {
   Status read(GrowingBytes& into);
 
   [[nodiscard]] bool is_compressed() const { return unpacking_.has_value(); }
+  // "gzip" or "zstd", where it is.
+  [[nodiscard]] std::string_view packed_by() const { return packed_by_; }
   [[nodiscard]] const InputFile& file() const { return file_; }
   // How many bytes of the file itself were read.
   [[nodiscard]] std::uint64_t taken() const { return taken_; }
@@ -38,6 +40,7 @@ class ByteStream {
 
   InputFile file_;
   std::optional<Unpacking> unpacking_;
+  std::string_view packed_by_ = {};
   std::vector<char> buffer_;       // of compressed bytes; at first of any
   std::string_view waiting_ = {};  // in it
   bool ended_ = false;             // the file

@@ -51,6 +51,10 @@ bool is_gzip(std::string_view bytes) {
   return bytes.size() >= 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b';
 }
 
+bool is_packed(std::string_view bytes) {
+  return is_gzip(bytes) || is_zstd(bytes);
+}
+
 class Unpacking::Inflater {
  public:
   Inflater() {
@@ -93,6 +97,10 @@ Result<bool> Unpacking::begin_member(std::string_view& packed, bool last) {
 }
 
 Status Unpacking::unpack(std::string_view& packed, bool last, GrowingBytes& into) {
+  if (!std::exchange(begun_, true) && is_zstd(packed)) {
+    zstd_ = std::make_unique<ZstdUnpacking>(source_);
+  }
+  if (zstd_) return zstd_->unpack(packed, last, into);
   z_stream& stream = inflater_->stream();
   while (into.free_size() > 0) {
     const auto goes_on = begin_member(packed, last);
@@ -124,7 +132,8 @@ Status Unpacking::unpack(std::string_view& packed, bool last, GrowingBytes& into
 Result<Bytes> gunzip(std::string_view compressed, const std::string& source, Progress* progress) {
   Unpacking unpacking(source);
   GrowingBytes unpacked;
-  unpacked.make_room(std::max(likely_size(compressed) + 1, kLeastRoom));
+  const std::size_t likely = is_gzip(compressed) ? likely_size(compressed) : 3 * compressed.size();
+  unpacked.make_room(std::max(likely + 1, kLeastRoom));
   while (!compressed.empty() || !unpacking.may_end()) {
     unpacked.make_room(kLeastRoom);
     if (auto status = unpacking.unpack(compressed, true, unpacked); !status) return status.error();
@@ -135,14 +144,14 @@ Result<Bytes> gunzip(std::string_view compressed, const std::string& source, Pro
 
 Error compressed_twice(const std::string& source) {
   return {ErrorCode::kUnsupportedFormat,
-          "this is compressed twice; unpack it once first: gzip -dc",
+          "this is compressed twice; unpack it once first: gzip -dc, or zstd -dc",
           {source}};
 }
 
 Result<Bytes> unpacked(Bytes bytes, const std::string& source) {
-  if (!is_gzip(bytes.view)) return bytes;
+  if (!is_packed(bytes.view)) return bytes;
   auto inside = gunzip(bytes.view, source, nullptr);
-  if (inside && is_gzip(inside->view)) return compressed_twice(source);
+  if (inside && is_packed(inside->view)) return compressed_twice(source);
   return inside;
 }
 

@@ -1,8 +1,10 @@
-// Gzip-compressed input, unpacked in memory: all at once, or piece after piece. One or more members
-// one after the other, as written by gzip, pigz, bgzip or `cat a.gz b.gz`.
+// Compressed input, unpacked in memory: all at once, or piece after piece. Of gzip one or more
+// members one after the other, as written by gzip, pigz, bgzip or `cat a.gz b.gz`; of zstd likewise
+// (zstd.hpp).
 #pragma once
 
 #include "io/bytes/byte_source.hpp"
+#include "io/bytes/zstd.hpp"
 
 #include <beespace/result.hpp>
 
@@ -16,6 +18,8 @@ namespace beespace::io {
 
 // By the first two bytes, whatever the file is called.
 bool is_gzip(std::string_view bytes);
+// Whether it is compressed by gzip or zstd.
+bool is_packed(std::string_view bytes);
 
 // Unpacks what comes in pieces.
 class Unpacking {
@@ -33,9 +37,9 @@ class Unpacking {
   Status unpack(std::string_view& packed, bool last, GrowingBytes& into);
 
   // How many packed bytes were taken.
-  [[nodiscard]] std::uint64_t taken() const { return taken_; }
+  [[nodiscard]] std::uint64_t taken() const { return zstd_ ? zstd_->taken() : taken_; }
   // Whether a member has ended, so that the data may end here.
-  [[nodiscard]] bool may_end() const { return between_members_; }
+  [[nodiscard]] bool may_end() const { return zstd_ ? zstd_->may_end() : between_members_; }
 
  private:
   class Inflater;
@@ -45,12 +49,14 @@ class Unpacking {
 
   std::string source_;
   std::unique_ptr<Inflater> inflater_;
+  std::unique_ptr<ZstdUnpacking> zstd_;  // instead, as the first bytes say
+  bool begun_ = false;
   std::uint64_t taken_ = 0;
   bool between_members_ = false;
   bool in_padding_ = false;
 };
 
-// Errors: kTruncated when the end is missing, kCorrupt when the content is damaged.
+// Errors: kTruncated when the end is missing, kCorrupt when the content is damaged; those of zstd.
 Result<Bytes> gunzip(std::string_view compressed, const std::string& source, Progress* progress);
 
 // kUnsupportedFormat: what is unpacked is compressed again.

@@ -7,9 +7,8 @@
 // - or an object of readsb's JSON port: {"now": ..., "hex": ..., "lat": ..., "alt_geom": ...}. Its
 //   time is `now` less `seen_pos`: an object without `now` has no time and is refused;
 // - or a message of BaseStation (SBS-1), of which MSG,3 completes a position.
-// - or, of a telemetry log of MAVLink (.tlog), a frame behind its time: take_frame(). Metres
-// (message
-//   32) are taken where RecordingOptions::frame says so.
+// - or, of a telemetry log of MAVLink (.tlog), a frame behind its time: take_frame(). Metres (of
+//   message 32) are taken where RecordingOptions::frame says so.
 // Where the first lines cannot be read, as in the middle of a stream, the next one tells the kind.
 //
 // Among lines of every kind an object {"event": "leave", "id": "a"} says that a bee is there no

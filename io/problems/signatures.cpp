@@ -24,10 +24,6 @@ constexpr std::string_view kBag =
     "== 'geometry_msgs/msg/PoseStamped' for m in [bag.deserialize(raw, c.msgtype)] for p in "
     "[m.pose.position]]\" > poses.csv; docs/recipes/ros-bags.md has other messages, and says what "
     "frames are";
-constexpr std::string_view kDatabase =
-    ", as ROS 2 records (.db3), which is not read; where it is a bag, make a table of its poses: "
-    "pip install rosbags, then the lines of docs/recipes/ros-bags.md; of any other, export the "
-    "table as CSV: sqlite3 -csv -header FILE 'SELECT * FROM positions' > positions.csv";
 constexpr std::string_view kDataFlash =
     ", which is not read; make a table of its positions: pip install pymavlink, then "
     "mavlogdump.py --format csv --types POS FILE > pos.csv, and read it with --columns "
@@ -70,7 +66,7 @@ constexpr std::array<Signature, 31> kSignatures = {{
      Of::kOthers},
     {"#ROSBAG V", "a bag of ROS 1", kBag, Of::kOthers},
     {"\x89MCAP0\r\n", "an MCAP file, as ROS 2 records", kBag, Of::kOthers},
-    {"SQLite format 3", "an SQLite database", kDatabase, Of::kOthers},
+    {"SQLite format 3", "an SQLite database, as ROS 2 records (.db3)", kBag, Of::kOthers},
     {"\xA3\x95\x80\x80\x59", "a DataFlash log of ArduPilot (.bin)", kDataFlash, Of::kOthers},
     {"FMT, 128, 89, FMT,", "a DataFlash log of ArduPilot, as text (.log)", kDataFlash, Of::kOthers},
     {"MATLAB 5.0 MAT-file", "a file of MATLAB (.mat)", kMatlab, Of::kOthers},

@@ -15,13 +15,48 @@ bool ends_with(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-// Whether the name ends in one of these, in any case, perhaps with .gz behind.
+// Whether the name ends in one of these, in any case, perhaps with .gz or .zst behind.
 bool has_ending(std::string_view name, std::initializer_list<std::string_view> endings) {
   const std::string lower = lower_case(name);
   std::string_view rest = lower;
   if (ends_with(rest, ".gz")) rest.remove_suffix(3);
+  if (ends_with(rest, ".zst")) rest.remove_suffix(4);
   return std::any_of(endings.begin(), endings.end(),
                      [rest](std::string_view ending) { return ends_with(rest, ending); });
+}
+
+// What a folder has, by kind.
+struct Listed {
+  std::vector<std::string> tables = {};
+  std::vector<std::string> documents = {};
+  std::vector<std::string> logs = {};
+  std::vector<std::string> flights = {};
+  std::string_view foreign = {};  // what is said of a show of other editors
+  std::error_code problem = {};
+
+  // The kind that is read.
+  std::vector<std::string>& chosen() {
+    if (!tables.empty()) return tables;
+    if (!documents.empty()) return documents;
+    return !logs.empty() ? logs : flights;
+  }
+};
+
+Listed listed(const std::string& folder) {
+  Listed found;
+  std::filesystem::directory_iterator entry(folder, found.problem);
+  for (; !found.problem && entry != std::filesystem::directory_iterator();
+       entry.increment(found.problem)) {
+    const std::string name = entry->path().filename().string();
+    const std::string path = entry->path().string();
+    if (name.front() == '.' || is_folder(path)) continue;
+    if (is_table_name(name)) found.tables.push_back(path);
+    if (has_ending(name, {".json", ".ndjson", ".jsonl"})) found.documents.push_back(path);
+    if (has_ending(name, {".tlog"})) found.logs.push_back(path);
+    if (has_ending(name, {".ulg", ".ulog"})) found.flights.push_back(path);
+    if (found.foreign.empty()) found.foreign = foreign_show(name);
+  }
+  return found;
 }
 
 }  // namespace
@@ -43,44 +78,40 @@ std::string_view foreign_show(std::string_view name) {
 }
 
 Result<std::vector<std::string>> recordings_in(const std::string& folder) {
-  std::vector<std::string> tables;
-  std::vector<std::string> documents;
-  std::vector<std::string> logs;
-  std::string_view foreign;
-  std::vector<std::string> flights;
-  std::error_code problem;
-  std::filesystem::directory_iterator entry(folder, problem);
-  for (; !problem && entry != std::filesystem::directory_iterator(); entry.increment(problem)) {
-    const std::string name = entry->path().filename().string();
-    const std::string path = entry->path().string();
-    if (name.front() == '.' || is_folder(path)) continue;
-    if (is_table_name(name)) tables.push_back(path);
-    if (has_ending(name, {".json"})) documents.push_back(path);
-    if (has_ending(name, {".tlog"})) logs.push_back(path);
-    if (foreign.empty()) foreign = foreign_show(name);
-    if (has_ending(name, {".ulg", ".ulog"})) flights.push_back(path);
-  }
-  if (problem) {
+  Listed found = listed(folder);
+  if (found.problem) {
     return Error{ErrorCode::kCannotOpen,
-                 "cannot read this folder: " + problem.message() + "; check its permissions",
+                 "cannot read this folder: " + found.problem.message() + "; check its permissions",
                  {folder}};
   }
-  auto& chosen = !tables.empty()      ? tables
-                 : !documents.empty() ? documents
-                 : !logs.empty()      ? logs
-                                      : flights;
-  if (chosen.empty() && !foreign.empty()) {
-    return Error{ErrorCode::kUnsupportedFormat, std::string(foreign), {folder}};
+  auto& chosen = found.chosen();
+  if (chosen.empty() && !found.foreign.empty()) {
+    return Error{ErrorCode::kUnsupportedFormat, std::string(found.foreign), {folder}};
   }
   if (chosen.empty()) {
     return Error{
         ErrorCode::kNoPoints,
-        "there is no .csv, .tsv or .txt file in this folder, nor any .json, .tlog or .ulg; "
-        "name the files, or the folder that holds them",
+        "there is no .csv, .tsv or .txt file in this folder, nor any .json, .ndjson, .tlog "
+        "or .ulg; name the files, or the folder that holds them",
         {folder}};
   }
   std::sort(chosen.begin(), chosen.end());
   return std::move(chosen);
+}
+
+std::string recordings_left_in(const std::string& folder) {
+  Listed found = listed(folder);
+  const std::vector<std::string>* const chosen = &found.chosen();
+  std::vector<std::string> left;
+  for (const auto* kind : {&found.logs, &found.flights}) {
+    if (kind != chosen) left.insert(left.end(), kind->begin(), kind->end());
+  }
+  if (left.empty()) return {};
+  const std::string& first = *std::min_element(left.begin(), left.end());
+  const std::string more =
+      left.size() == 1 ? " is" : " and " + std::to_string(left.size() - 1) + " more are";
+  return "of a folder one kind of files is read: " + first + more +
+         " left out; name them, too, if they belong to it";
 }
 
 std::string stem_of(std::string_view path) {
@@ -89,6 +120,7 @@ std::string stem_of(std::string_view path) {
   if (slash != std::string_view::npos) path.remove_prefix(slash + 1);
   std::string_view stem = path;
   if (ends_with(lower_case(stem), ".gz")) stem.remove_suffix(3);
+  if (ends_with(lower_case(stem), ".zst")) stem.remove_suffix(4);
   const std::size_t dot = stem.rfind('.');
   if (dot != std::string_view::npos && dot > 0) stem = stem.substr(0, dot);
   return std::string(stem.empty() ? path : stem);

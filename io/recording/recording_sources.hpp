@@ -12,17 +12,22 @@ namespace beespace::io {
 // Whether `path` is a folder.
 bool is_folder(const std::string& path);
 
-// Whether a name ends as those of text tables do: .csv, .tsv or .txt, perhaps with .gz behind.
+// Whether a name ends as those of text tables do: .csv, .tsv or .txt, perhaps with .gz or .zst
+// behind.
 bool is_table_name(std::string_view name);
 
 // What is said of an archive or a folder without tables that holds shows of other editors, by the
 // name of a file in it; nothing where it is no such.
 std::string_view foreign_show(std::string_view name);
 
-// What there is to read in the folder, by name: its tables; where there is none, its .json files,
-// otherwise its .tlog files, or its .ulg files. Hidden files are left out. Errors: kCannotOpen,
-// kNoPoints when there is nothing.
+// What there is to read in the folder, by name: its tables; where there is none, its .json and
+// .ndjson files, otherwise its .tlog files, or its .ulg files. Hidden files are left out. Errors:
+// kCannotOpen, kNoPoints when there is nothing.
 Result<std::vector<std::string>> recordings_in(const std::string& folder);
+
+// What of a folder is surely a recording, and not read beside others there: logs beside tables. In
+// a sentence, or nothing.
+std::string recordings_left_in(const std::string& folder);
 
 // "swarm" of "data/swarm.csv.gz"; "stdin" of "-".
 std::string stem_of(std::string_view path);

@@ -24,8 +24,7 @@ std::string columns_text(const std::array<std::size_t, 3>& axes) {
   return text;
 }
 
-// ---- With a header
-// -------------------------------------------------------------------------------
+// ---- With a header ------------------------------------------------------------------------------
 
 using Words = std::vector<std::string>;
 
@@ -78,8 +77,7 @@ std::optional<RosTable> by_names(const TableLayout& table) {
   return found;
 }
 
-// ---- Without
-// -------------------------------------------------------------------------------------
+// ---- Without ------------------------------------------------------------------------------------
 
 // The messages whose poses are stamped: how many columns, and how many names of frames stand behind
 // the two of the time.

@@ -121,8 +121,7 @@ Result<TimeChoice> time_of_stamp(const Stamp& stamp, std::string_view text, cons
   return time;
 }
 
-// ---- One column
-// ----------------------------------------------------------------------------------
+// ---- One column ---------------------------------------------------------------------------------
 
 // "field.header.stamp": one number, nanoseconds since 1970, beside the time of the recording.
 bool is_header_stamp(std::string_view name) {

@@ -154,6 +154,22 @@ def test_predictions_are_those_of_the_command(file_of, name):
     }
 
 
+@pytest.mark.parametrize("heights, height", [(None, 500), ("geometric", 548)])
+def test_logs_of_px4_are_one_recording(heights, height):
+    """Written by pyulog: two drones, each with a clock of its own, meet 20 s after 14:00."""
+    folder = project / "tests" / "cli" / "robotics"
+    logs = [folder / "north.ulg", folder / "south.ulg"]
+    read = beespace.read_recording(logs, heights=heights)
+    assert read.ids[:1].tolist() == ["north"] and len(read) == 162
+    assert read.positions[0].tolist() == [8.5, pytest.approx(47.24928055, abs=1e-8), height]
+    assert np.array_equal(np.unique(read.velocities), [-4, 0, 4])
+    found = beespace.Recording.from_file(read).conflicts(5, max_gap=1)
+    assert len(found) == 1 and found.closest_time[0] == pytest.approx(1772373620, abs=1e-5)
+    assert found.closest_distance[0] == pytest.approx(3, abs=1e-3)
+    with pytest.raises(beespace.BeespaceFileError, match="none by pressure"):
+        beespace.read_recording(logs, heights="pressure")
+
+
 def test_a_file_without_times_is_the_present(file_of):
     path = file_of("st.csv", "id,x,y,z,vx,vy,vz\na,0,0,0,1,0,0\nb,50,0,0,-1,0,0\n")
     now = beespace.read_recording(path).movers()

@@ -88,6 +88,32 @@ TEST(Robotics, ATelemetryLogIsWatched) {
   EXPECT_EQ(piped.out, file.out) << piped.err;
 }
 
+TEST(Robotics, WhatIsCompressedIsWatchedAsItComes) {
+  const Arguments options = {"--threshold", "5", "--horizon", "0"};
+  const Finished plain = run(Arguments{"watch", made("both.tlog")} + options);
+  const Finished packed = run(Arguments{"watch", made("both.tlog.gz")} + options);
+  EXPECT_EQ(packed.exit_code, 0) << packed.err;
+  EXPECT_EQ(packed.out, plain.out);
+  const std::string bytes = content_of("both.tlog.gz");
+  EXPECT_EQ(run(Arguments{"watch"} + options, bytes).out, plain.out);
+  const Finished cut = run(Arguments{"watch"} + options, bytes.substr(0, bytes.size() / 2));
+  EXPECT_EQ(cut.exit_code, 3);
+  expect_parts(cut.err, {"the gzip data ends too early"});
+  // Reports that came whole are known at once, while more is awaited.
+  Running running(Arguments{"watch"} + options);
+  running.send(bytes.substr(0, bytes.size() - 20));
+  EXPECT_NE(running.read_line().find("entered"), std::string::npos);
+  running.send(bytes.substr(bytes.size() - 20));
+  running.close_input();
+  EXPECT_EQ(running.finish().exit_code, 0);
+}
+
+TEST(Robotics, LocalPositionsAreWatchedWhereMetresAreAskedFor) {
+  const Finished finished = run({"watch", made("both.tlog"), "--crs", "metres"});
+  EXPECT_EQ(finished.exit_code, 3) << finished.err;
+  expect_parts(finished.err, {"LOCAL_POSITION_NED"});
+}
+
 TEST(Robotics, DamagedTelemetryIsWatchedAndCounted) {
   std::string log = content_of("both.tlog");
   log.insert(1000, "no frame at all");
@@ -132,7 +158,7 @@ TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
   const Known files[] = {
       {"#ROSBAG V2.0\nrest", "a bag of ROS 1", recipe},
       {"\x89MCAP0\r\nrest", "an MCAP file", recipe},
-      {"SQLite format 3", "an SQLite database, as ROS 2 records (.db3)", "pip install rosbags"},
+      {"SQLite format 3", "an SQLite database, as ROS 2 records (.db3)", recipe},
       {"\xA3\x95\x80\x80\x59"
        "FMT",
        "a DataFlash log of ArduPilot (.bin)", "mavlogdump.py --format csv"},

@@ -145,6 +145,47 @@ TEST(Gzip, DamageIsAnError) {
                {ErrorCode::kCorrupt, "bees.gz", "other data follows"});
 }
 
+// kText as zstd 1.5.4 packs it, with its checksum.
+constexpr std::string_view kPacked(
+    "\x28\xB5\x2F\xFD\x04\x58\x91\x00\x00\x78\x2C\x79\x2C\x7A\x0A\x31\x2C\x32\x2C\x33\x0A\x34"
+    "\x2C\x35\x2C\x36\x0A\x1D\x44\x5D\xAE",
+    31);
+
+#if BEESPACE_READS_ZSTD
+
+TEST(Zstd, IsKnownByItsContentAndMayHaveSeveralFrames) {
+  const auto loaded = load_text(kPacked);
+  EXPECT_EQ(points_of(loaded), kPoints);
+  EXPECT_EQ(loaded.value().format_description, "text, comma-separated, zstd-compressed");
+  std::string twice(kPacked);
+  twice += kPacked;
+  expect_error(load_text(twice), {ErrorCode::kNotANumber, "bees.csv:4:1", "'x'"});
+}
+
+TEST(Zstd, EveryTruncationIsAnError) {
+  for (std::size_t length = 2; length < kPacked.size(); ++length) {
+    const auto loaded = load_text(kPacked.substr(0, length));
+    ASSERT_FALSE(loaded) << length;
+    EXPECT_EQ(loaded.error().code, ErrorCode::kTruncated) << length;
+  }
+}
+
+TEST(Zstd, DamageIsAnError) {
+  std::string damaged(kPacked);
+  damaged[12] = static_cast<char>(damaged[12] ^ 1);
+  expect_error(load_text(damaged), {ErrorCode::kCorrupt, "bees.csv", "zstd data is damaged"});
+  expect_error(load_text(std::string(kPacked) + "more"),
+               {ErrorCode::kCorrupt, "bees.csv", "zstd data is damaged"});
+}
+
+#else
+
+TEST(Zstd, IsNamedWhereItIsNotRead) {
+  expect_error(load_text(kPacked), {ErrorCode::kUnsupportedFormat, "bees.csv", "zstdcat FILE |"});
+}
+
+#endif
+
 TEST(Progress, ReachesItsTotal) {
   const TemporaryFolder folder;
   Progress progress;

@@ -50,8 +50,7 @@ TEST(UlogMaking, KeepsLogsWhereItIsAskedTo) {
   std::ofstream(std::string(folder) + "/made.ulg", std::ios::binary) << log.bytes();
 }
 
-// ---- Definitions
-// ---------------------------------------------------------------------------------
+// ---- Definitions --------------------------------------------------------------------------------
 
 TEST(UlogFormat, FieldsFollowEachOtherThroughArraysAndNestedDefinitions) {
   UlogDefinitions definitions;
@@ -121,8 +120,7 @@ TEST(UlogFormat, WhatCannotBeReadIsNoLayout) {
   EXPECT_TRUE(definitions.layout("w1"));
 }
 
-// ---- Positions
-// -----------------------------------------------------------------------------------
+// ---- Positions ----------------------------------------------------------------------------------
 
 TEST(Ulog, GlobalPositionsAreDegreesAndMetresAboveMeanSeaLevel) {
   const auto recording = recording_of(load(small_log().bytes()));
@@ -290,8 +288,7 @@ TEST(Ulog, AnotherInstanceOfATopicIsLeftOutAndSaid) {
   EXPECT_TRUE(has_note(recording, "vehicle_global_position 1 is another instance"));
 }
 
-// ---- Clocks
-// --------------------------------------------------------------------------------------
+// ---- Clocks -------------------------------------------------------------------------------------
 
 TEST(Ulog, TheClockIsTheMedianOfGps) {
   UlogMaking log = px4_log();
@@ -338,6 +335,16 @@ TEST_F(SeveralLogs, OfAFolderAreReadByTheirNames) {
   EXPECT_EQ(ids_of(recording), (Ids{"a", "b"}));
 }
 
+TEST_F(SeveralLogs, BesideTablesInAFolderAreSaidToBeLeftOut) {
+  write("b.ulg", small_log().bytes());
+  write("c.ulg", small_log().bytes());
+  EXPECT_FALSE(has_note(recording_of(load_recording({folder_.file("")}, {})), "left out"));
+  write("a.csv", "id,time_s,x_m,y_m,z_m\nd,0,1,2,3\n");
+  const auto recording = recording_of(load_recording({folder_.file("")}, {}));
+  EXPECT_EQ(ids_of(recording), Ids{"d"});
+  EXPECT_TRUE(has_note(recording, "b.ulg and 1 more are left out; name them, too"));
+}
+
 TEST_F(SeveralLogs, WithoutATimeOfGpsShareNoClock) {
   UlogMaking other = px4_log();
   other.data(kGlobalNumber, global_message({.micros = 2'000'000}));
@@ -379,8 +386,7 @@ TEST_F(SeveralLogs, WithHeightsOfTwoKindsAreNotMixed) {
   expect_error(loaded, {ErrorCode::kInvalidArgument, table, "above mean sea level"});
 }
 
-// ---- Damage
-// --------------------------------------------------------------------------------------
+// ---- Damage -------------------------------------------------------------------------------------
 
 TEST(Ulog, DropoutsAreCountedAndSaid) {
   UlogMaking log = small_log();
