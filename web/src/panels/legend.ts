@@ -37,10 +37,13 @@ function colourRow(colours: Colours, choices: Choices): HTMLElement {
     select.title = colouring.title ? `${colouring.title}: what the colours of bees tell (c)` : 'What the colours of bees tell (c)';
     const plain = colouring.codes === null;
     for (const part of [from, ramp, to]) part.hidden = plain;
-    const shades = rampOf(colouring, kPalettes[choices.theme.value]);
+    // Small numbers stand on the left, whichever colour they have.
+    const turned = colouring.range[0] > colouring.range[1];
+    const ramped = rampOf(colouring, kPalettes[choices.theme.value]);
+    const shades = turned ? ramped.slice().reverse() : ramped;
     const steps = shades.map((shade, i) => `${shade} ${(100 * i) / shades.length}% ${(100 * (i + 1)) / shades.length}%`);
     ramp.style.background = `linear-gradient(to right, ${(colouring.by === 'group' ? steps : shades).join(', ')})`;
-    [from.textContent, to.textContent] = colouring.ends;
+    [from.textContent, to.textContent] = turned ? colouring.ends.slice().reverse() : colouring.ends;
   };
   choices.theme.watch(tell);
   choices.colourBy.listen(tell);

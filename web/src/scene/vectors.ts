@@ -30,7 +30,7 @@ export class Vectors {
     this.lines = new LineSegments(geometry, shapeMaterial(false, false));
     this.lines.frustumCulled = false;
     this.lines.visible = false;
-    this.lines.material.uniforms.opacity.value = 0.75;
+    this.lines.material.uniforms.opacity.value = 0.5;
   }
 
   colour(palette: Palette): void {

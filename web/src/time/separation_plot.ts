@@ -12,9 +12,9 @@ import { conflictColumns, plotScale, type PlotScale } from './plot_scales';
 
 const kLeft = 66;
 const kRight = 12;
-const kTop = 8;
+const kTop = 17;
 /** How high a curve is: alone, or one of two. */
-const kCurve = { alone: 64, ofTwo: 46 };
+const kCurve = { alone: 64, ofTwo: 42 };
 const kStrip = 16;
 const kBottom = 18;
 const kGap = 9;
@@ -139,14 +139,14 @@ export class SeparationPlot {
       ...this.#recorded.flatMap((shown, row) => this.#strip(shown, row, floor)),
       this.#cursor,
     );
-    this.#cursor.setAttribute('y1', String(kTop - 4));
+    this.#cursor.setAttribute('y1', String(kTop - 12));
     this.#cursor.setAttribute('y2', String(height - kBottom + 3));
     this.#follow();
   }
 
   /** Where the panel of a measure has its 0. */
   #floor(place: number): number {
-    return kTop + (place + 1) * this.#curve_px + place * kGap;
+    return kTop + (place + 1) * this.#curve_px + place * (kTop + 2);
   }
 
   #panel(measure: Measure, floor: number): SVGElement[] {
@@ -156,7 +156,7 @@ export class SeparationPlot {
     const from = floor - this.#curve_px;
     const frame = drawing('svg', { x: 0, y: from, width: this.#width, height: this.#curve_px + 1, viewBox: `0 ${from} ${this.#width} ${this.#curve_px + 1}` });
     frame.append(...this.#recorded.map((shown, row) => this.#curve(shown, measure, yOf, row)));
-    const name = drawing('text', { class: 'measure', x: this.#width - kRight, y: from + 8, 'text-anchor': 'end' }, scale.byPowersOfTen ? `${measure.name}, by powers of ten` : measure.name);
+    const name = drawing('text', { class: 'measure', x: this.#width - kRight, y: from - 4, 'text-anchor': 'end' }, scale.byPowersOfTen ? `${measure.name}, by powers of ten` : measure.name);
     return [...this.#levels(scale, yOf, measure.limit_m, from), frame, name];
   }
 
