@@ -21,7 +21,7 @@ function(beespace_page target)
     OUTPUT "${page}"
     COMMAND "${PROJECT_SOURCE_DIR}/scripts/web-packages"
     COMMAND "${NODE_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/web/build.mjs" "${page}"
-    DEPENDS ${sources} "${PROJECT_SOURCE_DIR}/web/build.mjs"
+    DEPENDS ${sources} "${PROJECT_SOURCE_DIR}/web/build.mjs" "${PROJECT_SOURCE_DIR}/web/ground.mjs"
       "${PROJECT_SOURCE_DIR}/web/package-lock.json" "${PROJECT_SOURCE_DIR}/scripts/web-packages"
     COMMENT "Building the page of 'beespace report'"
     VERBATIM)

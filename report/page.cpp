@@ -47,10 +47,11 @@ std::string checksum_of(std::string_view text) {
 
 }  // namespace
 
-std::string page_json(const std::function<void(io::JsonWriter&)>& write_swarms) {
+std::string page_json(const std::function<void(io::JsonWriter&)>& write_swarms, Ground ground) {
   std::string text;
   io::JsonWriter json(text);
   json.begin_object(io::JsonLayout::kTight).member("format", 1u).member("beespace", version());
+  if (ground == Ground::kWith) json.member("ground", true);
   json.begin_array("swarms");
   write_swarms(json);
   json.end().end();
@@ -58,7 +59,12 @@ std::string page_json(const std::function<void(io::JsonWriter&)>& write_swarms) 
 }
 
 void write_page(std::string_view page, std::string_view json, const Columns& columns,
-                const PageSink& sink) {
+                const PageSink& sink, Ground ground) {
+  if (const auto [before, after] = around_ground(page);
+      ground == Ground::kWithout && !after.empty()) {
+    sink(before);
+    page = after;
+  }
   const std::size_t place = page.find(kPlace);
   sink(page.substr(0, place));
   sink("<script type=\"application/json\" id=\"beespace-page\">");

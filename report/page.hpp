@@ -3,6 +3,7 @@
 
 #include "io/json/json_writer.hpp"
 #include "report/columns.hpp"
+#include "report/ground.hpp"
 
 #include <functional>
 #include <string>
@@ -18,10 +19,12 @@ using PageSink = std::function<void(std::string_view)>;
 
 // What a page says in JSON: `write_swarms` writes one swarm, or two, of which the first is before
 // and the second after, each by write_swarm().
-std::string page_json(const std::function<void(io::JsonWriter&)>& write_swarms);
+std::string page_json(const std::function<void(io::JsonWriter&)>& write_swarms,
+                      Ground ground = Ground::kWithout);
 
-// With that, and its columns. The page without data has the place for them once.
+// With that, and its columns; and with the ground that is in the page without data, or without it.
+// That page has the place for all these once.
 void write_page(std::string_view page, std::string_view json, const Columns& columns,
-                const PageSink& sink);
+                const PageSink& sink, Ground ground = Ground::kWithout);
 
 }  // namespace beespace::report

@@ -8,16 +8,15 @@ import { basename, dirname } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { deflateSync } from 'node:zlib';
 import { build } from 'esbuild';
+import { packedGround } from './ground.mjs';
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 
-// Three.js brings the text of its own shaders, with tabs that no graphics card needs.
-const untabbed = {
-  name: 'untabbed',
+// The sources of three.js, of which only what is needed is taken; as one file it is taken nearly whole.
+const three = {
+  name: 'three',
   setup(to) {
-    to.onLoad({ filter: /three\.module\.js$/ }, async ({ path }) => ({
-      contents: (await readFile(path, 'utf8')).replaceAll('\\t', ''),
-    }));
+    to.onResolve({ filter: /^three$/ }, () => ({ path: here('node_modules/three/src/Three.Core.js'), sideEffects: false }));
   },
 };
 
@@ -31,9 +30,9 @@ async function bundle(entry) {
     format: 'iife',
     target: ['chrome90', 'firefox90', 'safari15'],
     charset: 'utf8',
-    legalComments: 'eof',
+    legalComments: 'none',
     logLevel: 'warning',
-    plugins: [untabbed],
+    plugins: [three],
   });
   return result.outputFiles[0].text.trim();
 }
@@ -53,29 +52,20 @@ function place(page, mark, text) {
   return parts[0] + text + parts[1];
 }
 
-/** What the licences of others want to be said, out of the code: in the page it can be read. */
-function withoutNotices(code) {
-  const notices = [];
-  const rest = code.replace(/\/\*! Bundled license information:[\s\S]*?\*\//g, (notice) => {
-    notices.push(notice.replaceAll('--', '- -').replace(/^\/\*!\s*|\s*\*\/$/g, ''));
-    return '';
-  });
-  if (notices.length !== 1) throw new Error('the notice of three.js is not where it was');
-  return { code: rest.trim(), notices: notices.join('\n') };
-}
-
-const [template, guard, loader, main, style] = await Promise.all([
+const [template, ground, licence, guard, loader, main, style] = await Promise.all([
   readFile(here('src/page.html'), 'utf8'),
+  packedGround(),
+  readFile(here('node_modules/three/LICENSE'), 'utf8'),
   bundle('src/guard.ts').then(inlineScript),
   bundle('src/loader.ts').then(inlineScript),
-  bundle('src/main.ts').then(withoutNotices),
+  bundle('src/main.ts'),
   bundle('src/style/page.css'),
 ]);
 
 // Only these very scripts and this style may run or apply; nothing may be fetched.
 const policy = [
   "default-src 'none'",
-  `script-src ${[guard, loader, main.code].map(hash).join(' ')}`,
+  `script-src ${[guard, loader, main].map(hash).join(' ')}`,
   `style-src ${hash(style)}`,
   'img-src data: blob:',
   "base-uri 'none'",
@@ -85,8 +75,9 @@ const policy = [
 let page = place(template, '{{policy}}', policy);
 page = place(page, '{{guard}}', guard);
 page = place(page, '{{style}}', style);
-page = place(page, '{{notices}}', `<!--\n${main.notices}\n-->`);
-page = place(page, '{{code}}', deflateSync(main.code, { level: 9 }).toString('base64'));
+page = place(page, '{{notices}}', `<!--\nIn this page: parts of three.js.\n\n${licence.trim().replaceAll('--', '- -')}\n-->`);
+page = place(page, '{{code}}', deflateSync(main, { level: 9 }).toString('base64'));
+page = place(page, '{{ground}}', ground.base64);
 page = place(page, '{{loader}}', loader);
 if (page.split('\n').filter((line) => line === '<!-- beespace: data -->').length !== 1) {
   throw new Error('src/page.html must hold the line <!-- beespace: data --> exactly once');
@@ -95,4 +86,5 @@ if (page.split('\n').filter((line) => line === '<!-- beespace: data -->').length
 const output = process.argv[2] ?? here('dist/page.html');
 await mkdir(dirname(output), { recursive: true });
 await writeFile(output, page);
-console.log(`${basename(output)} ${Math.round(Buffer.byteLength(page) / 1000)} kB`);
+const kB = (bytes) => `${Math.round(bytes / 1000)} kB`;
+console.log(`${basename(output)} ${kB(Buffer.byteLength(page))}, of these ${kB(ground.base64.length)} are the ground of pages of wide areas`);

@@ -45,16 +45,23 @@ Result<Page> build_page(const std::vector<Scene>& scenes) {
     if (Status alike = check_alike(scenes[0], scenes[1]); !alike) return std::move(alike).error();
   }
   Page page;
-  page.json = report::page_json([&](io::JsonWriter& json) {
+  for (const Scene& scene : scenes) {
+    if (std::visit([](const auto& facts) { return report::ground_of(facts); }, scene) ==
+        report::Ground::kWith) {
+      page.ground = report::Ground::kWith;
+    }
+  }
+  const auto write_swarms = [&](io::JsonWriter& json) {
     for (const Scene& scene : scenes) {
       std::visit([&](const auto& facts) { report::write_swarm(json, facts, page.columns); }, scene);
     }
-  });
+  };
+  page.json = report::page_json(write_swarms, page.ground);
   return page;
 }
 
 void write_page(const Page& page, const report::PageSink& sink) {
-  report::write_page(report::page_template(), page.json, page.columns, sink);
+  report::write_page(report::page_template(), page.json, page.columns, sink, page.ground);
 }
 
 }  // namespace beespace::analysis

@@ -15,6 +15,7 @@ namespace beespace::analysis {
 struct Page {
   std::string json;
   report::Columns columns;
+  report::Ground ground = report::Ground::kWithout;
 };
 
 // Error: kInvalidArgument where this build has no page.

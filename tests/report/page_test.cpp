@@ -146,6 +146,56 @@ TEST(Page, ColumnsOfBothSwarmsAreNumberedThroughInOrder) {
   }
 }
 
+TEST(Page, TheGroundStaysWhereItIsWanted) {
+  const std::string page =
+      "<p>a</p>\n<script type=\"text/plain\" id=\"beespace-ground\">eJw</script>\n"
+      "<!-- beespace: data -->\n<p>b</p>\n";
+  const auto with = [&](Ground ground) {
+    std::string written;
+    const Columns none;
+    write_page(
+        page, "{}", none, [&](std::string_view text) { written += text; }, ground);
+    return written;
+  };
+  const std::string wide = with(Ground::kWith);
+  const std::string local = with(Ground::kWithout);
+  EXPECT_EQ(
+      wide.find(
+          "<p>a</p>\n<script type=\"text/plain\" id=\"beespace-ground\">eJw</script>\n<script"),
+      0u);
+  EXPECT_EQ(local.find("<p>a</p>\n<script type=\"application/json\""), 0u);
+  EXPECT_EQ(local.find("beespace-ground"), std::string::npos);
+  // Nothing else is different.
+  EXPECT_EQ(wide.substr(wide.find("<script type=\"application")),
+            local.substr(local.find("<script type=\"application")));
+}
+
+TEST(Page, TheGroundIsOfWidePartsOfTheEarthOnly) {
+  SnapshotFacts facts;
+  facts.positions = {{0, 0, 0}, {99'000, 5, 20}, {10, -900, 0}};
+  EXPECT_EQ(ground_of(facts), Ground::kWithout);
+  facts.swarm.origin = GeographicPosition{};
+  EXPECT_EQ(ground_of(facts), Ground::kWithout);
+  facts.positions.push_back({-2'000, 0, 0});
+  EXPECT_EQ(ground_of(facts), Ground::kWith);
+  // Of no place on the Earth, however wide.
+  facts.swarm.origin = {};
+  EXPECT_EQ(ground_of(facts), Ground::kWithout);
+
+  RecordingFacts recording;
+  recording.swarm.origin = GeographicPosition{};
+  EXPECT_EQ(ground_of(recording), Ground::kWithout);
+  recording.tracks = {Track{.fixes = {{0.0, {0, -60'000, 0}}}},
+                      Track{.fixes = {{0.0, {0, 0, 0}}, {1.0, {0, 60'000, 0}}}}};
+  EXPECT_EQ(ground_of(recording), Ground::kWith);
+}
+
+TEST(Page, TheOneInThisBuildIsLight) {
+  if (page_template().empty()) GTEST_SKIP() << "there is none";
+  EXPECT_LE(page_template().size(), 480'000u);
+  EXPECT_FALSE(around_ground(page_template()).second.empty());
+}
+
 TEST(Page, TheOneInThisBuildHasThePlaceOnce) {
   if (page_template().empty()) GTEST_SKIP() << "there is none";
   const std::string_view page = page_template();

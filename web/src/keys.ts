@@ -14,6 +14,8 @@ export interface KeyActions {
   toggleAtRiskOnly: () => void;
   toggleGroup: () => void;
   toggleTheme: () => void;
+  measure: () => void;
+  nextColours: () => void;
   clear: () => void;
   help: () => void;
   /** Only where time goes on. */
@@ -25,6 +27,7 @@ export interface KeyActions {
     begin: () => void;
     end: () => void;
     trails: () => void;
+    vectors: () => void;
   } | null;
 }
 
@@ -63,6 +66,8 @@ function actionOf(event: KeyboardEvent, act: KeyActions): (() => void) | undefin
     o: act.toggleAtRiskOnly,
     g: act.toggleGroup,
     d: act.toggleTheme,
+    m: act.measure,
+    c: act.nextColours,
     Escape: act.clear,
     '?': act.help,
     ...(time && {
@@ -76,6 +81,7 @@ function actionOf(event: KeyboardEvent, act: KeyActions): (() => void) | undefin
       Home: time.begin,
       End: time.end,
       l: time.trails,
+      v: time.vectors,
     }),
   };
   return simple[key.length === 1 ? key.toLowerCase() : key];

@@ -1,5 +1,6 @@
 // Reads what the page holds, shows the swarms as soon as they can be seen, then the panels.
 import { readPage, type Page } from './data/page';
+import { readGround } from './data/ground';
 import { boxOfBoth } from './data/positions';
 import { completeSwarm, readSwarm, type Company, type Swarm } from './data/swarm';
 import { fail, layout, progress } from './layout';
@@ -8,18 +9,21 @@ import { helpDialog } from './panels/help';
 import type { Shown } from './panels/shown';
 import { preparePrinting } from './printing';
 import { frameAround, liftFor, type Frame } from './scene/frame';
-import { Crowding } from './scene/crowding';
+import { Colours } from './scene/colouring';
 import { earlyRenderer } from './scene/early';
 import { linkViews, makeStage } from './stage';
 import { followPlaces, type Placing } from './scene/following';
 import { RecordingPlacer } from './scene/placement';
-import type { Choices, Filter, Selected } from './state/choices';
+import type { Choices, ColourBy, Filter, Selected } from './state/choices';
 import { Signal } from './state/signal';
 import { followTheme } from './state/theme';
 import { formatCount } from './text/numbers';
 import { linkTimes } from './time/linked_times';
 import { offerTestHook } from './test_hook';
 import { wirePanels } from './wiring';
+
+/** Of more bees it is said what the page is at; with fewer, saying it would take longer than doing it. */
+const kMany = 250000;
 
 /** Two swarms that are compared have the same axes with the same zero. */
 function frameOf([one, other = one]: Swarm[]): Frame {
@@ -30,27 +34,25 @@ function frameOf([one, other = one]: Swarm[]): Frame {
   return frame;
 }
 
-/** Whether bees have a colour by the distance to the nearest one. */
-function isColoured(head: Page['swarms'][number]): boolean {
-  return head.kind === 'snapshot' ? head.nearest !== undefined : Crowding.for(head.count, head.threshold_m) !== null;
-}
-
 async function show(page: Page): Promise<void> {
   const choices: Choices = {
     selected: new Signal<Selected | null>(null),
     filter: new Signal<Filter>({ atRiskOnly: false, group: null }),
     theme: followTheme(),
     trails: new Signal<boolean>(false),
+    vectors: new Signal<boolean>(false),
+    measuring: new Signal<boolean>(false),
+    colourBy: new Signal<ColourBy>('nearest'),
     lift: new Signal<number>(1),
   };
 
-  const renderers = page.swarms.map((head) => earlyRenderer(head.count, isColoured(head)));
+  const renderers = page.swarms.map((head) => earlyRenderer(head));
   const swarms: Swarm[] = [];
   for (const head of page.swarms) {
-    await progress(`Reading ${formatCount(head.count)} bees …`);
+    if (head.count > kMany) await progress(`Reading ${formatCount(head.count)} bees …`);
     swarms.push(await undamaged(() => readSwarm(head)));
   }
-  await progress('Drawing …');
+  if (swarms.some(({ head }) => head.count > kMany)) await progress('Drawing …');
 
   const moving = swarms.some(({ kind }) => kind === 'recording');
   const fleet = swarms.some((swarm) => swarm.kind === 'recording' && swarm.fleet !== null);
@@ -63,12 +65,13 @@ async function show(page: Page): Promise<void> {
   document.body.append(help);
   const labels = swarms.length === 2 ? ['Before', 'After'] : [''];
   const placers = swarms.map((swarm) => (swarm.kind === 'recording' ? new RecordingPlacer(swarm) : null));
-  const stages = swarms.map((swarm, i) => makeStage(swarm, labels[i], frame, placers[i]?.crowding ?? null, choices, renderers[i]));
+  const colours = swarms.map((swarm, i) => new Colours(swarm, placers[i]?.crowding ?? null));
+  const stages = swarms.map((swarm, i) => makeStage(swarm, labels[i], frame, colours[i], choices, renderers[i]));
   room.stages.append(...stages.map(({ box }) => box));
 
   opening.views.push(...stages.map(({ view }) => view));
   const selected = open(opening, frame.lift);
-  const placing: Placing = { swarms, stages, companies: null, times, choices, placers };
+  const placing: Placing = { swarms, stages, companies: null, times, choices, placers, colours };
   followPlaces(placing);
   aim(opening, selected);
   for (const { view } of stages) view?.drawAndWait();
@@ -78,7 +81,17 @@ async function show(page: Page): Promise<void> {
 
   const companies: Company[] = [];
   for (const swarm of swarms) companies.push(await undamaged(() => completeSwarm(swarm)));
+  const { origin } = swarms[0].head;
+  if (page.ground && origin) {
+    const ground = await undamaged(() => readGround(origin, frame.box));
+    for (const { view } of stages) view?.ground.show(ground);
+  }
   placing.companies = companies;
+  companies.forEach((company, i) => (colours[i].company = company));
+  if (choices.colourBy.value === 'group') {
+    choices.colourBy.set('none');
+    choices.colourBy.set('group');
+  }
   choices.selected.set(selected);
   const shown: Shown[] = swarms.map((swarm, index) => ({
     index,
@@ -90,6 +103,7 @@ async function show(page: Page): Promise<void> {
   const views = stages.flatMap(({ view }) => view ?? []);
   linkViews(views);
   const notes = times.note === null ? [] : [times.note];
+  if (page.ground) notes.push('Coasts and borders on the floor: Natural Earth (public domain), simplified, to within about 3 km.');
   wirePanels({ shown, choices, times, room, help, version: page.beespace, notes });
   preparePrinting(views, choices.theme);
   offerTestHook(shown);

@@ -33,6 +33,8 @@ export function open(opening: Opening, usualLift: number): Selected | null {
   choices.lift.set(address.lift ?? usualLift);
   choices.filter.set({ atRiskOnly: address.atRiskOnly, group: address.group });
   choices.trails.set(address.trails);
+  choices.vectors.set(address.vectors);
+  choices.colourBy.set(address.colourBy);
   if (address.time_s !== null) times.clock.go(address.time_s);
   else showWorstMoment(swarms, times);
   const told = address.bees.length > 0 || address.time_s !== null || address.camera !== null;
@@ -46,7 +48,7 @@ export function aim({ views }: Opening, selected: Selected | null): void {
   for (const one of views) one?.measure();
   const view = views[selected?.swarm ?? 0] ?? views[0];
   if (!view) return;
-  if (camera) view.camera = camera;
+  if (camera) view.sight.camera = camera;
   else if (selected) view.flyTo([selected.bee, selected.other].filter((bee) => bee !== null), true);
   else return;
   // Views that are compared look from the same place.
@@ -65,7 +67,7 @@ export function linkTo({ swarms, views, choices, times }: Opening, usualLift: nu
     choices,
     time: moving ? times.clock.time : null,
     playing: moving ? times.clock.playing : null,
-    camera: () => views[0]?.camera ?? null,
+    camera: () => views[0]?.sight.camera ?? null,
     usualLift,
   };
   return {

@@ -1,11 +1,10 @@
 // The place of one swarm on the page: its view, below what its colours mean, or a word on why there is none.
-import type { WebGLRenderer } from 'three';
 import type { Swarm } from './data/swarm';
 import type { Frame } from './scene/frame';
 import { kPalettes } from './scene/palette';
+import type { Painter } from './scene/painter';
 import { View } from './scene/view';
-import { quantileCode, type Nearest } from './data/nearest';
-import { Crowding } from './scene/crowding';
+import type { Colours } from './scene/colouring';
 import { legend } from './panels/legend';
 import type { Choices } from './state/choices';
 import { element } from './text/element';
@@ -16,39 +15,21 @@ export interface Stage {
   view: View | null;
 }
 
-interface Colours {
-  nearest: Nearest | null;
-  /** Codes between which colours change. */
-  range: [number, number];
-  title: string;
-}
-
-function coloursOf(swarm: Swarm, crowding: Crowding | null): Colours {
-  if (crowding) return { nearest: crowding.nearest, range: Crowding.range(crowding.nearest), title: 'Nearest bee, as shown' };
-  if (swarm.kind !== 'snapshot' || !swarm.nearest) return { nearest: null, range: [0, 1], title: '' };
-  // Where most bees are.
-  const counts = swarm.nearest.countCodes();
-  const near = quantileCode(counts, 0.02);
-  const range: [number, number] = [near, Math.max(near + 1, quantileCode(counts, 0.98))];
-  return { nearest: swarm.nearest, range, title: 'Nearest bee' };
-}
-
 export function makeStage(
   swarm: Swarm,
   label: string,
   frame: Frame,
-  crowding: Crowding | null,
+  colours: Colours,
   choices: Choices,
-  renderer: WebGLRenderer | null,
+  renderer: Painter | null,
 ): Stage {
   const { head } = swarm;
   const box = element('section', { class: 'stage', 'aria-label': label ? `Swarm, ${label.toLowerCase()}` : 'Swarm' });
-  const { nearest, range, title: colours } = coloursOf(swarm, crowding);
   const title = label ? element('p', { class: 'stage-title' }, element('strong', {}, label), ' ', nameElement(head.title)) : null;
   const words =
     swarm.kind === 'snapshot'
-      ? { risk: 'at risk', line: 'too close to each other', colours, fleet: false }
-      : { risk: 'in conflict now', line: 'in conflict with each other', colours, fleet: swarm.fleet !== null };
+      ? { risk: 'at risk', line: 'too close to each other', fleet: false }
+      : { risk: 'in conflict now', line: 'in conflict with each other', fleet: swarm.fleet !== null };
   const scene = element('div', { class: 'scene' });
   const subject = {
     label: label ? `The swarm ${label.toLowerCase()}` : 'The swarm',
@@ -57,8 +38,6 @@ export function makeStage(
     inFeet: head.heights?.in_feet ?? false,
     threshold_m: head.threshold_m,
     vertical_m: head.vertical_m ?? null,
-    nearest,
-    range,
   };
   const view = renderer && new View(scene, frame, subject, renderer);
   if (!view) {
@@ -72,15 +51,16 @@ export function makeStage(
     );
     return { box, view };
   }
-  box.append(element('div', { class: 'stage-head' }, title, legend(nearest, range, words, choices.theme)), scene);
+  box.append(element('div', { class: 'stage-head' }, title, legend(colours, words, choices)), scene);
   const seen = view;
   choices.theme.watch((theme) => seen.colour(kPalettes[theme]));
+  seen.colourBy(colours.of(choices.colourBy.value));
   choices.lift.listen((times) => seen.lift(times));
   return { box, view };
 }
 
 /** A click, as against a drag, picks. */
-export function onPick(view: View, pick: (bee: number | null) => void): void {
+export function onPick(view: View, pick: (bee: number | null, x: number, y: number) => void): void {
   let from: { x: number; y: number } | null = null;
   view.canvas.addEventListener('pointerdown', (event) => {
     from = event.isPrimary && event.button === 0 ? { x: event.clientX, y: event.clientY } : null;
@@ -88,7 +68,8 @@ export function onPick(view: View, pick: (bee: number | null) => void): void {
   view.canvas.addEventListener('pointerup', (event) => {
     if (!from || Math.hypot(event.clientX - from.x, event.clientY - from.y) > 5) return;
     const { left, top } = view.canvas.getBoundingClientRect();
-    pick(view.pick(event.clientX - left, event.clientY - top));
+    const [x, y] = [event.clientX - left, event.clientY - top];
+    pick(view.pick(x, y), x, y);
   });
 }
 

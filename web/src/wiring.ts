@@ -6,6 +6,7 @@ import { contractPanel } from './panels/contracts';
 import { filterControls } from './panels/filter';
 import { histogramPanel } from './panels/histogram';
 import { liftControl } from './panels/lift';
+import { measuringOn } from './panels/measuring';
 import { notesPanel } from './panels/notes';
 import { pairPanelOf } from './panels/pair';
 import { pairPanel } from './panels/pair_table';
@@ -16,7 +17,7 @@ import { summaryPanel } from './panels/summary';
 import { fileName, pictureOf, saveFile } from './save';
 import { nameUnderCursor } from './scene/hover';
 import { onPick } from './stage';
-import type { Choices } from './state/choices';
+import type { Choices, ColourBy } from './state/choices';
 import { button, element } from './text/element';
 import { formatHeight } from './text/heights';
 import type { LinkedTimes } from './time/linked_times';
@@ -51,7 +52,12 @@ export function wirePanels({ shown, choices, times, room, help, version, notes }
   const now = { time_s: times.clock.time, within: times.within };
   for (const { view, index } of shown) {
     if (view) nameUnderCursor(view, (bee) => hoverText(shown[index], bee, now.within(shown[index])));
-    if (view) onPick(view, (bee) => actions.select(bee === null ? null : { swarm: index, bee, other: null, place: null }));
+    if (!view) continue;
+    const measuring = measuringOn({ ...shown[index], view }, choices);
+    onPick(view, (bee, x, y) => {
+      if (choices.measuring.value) measuring.take(bee, x, y);
+      else actions.select(bee === null ? null : { swarm: index, bee, other: null, place: null });
+    });
   }
 
   const moving = shown.some(({ swarm }) => swarm.kind === 'recording');
@@ -97,9 +103,16 @@ function viewButtons(shown: Shown[], choices: Choices): HTMLElement {
     button('Reset view', { title: 'All of the swarm again (r)' }, () => orbit.home()),
     button('Top', { title: 'From the top (t)' }, () => orbit.lookFromAbove()),
     button('Side', { title: 'From the side (s)' }, () => orbit.lookFromSide()),
+    measureButton(choices),
     button('PNG', { title: 'Save what is seen as a picture', 'aria-label': 'PNG: save as a picture' }, () => void savePictures(shown)),
   );
   return box;
+}
+
+function measureButton(choices: Choices): HTMLButtonElement {
+  const made = button('Measure', { title: 'How far apart two bees or places are (m)' }, () => choices.measuring.set(!choices.measuring.value));
+  choices.measuring.watch((on) => made.setAttribute('aria-pressed', String(on)));
+  return made;
 }
 
 async function savePictures(shown: Shown[]): Promise<void> {
@@ -145,7 +158,15 @@ function wireKeys(
       setFilter({ group });
     },
     toggleTheme: () => toggleTheme(choices),
+    measure: () => choices.measuring.set(!choices.measuring.value),
+    nextColours: () => {
+      const select = document.querySelector<HTMLSelectElement>('.legend select');
+      if (!select) return;
+      const { options } = select;
+      choices.colourBy.set(options[(select.selectedIndex + 1) % options.length].value as ColourBy);
+    },
     clear: () => {
+      if (choices.measuring.value) return choices.measuring.set(false);
       actions.select(null);
       setFilter({ group: null });
     },
@@ -158,6 +179,7 @@ function wireKeys(
       begin: () => clock.go(clock.begins_s),
       end: () => clock.go(clock.ends_s),
       trails: () => choices.trails.set(!choices.trails.value),
+      vectors: () => choices.vectors.set(!choices.vectors.value),
     },
   });
 }

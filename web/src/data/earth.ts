@@ -33,3 +33,28 @@ export function geographicOf(origin: Origin, [east, north, height_m]: Place): Or
     height_m,
   };
 }
+
+/** By axes from the middle of the Earth: to the meridian 0 on the equator, to 90° east, and to the north pole. */
+export function cartesianOf({ longitude_deg, latitude_deg, height_m }: Origin): Place {
+  const [sine, cosine] = [Math.sin(latitude_deg * kDegree), Math.cos(latitude_deg * kDegree)];
+  const { east_m } = radiiAt(sine);
+  const outward = (east_m + height_m) * cosine;
+  const along = longitude_deg * kDegree;
+  return [outward * Math.cos(along), outward * Math.sin(along), (east_m * (1 - kOfEquator) + height_m) * sine];
+}
+
+/** Where a place of the Earth is on the page's map: the way back of `geographicOf`. */
+export function mapped(origin: Origin, place: Origin): Place {
+  const [sine, cosine] = [Math.sin(place.latitude_deg * kDegree), Math.cos(place.latitude_deg * kDegree)];
+  const turned = (place.longitude_deg - origin.longitude_deg) * kDegree;
+  const [sin0, cos0] = [Math.sin(origin.latitude_deg * kDegree), Math.cos(origin.latitude_deg * kDegree)];
+  // The vertical of the place by the axes at the origin.
+  const e = cosine * Math.sin(turned);
+  const n = sine * cos0 - cosine * Math.cos(turned) * sin0;
+  const u = sine * sin0 + cosine * Math.cos(turned) * cos0;
+  const flat = Math.hypot(e, n);
+  const angle = Math.atan2(flat, u);
+  const stretch = flat > 0 ? angle / flat : 1;
+  const radii = radiiAt(sin0);
+  return [radii.east_m * stretch * e, radii.north_m * stretch * n, place.height_m];
+}

@@ -74,6 +74,23 @@ export class Fixes {
     return low;
   }
 
+  /** How fast the bee flies at the time, in metres a second along the axes; false: it is not there or stands between no fixes. */
+  velocity(bee: number, time_s: number, into: [number, number, number]): boolean {
+    const from = this.#from[bee];
+    const end = this.#from[bee + 1];
+    let fix = Math.max(this.fixAt(bee, time_s), from);
+    // At the last fix, and before a gap, as fast as it came.
+    if (fix + 1 >= end || this.isGapAfter(fix)) --fix;
+    if (fix < from || fix + 1 >= end || this.isGapAfter(fix)) return false;
+    const lasts_s = this.timeOf(fix + 1) - this.timeOf(fix);
+    if (!(lasts_s > 0)) return false;
+    const { x, y, z, step } = this.positions;
+    into[0] = (step[0] * (x[fix + 1] - x[fix])) / lasts_s;
+    into[1] = (step[1] * (y[fix + 1] - y[fix])) / lasts_s;
+    into[2] = (step[2] * (z[fix + 1] - z[fix])) / lasts_s;
+    return true;
+  }
+
   #isNow(fix: number, time_s: number): boolean {
     return Math.abs(time_s - this.timeOf(fix)) <= 1.001 * this.#step_s;
   }

@@ -118,6 +118,8 @@ export type Head = SnapshotHead | RecordingHead;
 
 export interface Page {
   beespace: string;
+  /** Whether it has coasts and borders. */
+  ground?: boolean;
   swarms: Head[];
 }
 
@@ -130,7 +132,8 @@ export function readPage(): Page | null {
   const text = holder.textContent ?? '';
   const [sum, columns] = (end.textContent ?? '').split(' ');
   if (parseInt(sum, 16) !== adler32(new TextEncoder().encode(text))) throw new Error('what it says of the swarm was changed');
-  if (document.querySelectorAll('script[id^="beespace-"][type="text/plain"]').length !== Number(columns) + 2) {
+  // Beside the columns there are the program and the end, and perhaps the ground.
+  if (document.querySelectorAll('script[id^="beespace-"][type="text/plain"]:not(#beespace-ground)').length !== Number(columns) + 2) {
     throw new Error('columns of it are missing');
   }
   const page = JSON.parse(text) as Page & { format: number };

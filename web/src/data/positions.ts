@@ -1,5 +1,5 @@
 // Positions as they are kept: three arrays and how to get metres from them.
-import { readColumn, type Column, type ColumnPlace, type Numbers } from './column';
+import { readColumn, type ColumnPlace, type Numbers } from './column';
 
 export type Triple = [number, number, number];
 
@@ -18,9 +18,7 @@ export interface Box {
 }
 
 export async function readPositions(places: Record<'x' | 'y' | 'z', ColumnPlace>): Promise<Positions> {
-  const columns: Column[] = [];
-  for (const axis of ['x', 'y', 'z'] as const) columns.push(await readColumn(places[axis]));
-  const [x, y, z] = columns;
+  const [x, y, z] = await Promise.all([readColumn(places.x), readColumn(places.y), readColumn(places.z)]);
   return {
     x: x.raw,
     y: y.raw,

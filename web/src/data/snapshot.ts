@@ -40,15 +40,17 @@ export function listBits(bits: ArrayLike<number>, count: number): Uint32Array {
 
 /** Names come later, so that the swarm is seen first. */
 export async function readSnapshot(head: SnapshotHead): Promise<Snapshot> {
-  const positions = await readPositions(head.positions);
-  const bits = (await readColumn(head.at_risk)).raw;
-  const nearest = await readNearest(head);
-  const pairs: Pairs = {
-    first: await readCounts(head.pairs.first),
-    second: await readCounts(head.pairs.second),
-    distance_m: await readMeasures(head.pairs.distance_m),
-    apart: await readApart(head.pairs),
-  };
+  // All at once: a browser unpacks several side by side.
+  const [positions, { raw: bits }, nearest, first, second, distance_m, apart] = await Promise.all([
+    readPositions(head.positions),
+    readColumn(head.at_risk),
+    readNearest(head),
+    readCounts(head.pairs.first),
+    readCounts(head.pairs.second),
+    readMeasures(head.pairs.distance_m),
+    readApart(head.pairs),
+  ]);
+  const pairs: Pairs = { first, second, distance_m, apart };
   agree([positions.x, positions.y, positions.z].every(({ length }) => length === head.count), 'positions');
   agree(bits.length === (head.count + 7) >> 3 && (!nearest || nearest.codes.length === head.count), 'bees');
   agreeOnPairs(pairs, head.count);

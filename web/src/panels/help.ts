@@ -12,8 +12,10 @@ const kKeys: [string, string][] = [
   ['f', 'fly to the selected bee'],
   ['o', 'only those at risk, or all'],
   ['g', 'only the group of the selected bee, or all'],
+  ['m', 'measure: click two bees, or places on the floor'],
+  ['c', 'what colours tell: the nearest bee, height, speed, conflict group'],
   ['d', 'dark or light'],
-  ['Escape', 'no bee selected, all groups'],
+  ['Escape', 'no bee selected, all groups; measuring ends'],
   ['?', 'this help'],
 ];
 
@@ -24,6 +26,7 @@ const kTimeKeys: [string, string][] = [
   ['< >', 'slower, faster'],
   ['Home End', 'to the beginning, to the end'],
   ['l', 'trails'],
+  ['v', 'velocity vectors'],
 ];
 
 function keyTable(keys: [string, string][]): HTMLElement {

@@ -1,10 +1,9 @@
 // What colours and shapes mean.
-import type { Nearest } from '../data/nearest';
+import { rampOf } from '../scene/cloud';
+import type { Colours } from '../scene/colouring';
 import { kPalettes } from '../scene/palette';
-import type { Theme } from '../state/theme';
-import type { Signal } from '../state/signal';
+import type { Choices, ColourBy } from '../state/choices';
 import { drawing, element } from '../text/element';
-import { formatMetres } from '../text/numbers';
 
 const kGlyphs = {
   risk: () => drawing('path', { d: 'M8 2 L14 8 L8 14 L2 8 Z', class: 'glyph-risk' }),
@@ -17,11 +16,44 @@ function glyph(kind: keyof typeof kGlyphs): SVGElement {
   return drawing('svg', { viewBox: '0 0 16 16', class: 'glyph', 'aria-hidden': 'true' }, kGlyphs[kind]());
 }
 
+const kNames: Record<ColourBy, string> = {
+  nearest: 'Nearest bee',
+  height: 'Height',
+  speed: 'Speed',
+  group: 'Conflict group',
+  none: 'One colour',
+};
+
+/** What bees are coloured by: chosen here, and told with the ends of its scale. */
+function colourRow(colours: Colours, choices: Choices): HTMLElement {
+  const select = element('select', { 'aria-label': 'What the colours of bees tell', title: 'What the colours of bees tell (c)' });
+  select.append(...colours.offered.map((by) => element('option', { value: by }, kNames[by])));
+  select.addEventListener('change', () => choices.colourBy.set(select.value as ColourBy));
+  const ramp = element('span', { class: 'ramp' });
+  const [from, to] = [element('span'), element('span')];
+  const tell = (): void => {
+    const colouring = colours.of(choices.colourBy.value);
+    select.value = colouring.by;
+    select.title = colouring.title ? `${colouring.title}: what the colours of bees tell (c)` : 'What the colours of bees tell (c)';
+    const plain = colouring.codes === null;
+    for (const part of [from, ramp, to]) part.hidden = plain;
+    // Small numbers stand on the left, whichever colour they have.
+    const turned = colouring.range[0] > colouring.range[1];
+    const ramped = rampOf(colouring, kPalettes[choices.theme.value]);
+    const shades = turned ? ramped.slice().reverse() : ramped;
+    const steps = shades.map((shade, i) => `${shade} ${(100 * i) / shades.length}% ${(100 * (i + 1)) / shades.length}%`);
+    ramp.style.background = `linear-gradient(to right, ${(colouring.by === 'group' ? steps : shades).join(', ')})`;
+    [from.textContent, to.textContent] = turned ? colouring.ends.slice().reverse() : colouring.ends;
+  };
+  choices.theme.watch(tell);
+  choices.colourBy.listen(tell);
+  return element('span', { class: 'ramp-row' }, element('label', { class: 'legend-label' }, 'Colour ', select), from, ramp, to);
+}
+
 export function legend(
-  nearest: Nearest | null,
-  range: [number, number],
-  words: { risk: string; line: string; colours: string; fleet: boolean },
-  theme: Signal<Theme>,
+  colours: Colours,
+  words: { risk: string; line: string; fleet: boolean },
+  choices: Choices,
 ): HTMLElement {
   const box = element(
     'div',
@@ -35,21 +67,6 @@ export function legend(
       element('span', { class: 'legend-row' }, glyph('out'), 'out of its contract'),
     );
   }
-  if (nearest) {
-    const ramp = element('span', { class: 'ramp' });
-    theme.watch((name) => {
-      ramp.style.background = `linear-gradient(to right, ${kPalettes[name].ramp.join(', ')})`;
-    });
-    box.append(
-      element(
-        'span',
-        { class: 'ramp-row' },
-        element('span', { class: 'legend-label' }, words.colours),
-        element('span', {}, `≤ ${formatMetres(nearest.ofCode(Math.round(range[0])), 2)}`),
-        ramp,
-        element('span', {}, `≥ ${formatMetres(nearest.ofCode(Math.round(range[1])), 2)}`),
-      ),
-    );
-  }
+  if (colours.offered.length > 1) box.append(colourRow(colours, choices));
   return box;
 }

@@ -1,8 +1,9 @@
 // The swarm itself: all bees as points, those at risk once more on top, lines between pairs that are too close.
 // The three share their positions on the graphics card and differ in which bees they draw.
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Group, LineSegments, Points } from 'three';
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Group, LineSegments, Matrix4, Points } from 'three';
 import type { RawShaderMaterial } from 'three';
-import type { Nearest } from '../data/nearest';
+import type { Colouring } from './colouring';
+import { InSight } from './in_sight';
 import { crowdMaterial, lineMaterial, riskMaterial, vectorOf } from './materials';
 import type { Frame } from './frame';
 import type { Palette } from './palette';
@@ -10,6 +11,10 @@ import type { Placement } from './placement';
 
 /** So many at most are drawn while the view moves, where drawing all is slow. */
 const kThinned = 120000;
+
+/** From so much nearer than where all is seen it is worth to look who is in sight; of a few all are drawn. */
+const kNear = 1.5;
+const kFew = 5000;
 
 /** Sizes in pixels, as seen from where the whole swarm is in sight. */
 function baseSizes(count: number): { crowd: number; risk: number } {
@@ -19,6 +24,12 @@ function baseSizes(count: number): { crowd: number; risk: number } {
   return { crowd: 5, risk: 10 };
 }
 
+/** Colours from the first to the last one of a scale. */
+export function rampOf(colouring: Colouring | null, palette: Palette): string[] {
+  if (colouring?.by === 'group') return [palette.plain, ...palette.groups];
+  return colouring?.codes ? palette.ramp : palette.ramp.map(() => palette.plain);
+}
+
 export class Cloud {
   readonly group = new Group();
   readonly #crowd: Points<BufferGeometry, RawShaderMaterial>;
@@ -26,22 +37,23 @@ export class Cloud {
   readonly #lines: LineSegments<BufferGeometry, RawShaderMaterial>;
   readonly #count: number;
   #placed: Placement | null = null;
+  #colouring: Colouring | null = null;
+  #palette: Palette | null = null;
   #thin = false;
+  /** Whether other bees are to be drawn than were. */
+  #stale = true;
+  #inSight: InSight | null = null;
+  #culled = false;
+  readonly #seenFrom = new Matrix4();
 
   constructor(
     count: number,
     readonly frame: Frame,
-    nearest: Nearest | null,
-    range: [number, number],
   ) {
     this.#count = count;
-    this.#crowd = new Points(new BufferGeometry(), crowdMaterial(nearest !== null));
+    this.#crowd = new Points(new BufferGeometry(), crowdMaterial());
     this.#risk = new Points(new BufferGeometry(), riskMaterial());
     this.#lines = new LineSegments(new BufferGeometry(), lineMaterial());
-    if (nearest) {
-      this.#crowd.geometry.setAttribute('near', new BufferAttribute(nearest.codes, 1));
-      this.#crowd.material.uniforms.range.value = [range[0], 1 / Math.max(1, range[1] - range[0])];
-    }
     [this.#crowd, this.#lines, this.#risk].forEach((part, order) => {
       part.frustumCulled = false;
       part.renderOrder = order;
@@ -53,9 +65,7 @@ export class Cloud {
     if (this.#placed?.x !== placement.x) this.#setPositions(placement);
     else if (placement.x instanceof Float32Array) this.#refreshPositions();
     this.#placed = placement;
-    this.#drawCrowd(placement);
-    this.#draw(this.#risk.geometry, placement.atRisk, 0);
-    this.#draw(this.#lines.geometry, placement.lines, 0);
+    this.#stale = true;
     // Where very many lie over one another, their number is visible too, and the bees behind them.
     this.#risk.material.uniforms.opacity.value = Math.min(1, Math.sqrt(20000 / placement.atRisk.length));
   }
@@ -68,27 +78,60 @@ export class Cloud {
   thin(on: boolean): void {
     if (this.#count <= kThinned || on === this.#thin) return;
     this.#thin = on;
-    if (this.#placed) this.#drawCrowd(this.#placed);
+    this.#stale = true;
   }
 
-  #drawCrowd({ shown }: Placement): void {
-    if (!this.#thin) {
-      this.#draw(this.#crowd.geometry, shown, this.#count);
+  /** Before it is drawn: from near by only what is in sight. `nearness` is 1 where all of the swarm is seen, and grows. */
+  prepare(toScreen: Matrix4, nearness: number): void {
+    const placed = this.#placed;
+    const culled = nearness > kNear && this.#count > kFew;
+    if (!placed || (!this.#stale && !culled && !this.#culled)) return;
+    if (!this.#stale && culled && this.#culled && this.#seenFrom.equals(toScreen)) return;
+    this.#stale = false;
+    this.#culled = culled;
+    this.#seenFrom.copy(toScreen);
+    if (culled) {
+      this.#inSight ??= new InSight(this.#count);
+      this.#inSight.look(placed, this.frame, toScreen);
+    }
+    const seen = culled ? this.#inSight : null;
+    this.#drawCrowd(seen ? seen.of(placed.shown) : placed.shown);
+    this.#draw(this.#risk.geometry, seen ? seen.of(placed.atRisk) : placed.atRisk, 0);
+    this.#draw(this.#lines.geometry, seen ? seen.ofLines(placed.lines) : placed.lines, 0);
+  }
+
+  #drawCrowd(bees: Uint32Array | null): void {
+    const all = bees ? bees.length : this.#count;
+    const stride = this.#thin ? Math.ceil(all / kThinned) : 1;
+    if (stride === 1) {
+      this.#draw(this.#crowd.geometry, bees, this.#count);
       return;
     }
-    const all = shown ? shown.length : this.#count;
-    const stride = Math.ceil(all / kThinned);
     const some = Uint32Array.from({ length: Math.ceil(all / stride) }, (_, i) => {
       const place = i * stride;
-      return shown ? shown[place] : place;
+      return bees ? bees[place] : place;
     });
     this.#draw(this.#crowd.geometry, some, 0);
   }
 
+  /** Colours of other meaning. Those at risk keep theirs, but for the colours of groups, which are theirs alone. */
+  colourBy(colouring: Colouring): void {
+    this.#colouring = colouring;
+    const { codes, range } = colouring;
+    const attribute = codes && new BufferAttribute(codes, 1);
+    for (const part of [this.#crowd, this.#risk]) {
+      if (attribute) part.geometry.setAttribute('near', attribute);
+      else part.geometry.deleteAttribute('near');
+      part.material.uniforms.range.value = [range[0], 1 / (range[1] - range[0] || 1)];
+    }
+    this.#risk.material.uniforms.ramped.value = colouring.by === 'group' ? 1 : 0;
+    if (this.#palette) this.colour(this.#palette);
+  }
+
   colour(palette: Palette): void {
-    const crowd = this.#crowd.material.uniforms;
-    crowd.plain.value = vectorOf(palette.plain);
-    crowd.ramp.value = palette.ramp.map(vectorOf);
+    this.#palette = palette;
+    const ramp = rampOf(this.#colouring, palette).map(vectorOf);
+    for (const part of [this.#crowd, this.#risk]) part.material.uniforms.ramp.value = ramp;
     this.#risk.material.uniforms.fill.value = vectorOf(palette.risk);
     this.#risk.material.uniforms.edge.value = vectorOf(palette.riskEdge);
     this.#lines.material.uniforms.colour.value = vectorOf(palette.line);

@@ -3,6 +3,7 @@ import type { Fleet } from '../data/fleet';
 import { counterpart, type Company, type Swarm } from '../data/swarm';
 import type { Choices } from '../state/choices';
 import type { LinkedTimes } from '../time/linked_times';
+import type { Colours } from './colouring';
 import type { Guided } from './guidance';
 import { placeSnapshot, type Placement, type RecordingPlacer, type Wanted } from './placement';
 import type { View } from './view';
@@ -16,6 +17,7 @@ export interface Placing {
   choices: Choices;
   /** Of the recordings among the swarms. */
   placers: (RecordingPlacer | null)[];
+  colours: Colours[];
 }
 
 function guidedAt(fleet: Fleet, bee: number, time_s: number): Guided | null {
@@ -26,7 +28,7 @@ function guidedAt(fleet: Fleet, bee: number, time_s: number): Guided | null {
 
 /** Places now and whenever something changes. */
 export function followPlaces(placing: Placing): void {
-  const { swarms, stages, times, choices, placers } = placing;
+  const { swarms, stages, times, choices, placers, colours } = placing;
   const placeOne = (i: number): void => {
     const { view } = stages[i];
     if (!view) return;
@@ -37,12 +39,13 @@ export function followPlaces(placing: Placing): void {
     const within = times.within({ swarm });
     const placer = placers[i];
     const placement: Placement =
-      swarm.kind === 'snapshot' ? placeSnapshot(swarm, company, wanted) : (placer as RecordingPlacer).at(within, company, wanted);
+      swarm.kind === 'snapshot' ? placeSnapshot(swarm, company, wanted) : (placer as RecordingPlacer).at(within, company, wanted, everyOf(view), watchedIn(i));
+    colours[i].follow(colours[i].of(choices.colourBy.value), placement, within);
     view.place(placement);
     if (swarm.kind === 'recording') {
       const { clock } = times;
-      if (choices.trails.value) view.trail(swarm.fixes, within, Math.max(5 * clock.step_s, clock.ends_s / 25));
-      else view.hideTrails();
+      view.trails(swarm.fixes, within, choices.trails.value ? Math.max(5 * clock.step_s, clock.ends_s / 25) : null);
+      view.vectors(swarm.fixes, within, choices.vectors.value ? view.aheadOf(swarm.fixes) : null);
       guideOne(i);
     }
   };
@@ -58,12 +61,41 @@ export function followPlaces(placing: Placing): void {
     view.guide(bee === null ? null : guidedAt(fleet, bee, within));
     view.castOut(fleet.outcasts.flatMap((one) => (fleet.contractAt(one.bee, within) === 'out' ? [one.bee] : [])));
   };
+  /** While time goes on, as many of a large crowd as this machine draws in time. */
+  const everyOf = (view: View): number => {
+    const every = times.clock.playing.value && choices.filter.value.group === null ? view.pace.every : 1;
+    view.tellShare(every);
+    return every;
+  };
+  const watchedIn = (i: number): number[] => {
+    const selected = choices.selected.value;
+    if (!selected) return [];
+    return [selected.bee, selected.other].flatMap((bee) => (bee === null ? [] : (counterpart(swarms[selected.swarm], bee, swarms[i]) ?? [])));
+  };
+  let before_ms = 0;
+  const timeFrames = (): void => {
+    const now_ms = performance.now();
+    if (times.clock.playing.value && before_ms > 0) for (const { view } of stages) view?.pace.took(now_ms - before_ms);
+    before_ms = times.clock.playing.value ? now_ms : 0;
+  };
   const placeAll = (): void => swarms.forEach((_, i) => placeOne(i));
   const placeMoving = (): void => swarms.forEach((swarm, i) => swarm.kind === 'recording' && placeOne(i));
   placeAll();
   choices.filter.listen(placeAll);
   choices.trails.listen(placeMoving);
-  times.clock.time.listen(placeMoving);
+  choices.vectors.listen(placeMoving);
+  choices.colourBy.listen(() => {
+    stages.forEach(({ view }, i) => view?.colourBy(colours[i].of(choices.colourBy.value)));
+    placeMoving();
+  });
+  times.clock.time.listen(() => {
+    timeFrames();
+    placeMoving();
+  });
+  // Whoever looks closely sees all.
+  times.clock.playing.listen((playing) => {
+    if (!playing) placeMoving();
+  });
   choices.selected.listen((selected) => {
     stages.forEach(({ view }, i) => {
       if (!view) return;

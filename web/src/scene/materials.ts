@@ -19,8 +19,23 @@ export function vectorOf(colour: string): Vector3 {
   return new Vector3(...rgb(colour));
 }
 
-/** All bees; coloured by the code of the distance to the nearest one, where there is one. */
-export function crowdMaterial(coloured: boolean): RawShaderMaterial {
+/** The colour of a bee: of its number between two others on a scale of colours. Without a number it is 0. */
+const kColour = `
+in float near;
+uniform vec3 ramp[${kRampSteps}]; uniform vec2 range;
+vec3 rampColour() {
+  float t = clamp((near - range.x) * range.y, 0.0, 1.0) * ${(kRampSteps - 1).toFixed(1)};
+  int low = min(int(t), ${kRampSteps - 2});
+  return mix(ramp[low], ramp[low + 1], t - float(low));
+}
+`;
+
+function colourUniforms(): Record<'ramp' | 'range', { value: unknown }> {
+  return { ramp: { value: Array.from({ length: kRampSteps }, () => new Vector3()) }, range: { value: [0, 1] } };
+}
+
+/** All bees. */
+export function crowdMaterial(): RawShaderMaterial {
   return new RawShaderMaterial({
     glslVersion: GLSL3,
     uniforms: {
@@ -28,25 +43,15 @@ export function crowdMaterial(coloured: boolean): RawShaderMaterial {
       stride: { value: new Vector3(1, 1, 1) },
       reach: { value: 1 },
       sizes: { value: [1, 2] },
-      plain: { value: new Vector3() },
-      ramp: { value: Array.from({ length: kRampSteps }, () => new Vector3()) },
-      range: { value: [0, 1] },
+      ...colourUniforms(),
     },
-    vertexShader: `${kPlace}${kSize}
-      in float near;
-      uniform vec3 plain; uniform vec3 ramp[${kRampSteps}]; uniform vec2 range;
+    vertexShader: `${kPlace}${kSize}${kColour}
       flat out vec3 colour;
       void main() {
         vec4 at = place();
         gl_Position = projectionMatrix * at;
         gl_PointSize = size(-at.z);
-        ${
-          coloured
-            ? `float t = clamp((near - range.x) * range.y, 0.0, 1.0) * ${(kRampSteps - 1).toFixed(1)};
-               int low = min(int(t), ${kRampSteps - 2});
-               colour = mix(ramp[low], ramp[low + 1], t - float(low));`
-            : 'colour = plain;'
-        }
+        colour = rampColour();
       }`,
     fragmentShader: `precision mediump float;
       flat in vec3 colour; out vec4 fragment;
@@ -73,27 +78,30 @@ export function riskMaterial(): RawShaderMaterial {
       fill: { value: new Vector3() },
       opacity: { value: 1 },
       edge: { value: new Vector3() },
+      ...colourUniforms(),
+      ramped: { value: 0 },
     },
-    vertexShader: `${kPlace}${kSize}
-      uniform float opacity;
-      flat out float edgeFrom; flat out float cover;
+    vertexShader: `${kPlace}${kSize}${kColour}
+      uniform float opacity; uniform float ramped; uniform vec3 fill;
+      flat out float edgeFrom; flat out float cover; flat out vec3 colour;
       void main() {
         vec4 at = place();
         gl_Position = projectionMatrix * at;
         gl_PointSize = size(-at.z);
+        colour = ramped > 0.5 ? rampColour() : fill;
         // A pixel of edge where there is room for one.
         // Large ones are few on the screen.
         cover = gl_PointSize < 5.0 ? opacity : 1.0;
         edgeFrom = gl_PointSize < 7.0 ? 2.0 : 1.0 - 2.6 / gl_PointSize;
       }`,
     fragmentShader: `precision mediump float;
-      uniform vec3 fill; uniform vec3 edge;
-      flat in float edgeFrom; flat in float cover; out vec4 fragment;
+      uniform vec3 edge;
+      flat in float edgeFrom; flat in float cover; flat in vec3 colour; out vec4 fragment;
       void main() {
         vec2 d = abs(gl_PointCoord * 2.0 - 1.0);
         float far = d.x + d.y;
         if (far > 1.0 && edgeFrom < 1.5) discard;
-        fragment = vec4(far > edgeFrom ? edge : fill, cover);
+        fragment = vec4(far > edgeFrom ? edge : colour, cover);
       }`,
   });
 }

@@ -11,12 +11,12 @@ export interface Cursor {
   height: number;
 }
 
-interface Lens {
+export interface Lens {
   /** Rows of the matrix that takes raw numbers to the screen: x, y and w, each with its constant. */
   rows: Float64Array;
 }
 
-function lensOf(placement: Placement, frame: Frame, toScreen: Matrix4): Lens {
+export function lensOf(placement: Placement, frame: Frame, toScreen: Matrix4): Lens {
   const m = toScreen.elements;
   const rows = new Float64Array(12);
   [0, 1, 3].forEach((row, place) => {

@@ -37,16 +37,18 @@ export function placeSnapshot(swarm: Snapshot, company: Company | null, wanted: 
   const { pairs } = swarm;
   const group = company && wanted.group !== null ? wanted.group : null;
   const members = company && group !== null ? membersOf(company, group) : null;
-  const lines: number[] = [];
+  const lines = new Uint32Array(2 * pairs.first.length);
+  let ends = 0;
   for (let i = 0; i < pairs.first.length; ++i) {
     if (company && group !== null && company.groups.of[pairs.first[i]] !== group) continue;
-    lines.push(pairs.first[i], pairs.second[i]);
+    lines[ends++] = pairs.first[i];
+    lines[ends++] = pairs.second[i];
   }
   return {
     ...swarm.positions,
     shown: members ?? (wanted.atRiskOnly ? swarm.atRisk : null),
     atRisk: members ? members.filter(swarm.isAtRisk) : swarm.atRisk,
-    lines: Uint32Array.from(lines),
+    lines: lines.subarray(0, ends),
   };
 }
 
@@ -63,11 +65,13 @@ export class RecordingPlacer {
     this.#there = new Uint8Array(count);
   }
 
-  at(time_s: number, company: Company | null, wanted: Wanted): Placement {
+  /** Of a crowd that moves, one of `every` bees is placed, and all that are in conflict now or `watched`. */
+  at(time_s: number, company: Company | null, wanted: Wanted, every = 1, watched: number[] = []): Placement {
     const { swarm } = this;
     const { x, y, z } = this.#arrays;
     const { start, step } = swarm.fixes.positions;
-    const present = this.#placeAll(time_s);
+    const risky = swarm.spans.beesAt(time_s);
+    const present = every > 1 ? this.#placeSome(time_s, every, [...risky, ...watched]) : this.#placeAll(time_s);
     this.crowding?.measure(present, x, y, z, step);
     const shown = this.#chosen(present, company, wanted);
     const lines: number[] = [];
@@ -76,7 +80,7 @@ export class RecordingPlacer {
       const second = swarm.conflicts.second[place];
       if (this.#there[first] && this.#there[second]) lines.push(first, second);
     }
-    const atRisk = Uint32Array.from(swarm.spans.beesAt(time_s).filter((bee) => this.#there[bee] === 1));
+    const atRisk = Uint32Array.from(risky.filter((bee) => this.#there[bee] === 1));
     return { x, y, z, start, step, shown, atRisk, lines: Uint32Array.from(lines) };
   }
 
@@ -90,6 +94,22 @@ export class RecordingPlacer {
       this.#there[bee] = isThere ? 1 : 0;
       if (isThere) present[there++] = bee;
     }
+    return present.subarray(0, there);
+  }
+
+  #placeSome(time_s: number, every: number, wanted: number[]): Uint32Array {
+    const { count } = this.swarm.head;
+    const { x, y, z } = this.#arrays;
+    const present = new Uint32Array(Math.ceil(count / every) + wanted.length);
+    let there = 0;
+    this.#there.fill(0);
+    const place = (bee: number): void => {
+      if (this.#there[bee] === 1 || !this.swarm.fixes.place(bee, time_s, x, y, z, bee)) return;
+      this.#there[bee] = 1;
+      present[there++] = bee;
+    };
+    for (let bee = 0; bee < count; bee += every) place(bee);
+    for (const bee of wanted) place(bee);
     return present.subarray(0, there);
   }
 

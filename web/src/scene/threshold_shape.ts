@@ -34,29 +34,20 @@ function outline(radius: number, vertical: number | null): number[] {
 
 export class ThresholdShape {
   readonly group = new Group();
-  readonly #lines: LineSegments<BufferGeometry, RawShaderMaterial>;
-  readonly #body: Mesh<BufferGeometry, RawShaderMaterial>;
+  #parts: { lines: LineSegments<BufferGeometry, RawShaderMaterial>; body: Mesh<BufferGeometry, RawShaderMaterial> } | null = null;
+  #colour = '#ffffff';
 
-  constructor(threshold_m: number, vertical_m: number | null) {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(Float32Array.from(outline(threshold_m, vertical_m)), 3));
-    this.#lines = new LineSegments(geometry, shapeMaterial(false, true));
-    const body =
-      vertical_m === null
-        ? new SphereGeometry(threshold_m, 48, 32)
-        : new CylinderGeometry(threshold_m, threshold_m, 2 * vertical_m, 64).rotateX(Math.PI / 2);
-    this.#body = new Mesh(body, shapeMaterial(false, true));
-    this.#lines.material.uniforms.opacity.value = 0.55;
-    this.#body.material.uniforms.opacity.value = 0.045;
-    this.#lines.renderOrder = 4;
-    this.#body.renderOrder = 3;
-    this.group.add(this.#body, this.#lines);
+  constructor(
+    readonly threshold_m: number,
+    readonly vertical_m: number | null,
+  ) {
     this.group.visible = false;
   }
 
   colour(palette: Palette): void {
-    this.#lines.material.uniforms.colour.value = vectorOf(palette.focus);
-    this.#body.material.uniforms.colour.value = vectorOf(palette.focus);
+    this.#colour = palette.focus;
+    if (!this.#parts) return;
+    for (const part of [this.#parts.lines, this.#parts.body]) part.material.uniforms.colour.value = vectorOf(palette.focus);
   }
 
   lift(times: number): void {
@@ -65,6 +56,28 @@ export class ThresholdShape {
 
   place(at: Vector3 | null): void {
     this.group.visible = at !== null;
-    if (at) this.group.position.copy(at);
+    if (!at) return;
+    this.group.position.copy(at);
+    this.#parts ??= this.#make();
+  }
+
+  /** Once there is a bee to put it around: what is seen first does without. */
+  #make(): { lines: LineSegments<BufferGeometry, RawShaderMaterial>; body: Mesh<BufferGeometry, RawShaderMaterial> } {
+    const { threshold_m, vertical_m } = this;
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(Float32Array.from(outline(threshold_m, vertical_m)), 3));
+    const lines = new LineSegments(geometry, shapeMaterial(false, true));
+    const solid =
+      vertical_m === null
+        ? new SphereGeometry(threshold_m, 48, 32)
+        : new CylinderGeometry(threshold_m, threshold_m, 2 * vertical_m, 64).rotateX(Math.PI / 2);
+    const body = new Mesh(solid, shapeMaterial(false, true));
+    lines.material.uniforms.opacity.value = 0.55;
+    body.material.uniforms.opacity.value = 0.045;
+    lines.renderOrder = 4;
+    body.renderOrder = 3;
+    for (const part of [lines, body]) part.material.uniforms.colour.value = vectorOf(this.#colour);
+    this.group.add(body, lines);
+    return { lines, body };
   }
 }

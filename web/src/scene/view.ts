@@ -1,29 +1,30 @@
 // One swarm in three dimensions. It draws when something changed, and rests otherwise.
-import { Color, Group, Scene, Vector3, type WebGLRenderer } from 'three';
+import { Group, Scene, Vector3 } from 'three';
 import type { Fixes } from '../data/fixes';
-import type { Nearest } from '../data/nearest';
 import type { Triple } from '../data/positions';
 import { Axes } from './axes';
 import { Orbit } from './camera';
 import { Cloud } from './cloud';
+import type { Colouring } from './colouring';
 import { Compass } from './compass';
 import type { Frame } from './frame';
+import { GroundLines } from './ground_lines';
 import { Guidance, type Guided } from './guidance';
 import { surviveLoss } from './lost_card';
 import { Markers } from './markers';
 import { Outcasts } from './outcasts';
-import type { Palette } from './palette';
-import { pickBee } from './picking';
+import type { Painter } from './painter';
+import { rgb, type Palette } from './palette';
 import { placeIn, type Placement } from './placement';
+import { Pace } from './pace';
+import { Rest } from './rest';
+import { Ruler } from './ruler';
 import { ScaleBar } from './scale_bar';
+import { Sight } from './sight';
 import { ThresholdShape } from './threshold_shape';
 import { Trails } from './trails';
-
-/** A frame that takes longer than this does not feel as if one held the swarm. */
-const kSlow_ms = 90;
-/** A view rests when it has not moved for so long; where frames are slow, so are the movements that we hear of. */
-const kRest_ms = 250;
-const kRestWhereSlow_ms = 800;
+import { element } from '../text/element';
+import { aheadOf, Vectors } from './vectors';
 
 export interface ViewSubject {
   label: string;
@@ -33,43 +34,47 @@ export interface ViewSubject {
   inFeet: boolean;
   threshold_m: number;
   vertical_m: number | null;
-  nearest: Nearest | null;
-  /** Codes between which the colours change. */
-  range: [number, number];
 }
 
 export class View {
   readonly orbit: Orbit;
+  /** Between places of the swarm and places on the screen. */
+  readonly sight: Sight;
   readonly canvas: HTMLCanvasElement;
-  readonly #renderer: WebGLRenderer;
+  readonly pace: Pace;
+  readonly #renderer: Painter;
   readonly #scene = new Scene();
   /** What is in the swarm's own metres. */
   readonly #lifted = new Group();
   readonly #cloud: Cloud;
+  readonly #rest: Rest;
   readonly #axes: Axes;
   readonly #threshold: ThresholdShape;
   readonly #trails: Trails;
+  readonly ground: GroundLines;
+  readonly #vectors: Vectors;
+  readonly #ruler: Ruler;
   readonly #guidance: Guidance;
   readonly #outcasts = new Outcasts();
   readonly #markers = new Markers();
+  readonly #share = element('div', { class: 'share-shown', 'aria-hidden': 'true', hidden: '' });
   readonly #scale = new ScaleBar();
   readonly #compass: Compass;
   readonly #drawn: (() => void)[] = [];
+  readonly #placed: (() => void)[] = [];
   #lift = 1;
+  #ahead_s: number | null = null;
   #placement: Placement | null = null;
   #marked: number[] = [];
   #width = 1;
   #height = 1;
   #due = 0;
-  #resting = 0;
-  /** Whether the last frame of the whole crowd was. */
-  #slow = false;
 
   constructor(
     readonly holder: HTMLElement,
     readonly frame: Frame,
     readonly subject: ViewSubject,
-    renderer: WebGLRenderer,
+    renderer: Painter,
   ) {
     const { count } = subject;
     this.#renderer = renderer;
@@ -78,20 +83,26 @@ export class View {
     this.canvas.setAttribute('role', 'img');
     this.canvas.setAttribute('aria-label', `${subject.label} in three dimensions. Arrow keys turn, + and − zoom.`);
     this.orbit = new Orbit(this.canvas, frame);
-    this.#cloud = new Cloud(count, frame, subject.nearest, subject.range);
+    this.sight = new Sight(this.orbit, frame);
+    this.pace = new Pace(count);
+    this.#cloud = new Cloud(count, frame);
+    this.#rest = new Rest(this.#cloud, () => this.invalidate());
     this.#axes = new Axes(frame, subject.axes, subject.inFeet);
     this.#threshold = new ThresholdShape(subject.threshold_m, subject.vertical_m);
     this.#trails = new Trails(frame);
     this.#trails.hide();
+    this.ground = new GroundLines(frame);
+    this.#vectors = new Vectors(frame);
+    this.#ruler = new Ruler(frame);
     this.#guidance = new Guidance(frame);
     this.#compass = new Compass(subject.axes);
-    this.#lifted.add(this.#axes.group, this.#trails.lines, this.#cloud.group, this.#guidance.group);
+    this.#lifted.add(this.#axes.group, this.ground.group, this.#trails.lines, this.#cloud.group, this.#vectors.lines, this.#guidance.group, this.#ruler.group);
     this.#scene.add(this.#lifted, this.#threshold.group, this.#outcasts.rings);
     this.#lift = frame.lift;
     this.#setLift();
     holder.prepend(this.canvas, this.#axes.labels, this.#markers.layer);
-    holder.append(this.#scale.box, this.#compass.box);
-    this.orbit.onChange(() => this.#moved());
+    holder.append(this.#share, this.#scale.box, this.#compass.box);
+    this.orbit.onChange(() => this.#rest.moved());
     new ResizeObserver(() => this.#resize()).observe(holder);
     // The pixel ratio changes with the zoom of the browser.
     addEventListener('resize', () => this.#resize());
@@ -100,10 +111,15 @@ export class View {
   }
 
   colour(palette: Palette): void {
-    this.#renderer.setClearColor(new Color(palette.ground));
-    for (const part of [this.#cloud, this.#axes, this.#threshold, this.#trails, this.#guidance, this.#outcasts]) {
+    this.#renderer.setClearColor(...rgb(palette.ground));
+    for (const part of [this.#cloud, this.#axes, this.ground, this.#threshold, this.#trails, this.#vectors, this.#ruler, this.#guidance, this.#outcasts]) {
       part.colour(palette);
     }
+    this.invalidate();
+  }
+
+  colourBy(colouring: Colouring): void {
+    this.#cloud.colourBy(colouring);
     this.invalidate();
   }
 
@@ -128,6 +144,7 @@ export class View {
     this.#cloud.place(placement);
     this.#threshold.place(this.#marked.length > 0 ? this.sceneOf(this.#marked[0]) : null);
     this.invalidate();
+    for (const listener of this.#placed) listener();
   }
 
   /** Marks bees; around the first one lies what is too close to it. */
@@ -150,13 +167,34 @@ export class View {
     this.invalidate();
   }
 
-  trail(fixes: Fixes, time_s: number, length_s: number): void {
-    if (this.#placement?.shown) this.#trails.draw(fixes, this.#placement.shown, time_s, length_s);
+  /** Where bees came from in so many seconds; null: not shown. */
+  trails(fixes: Fixes, time_s: number, length_s: number | null): void {
+    if (length_s === null || !this.#placement?.shown) this.#trails.hide();
+    else this.#trails.draw(fixes, this.#placement.shown, time_s, length_s);
     this.invalidate();
   }
 
-  hideTrails(): void {
-    this.#trails.hide();
+  /** Lines lead to where bees would be after so many seconds; null: none do. */
+  vectors(fixes: Fixes, time_s: number, ahead_s: number | null): void {
+    if (ahead_s === null || !this.#placement) this.#vectors.hide();
+    else this.#vectors.draw(fixes, this.#placement, time_s, ahead_s);
+    this.invalidate();
+  }
+
+  /** For a line of a length that is seen. */
+  aheadOf(fixes: Fixes): number {
+    return (this.#ahead_s ??= aheadOf(fixes, this.frame.radius));
+  }
+
+  /** Says that one of so many bees is shown. */
+  tellShare(every: number): void {
+    this.#share.hidden = every === 1;
+    if (every > 1) this.#share.textContent = `1 of ${every} bees is shown while it plays, and all in conflict`;
+  }
+
+  /** The line of the measure tool, between places in metres of the axes. */
+  measureLine(ends: Triple[]): void {
+    this.#ruler.show(ends);
     this.invalidate();
   }
 
@@ -187,44 +225,28 @@ export class View {
     this.orbit.flyTo(middle, Math.min(reach * 1.6, this.orbit.homeDistance), atOnce);
   }
 
-  /** The camera in metres of the axes: its place, what it looks at, and how wide it sees. */
-  get camera(): number[] {
-    const { position, target, fov_deg } = this.orbit.pose;
-    return [...this.frame.fromScene(position.toArray()), ...this.frame.fromScene(target.toArray()), fov_deg];
-  }
-
-  set camera([x, y, z, tx, ty, tz, fov_deg]: number[]) {
-    const [position, target] = [[x, y, z], [tx, ty, tz]].map((place) => new Vector3(...this.frame.toScene(place as Triple)));
-    if (position.distanceTo(target) > 0 && fov_deg >= 1 && fov_deg <= 90) this.orbit.goTo({ position, target, fov_deg });
-  }
-
   /** Where on the canvas a bee is seen. */
   project(bee: number): { x: number; y: number } | null {
-    const at = this.sceneOf(bee)?.project(this.orbit.camera);
-    return at ? { x: ((at.x + 1) * this.#width) / 2, y: ((1 - at.y) * this.#height) / 2 } : null;
+    return this.sight.project(this.sceneOf(bee));
   }
 
   pick(x: number, y: number): number | null {
-    if (!this.#placement) return null;
-    const { camera } = this.orbit;
-    const toScreen = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse);
-    toScreen.scale(new Vector3(1, 1, this.frame.lift));
-    const cursor = { x, y, width: this.#width, height: this.#height };
-    return pickBee(cursor, this.#placement, this.frame, toScreen);
+    return this.#placement && this.sight.pick(x, y, this.#placement);
   }
 
   onDrawn(listener: () => void): void {
     this.#drawn.push(listener);
   }
 
+  onPlaced(listener: () => void): void {
+    this.#placed.push(listener);
+  }
+
   invalidate(): void {
     if (this.#due !== 0) return;
     this.#due = requestAnimationFrame(() => {
       this.draw();
-      if (this.#cloud.isThin) return;
-      // The next frame comes when this one is done.
-      const begins = performance.now();
-      requestAnimationFrame(() => (this.#slow = performance.now() - begins > kSlow_ms));
+      this.#rest.drawn();
     });
   }
 
@@ -236,6 +258,7 @@ export class View {
     const { flatness, homeDistance } = this.orbit;
     this.#cloud.setNearness((homeDistance * flatness) / distance);
     this.#cloud.setSizes(homeDistance * flatness, this.#renderer.getPixelRatio());
+    this.#cloud.prepare(this.sight.toScreen(), (homeDistance * flatness) / distance);
     this.#renderer.render(this.#scene, camera);
     this.#axes.letter(camera, this.#width, this.#height);
     this.#markers.move(this.#marked.map((bee) => this.sceneOf(bee)), camera, this.#width, this.#height);
@@ -251,18 +274,6 @@ export class View {
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
-  /** While the view moves and drawing is slow, a part of the crowd must do; all of it when it rests. */
-  #moved(): void {
-    this.#cloud.thin(this.#slow);
-    clearTimeout(this.#resting);
-    this.#resting = window.setTimeout(() => {
-      this.#resting = 0;
-      this.#cloud.thin(false);
-      this.invalidate();
-    }, this.#slow ? kRestWhereSlow_ms : kRest_ms);
-    this.invalidate();
-  }
-
   #resize(): void {
     // The new canvas is empty until it is drawn on.
     if (this.measure() && this.#placement) this.draw();
@@ -275,9 +286,10 @@ export class View {
     if (width === this.#width && height === this.#height && ratio === this.#renderer.getPixelRatio()) return false;
     [this.#width, this.#height] = [width, height];
     this.#renderer.setPixelRatio(ratio);
-    this.#renderer.setSize(this.#width, this.#height, false);
+    this.#renderer.setSize(this.#width, this.#height);
     this.orbit.resize(this.#width, this.#height);
-    for (const part of [this.#guidance, this.#outcasts]) part.setPixelRatio(this.#renderer.getPixelRatio());
+    this.sight.resize(this.#width, this.#height);
+    for (const part of [this.#guidance, this.#outcasts, this.#ruler]) part.setPixelRatio(this.#renderer.getPixelRatio());
     return true;
   }
 }

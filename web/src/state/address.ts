@@ -1,6 +1,6 @@
 // What the reader looks at, in the address of the page: after the #, so that it stays on the reader's machine.
 import type { Signal } from './signal';
-import type { Choices } from './choices';
+import { kColourings, type Choices, type ColourBy } from './choices';
 
 export interface Address {
   /** The clock's time. */
@@ -13,6 +13,8 @@ export interface Address {
   atRiskOnly: boolean;
   group: { swarm: number; place: number } | null;
   trails: boolean;
+  vectors: boolean;
+  colourBy: ColourBy;
   lift: number | null;
 }
 
@@ -24,6 +26,8 @@ const kPlain: Address = {
   atRiskOnly: false,
   group: null,
   trails: false,
+  vectors: false,
+  colourBy: 'nearest',
   lift: null,
 };
 
@@ -51,13 +55,15 @@ export function readAddress(hash: string): Address {
     atRiskOnly: given.get('only') === 'risk',
     group: group && group.every(isPlace) ? { swarm: group[0], place: group[1] } : null,
     trails: given.get('trails') === '1',
+    vectors: given.get('vectors') === '1',
+    colourBy: kColourings.find((one) => one === given.get('colour')) ?? 'nearest',
     lift: lift !== null && lift >= 1 ? lift : null,
   };
 }
 
 /** The shortest that says it; empty where there is nothing to say. */
 export function writeAddress(address: Partial<Address>): string {
-  const { time_s, swarm, bees, camera, atRiskOnly, group, trails, lift } = { ...kPlain, ...address };
+  const { time_s, swarm, bees, camera, atRiskOnly, group, trails, vectors, colourBy, lift } = { ...kPlain, ...address };
   const parts = [
     time_s === null ? '' : `t=${Number(time_s.toFixed(3))}`,
     bees.length > 0 && swarm > 0 ? `swarm=${swarm}` : '',
@@ -65,6 +71,8 @@ export function writeAddress(address: Partial<Address>): string {
     group ? `group=${group.swarm},${group.place}` : '',
     atRiskOnly ? 'only=risk' : '',
     trails ? 'trails=1' : '',
+    vectors ? 'vectors=1' : '',
+    colourBy === 'nearest' ? '' : `colour=${colourBy}`,
     lift === null ? '' : `heights=${lift}`,
     camera ? `camera=${camera.map((number) => Number(number.toPrecision(8))).join(',')}` : '',
   ].filter((part) => part !== '');
@@ -91,6 +99,8 @@ export function addressNow({ choices, time, camera, usualLift }: Seen): string {
     atRiskOnly,
     group,
     trails: choices.trails.value,
+    vectors: choices.vectors.value,
+    colourBy: choices.colourBy.value,
     lift: choices.lift.value === usualLift ? null : choices.lift.value,
   });
 }
@@ -117,7 +127,7 @@ export function keepAddress(seen: Seen, onCamera: (listener: () => void) => void
     }, kRest_ms);
   };
   const { choices, time } = seen;
-  for (const listen of [choices.selected, choices.filter, choices.trails, choices.lift, ...(time ? [time] : [])]) {
+  for (const listen of [choices.selected, choices.filter, choices.trails, choices.vectors, choices.colourBy, choices.lift, ...(time ? [time] : [])]) {
     (listen as Signal<unknown>).listen(changed);
   }
   onCamera(changed);

@@ -2,6 +2,10 @@
 import { Signal } from './signal';
 import type { Theme } from './theme';
 
+/** What the colours of bees tell; in words of the address. */
+export const kColourings = ['nearest', 'height', 'speed', 'group', 'none'] as const;
+export type ColourBy = (typeof kColourings)[number];
+
 /** A bee of one of the swarms, and with a pair the other one. */
 export interface Selected {
   swarm: number;
@@ -22,6 +26,11 @@ export interface Choices {
   filter: Signal<Filter>;
   theme: Signal<Theme>;
   trails: Signal<boolean>;
+  /** Lines that lead to where moving bees would be after a while. */
+  vectors: Signal<boolean>;
+  /** Whether a click measures instead of selecting. */
+  measuring: Signal<boolean>;
+  colourBy: Signal<ColourBy>;
   /** How many times larger than they are heights are drawn. */
   lift: Signal<number>;
 }

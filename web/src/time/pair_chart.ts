@@ -53,9 +53,14 @@ export function pairChart(swarm: Recording, place: number, name: string): PairCh
     svg.append(drawing('rect', { class: 'band', x: from, y: kTop - 4, width: Math.max(1, to - from), height: height - kBottom - kTop + 4 }));
   }
   rows.forEach((row, i) => svg.append(...drawRow(row, i * kRow, swarm, place, instants, xOf)));
-  for (const after_s of niceTicks(span[0] - middle_s, span[1] - middle_s, 5)) {
+  // The closest moment first: of the others those that have room beside it.
+  const taken: [number, number][] = [];
+  for (const after_s of niceTicks(span[0] - middle_s, span[1] - middle_s, 5).sort((a, b) => Math.abs(a) - Math.abs(b))) {
     const text = after_s === 0 ? 'closest' : `${after_s > 0 ? '+' : '\u2212'}${Math.abs(after_s)}\u202fs`;
-    const x = Math.min(kWidth - 3.2 * text.length, xOf(middle_s + after_s));
+    const half = 3.2 * text.length;
+    const x = Math.min(kWidth - half, xOf(middle_s + after_s));
+    if (taken.some(([at, wide]) => Math.abs(at - x) < wide + half + 4)) continue;
+    taken.push([x, half]);
     svg.append(drawing('text', { class: 'level-text', x, y: height - 4, 'text-anchor': 'middle' }, text));
   }
   const cursor = drawing('line', { class: 'cursor', y1: kTop - 6, y2: height - kBottom + 3 });

@@ -1,4 +1,5 @@
 // How high curves and columns of the time line are.
+import { niceTicks } from '../text/nice_steps';
 
 /** How many bees are in conflict, for each of `columns` equal parts of the clock's time. */
 export function conflictColumns(
@@ -19,10 +20,38 @@ export function conflictColumns(
   return changes.slice(0, columns).map((change) => (now += change));
 }
 
-/** Height of the plot: the threshold is well seen, and rare great distances do not flatten the rest. */
-export function plotTop(distances: number[], threshold_m: number): number {
-  if (distances.length === 0) return 2 * threshold_m || 1;
-  const sorted = distances.slice().sort((a, b) => a - b);
-  const usual = sorted[Math.floor(0.9 * (sorted.length - 1))];
-  return Math.max(1.6 * threshold_m, Math.min(1.15 * usual, 12 * threshold_m || Infinity)) || 1;
+/** Where a distance is in a plot: at its floor 0, at its top 1. */
+export interface PlotScale {
+  byPowersOfTen: boolean;
+  shareOf: (metres: number) => number;
+  ticks: number[];
+}
+
+/** What is spread over more than so many thresholds is shown by powers of ten, as in the pictures of `beespace plot`. */
+const kWide = 12;
+/** What is closer than so small a share of the threshold is at the floor. */
+const kClosest = 1e-3;
+
+/** All distances are in the plot, the threshold is well seen, and rare great ones do not flatten the rest. */
+export function plotScale(distances: ArrayLike<number>, threshold_m: number): PlotScale {
+  let [least, most] = [Infinity, 0];
+  for (let i = 0; i < distances.length; ++i) {
+    const metres = distances[i];
+    if (metres > 0 && metres < least) least = metres;
+    if (metres > most && metres < Infinity) most = metres;
+  }
+  if (threshold_m > 0 && most > kWide * threshold_m) return logarithmic(Math.min(Math.max(least, kClosest * threshold_m), threshold_m / 2), most);
+  const top = Math.max(1.6 * threshold_m, 1.1 * most) || 1;
+  return { byPowersOfTen: false, shareOf: (metres) => metres / top, ticks: niceTicks(0, top, 2) };
+}
+
+function logarithmic(least: number, most: number): PlotScale {
+  const [from, to] = [Math.log10(0.8 * least), Math.log10(1.25 * most)];
+  const powers = Array.from({ length: Math.floor(to) - Math.ceil(from) + 1 }, (_, i) => Math.ceil(from) + i);
+  const every = Math.ceil(powers.length / 3);
+  return {
+    byPowersOfTen: true,
+    shareOf: (metres) => Math.max(0, (Math.log10(Math.max(metres, 1e-300)) - from) / (to - from)),
+    ticks: powers.filter((_, i) => (powers.length - 1 - i) % every === 0).map((power) => 10 ** power),
+  };
 }

@@ -8,13 +8,13 @@ import { isolate } from '../text/names';
 import { decimalsFor, decimalsWithin, formatCount, formatTick, formatTime } from '../text/numbers';
 import type { LinkedTimes } from './linked_times';
 import { measuresOf, type Measure, type Recorded } from './measures';
-import { conflictColumns, plotTop } from './plot_scales';
+import { conflictColumns, plotScale, type PlotScale } from './plot_scales';
 
 const kLeft = 66;
 const kRight = 12;
-const kTop = 8;
+const kTop = 17;
 /** How high a curve is: alone, or one of two. */
-const kCurve = { alone: 64, ofTwo: 46 };
+const kCurve = { alone: 64, ofTwo: 42 };
 const kStrip = 16;
 const kBottom = 18;
 const kGap = 9;
@@ -139,35 +139,34 @@ export class SeparationPlot {
       ...this.#recorded.flatMap((shown, row) => this.#strip(shown, row, floor)),
       this.#cursor,
     );
-    this.#cursor.setAttribute('y1', String(kTop - 4));
+    this.#cursor.setAttribute('y1', String(kTop - 12));
     this.#cursor.setAttribute('y2', String(height - kBottom + 3));
     this.#follow();
   }
 
   /** Where the panel of a measure has its 0. */
   #floor(place: number): number {
-    return kTop + (place + 1) * this.#curve_px + place * kGap;
+    return kTop + (place + 1) * this.#curve_px + place * (kTop + 2);
   }
 
   #panel(measure: Measure, floor: number): SVGElement[] {
     const distances = this.#recorded.flatMap(({ swarm }) => Array.from(measure.of(swarm)));
-    const top = plotTop(distances, measure.limit_m);
-    // Whatever is farther apart leaves the plot at its top.
-    const yOf = (metres: number): number => floor - this.#curve_px * Math.min(4, metres / top);
+    const scale = plotScale(distances, measure.limit_m);
+    const yOf = (metres: number): number => floor - this.#curve_px * scale.shareOf(metres);
     const from = floor - this.#curve_px;
     const frame = drawing('svg', { x: 0, y: from, width: this.#width, height: this.#curve_px + 1, viewBox: `0 ${from} ${this.#width} ${this.#curve_px + 1}` });
     frame.append(...this.#recorded.map((shown, row) => this.#curve(shown, measure, yOf, row)));
-    const name = drawing('text', { class: 'measure', x: this.#width - kRight, y: from + 8, 'text-anchor': 'end' }, measure.name);
-    return [...this.#levels(top, yOf, measure.limit_m, from), frame, name];
+    const name = drawing('text', { class: 'measure', x: this.#width - kRight, y: from - 4, 'text-anchor': 'end' }, scale.byPowersOfTen ? `${measure.name}, by powers of ten` : measure.name);
+    return [...this.#levels(scale, yOf, measure.limit_m, from), frame, name];
   }
 
-  #levels(top: number, yOf: (metres: number) => number, limit_m: number, from: number): SVGElement[] {
+  #levels(scale: PlotScale, yOf: (metres: number) => number, limit_m: number, from: number): SVGElement[] {
     const right = this.#width - kRight;
     const level = (metres: number, kind: string): SVGElement =>
       drawing('line', { class: kind, x1: kLeft, x2: right, y1: yOf(metres), y2: yOf(metres) });
     const label = (metres: number, text: string, kind: string): SVGElement =>
       drawing('text', { class: kind, x: kLeft - 6, y: yOf(metres) + 3.5, 'text-anchor': 'end' }, text);
-    const levels = niceTicks(0, top, 2).filter(
+    const levels = scale.ticks.filter(
       (metres) => Math.abs(yOf(metres) - yOf(limit_m)) > 11 && yOf(metres) > from + 2,
     );
     return [
@@ -251,6 +250,7 @@ export class SeparationPlot {
       drawing('rect', { class: 'strip', x: kLeft, y: from, width: columns, height: kStrip }),
       ...(path ? [drawing('path', { class: 'strip-mark', d: path })] : []),
       drawing('text', { class: 'level-text', x: kLeft - 6, y: from + kStrip - 2, 'text-anchor': 'end' }, words.toLowerCase()),
+      drawing('text', { class: 'measure', x: this.#width - kRight - 2, y: from + kStrip - 4, 'text-anchor': 'end' }, `${shown.label ? 'in conflict, ' : ''}up to ${formatCount(Math.max(0, ...counts))} at once`),
     ];
   }
 }

@@ -6,7 +6,7 @@ import type { Choices } from '../state/choices';
 import { button, element } from '../text/element';
 import { formatHorizontal, formatVertical } from '../text/apart';
 import { isolate } from '../text/names';
-import { decimalsWithin, formatBelow, formatCount, formatTime } from '../text/numbers';
+import { decimalsWithin, formatBelow, formatCount, formatDuration, formatTime } from '../text/numbers';
 import { kSpeeds } from './clock';
 import { icon, type Icon } from './icons';
 import type { LinkedTimes } from './linked_times';
@@ -61,6 +61,12 @@ function iconButton(name: Icon, label: string, key: string, act: () => void): HT
   return made;
 }
 
+/** Lines of velocity lead so far ahead. */
+function vectorTitle(all: Shown[]): string {
+  const ahead = all.flatMap(({ swarm, view }) => (swarm.kind === 'recording' && view ? [formatDuration(view.aheadOf(swarm.fixes), 2)] : []));
+  return `A line from each bee to where it would be after ${[...new Set(ahead)].join(' or ') || 'a while'} (v)`;
+}
+
 export interface Timeline {
   box: HTMLElement;
   goToConflict: (direction: 1 | -1) => void;
@@ -93,6 +99,10 @@ export function timeline(all: Shown[], times: LinkedTimes, choices: Choices): Ti
   trails.addEventListener('change', () => choices.trails.set(trails.checked));
   choices.trails.watch((on) => (trails.checked = on));
 
+  const vectors = element('input', { type: 'checkbox', id: 'vectors' });
+  vectors.addEventListener('change', () => choices.vectors.set(vectors.checked));
+  choices.vectors.watch((on) => (vectors.checked = on));
+
   const read = element('output', { class: 'time-now', 'aria-label': 'Time shown' });
   const says = element('p', { class: 'time-says' });
   clock.time.watch((time) => {
@@ -120,6 +130,7 @@ export function timeline(all: Shown[], times: LinkedTimes, choices: Choices): Ti
       iconButton('nextConflict', 'To the next conflict', ']', () => goToConflict(1)),
       speed,
       element('label', { class: 'check', for: 'trails' }, trails, 'Trails'),
+      element('label', { class: 'check', for: 'vectors', title: vectorTitle(all) }, vectors, 'Vectors'),
       read,
     ),
     says,

@@ -58,3 +58,25 @@ pageTest('the link to this moment is copied', 'recording', {}, async ({ page }) 
   const copied = await page.evaluate(() => navigator.clipboard.readText().catch(() => location.href));
   assert.match(copied, /recording\.html#t=[\d.]+&bees=\d+,\d+&camera=/);
 });
+
+pageTest('the link to this moment of two that are compared opens both there', 'compared-recordings', {}, async ({ page }) => {
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await page.locator('.pairs tbody tr').nth(2).click();
+  await page.keyboard.press('ArrowRight');
+  await page.locator('.legend select').first().selectOption('speed');
+  await settled(page);
+  const bee = Number(await selectedBee(page));
+  const seen = async (): Promise<({ x: number; y: number } | null)[]> => [await projected(page, bee, 0), await projected(page, bee, 1)];
+  const [time, before] = [await kTime(page), await seen()];
+  await page.getByRole('button', { name: 'Copy link' }).click();
+  await page.getByRole('button', { name: /Copied|See address/ }).waitFor();
+  await reopened(page, await page.evaluate(() => navigator.clipboard.readText().catch(() => location.href)));
+  assert.ok(Math.abs((await kTime(page)) - time) < 2e-3);
+  assert.equal(await selectedBee(page), String(bee));
+  assert.equal(await page.locator('.legend select').last().inputValue(), 'speed');
+  const after = await seen();
+  before.forEach((at, swarm) => {
+    const again = after[swarm];
+    assert.ok(at && again && Math.hypot(again.x - at.x, again.y - at.y) < 2, `swarm ${swarm}: ${at?.x}, ${at?.y} and ${again?.x}, ${again?.y}`);
+  });
+});

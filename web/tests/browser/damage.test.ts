@@ -34,6 +34,20 @@ function flipped(at: number): string {
   return kPage.slice(0, at) + String.fromCharCode(kPage.charCodeAt(at) ^ 1) + kPage.slice(at + 1);
 }
 
+const kWide = readFileSync(`${kPages}/wide.html`, 'latin1');
+const kGround = kWide.indexOf('id="beespace-ground"');
+
+for (const [what, html] of [
+  ['with a flipped bit in its coasts', kWide.slice(0, kGround + 9000) + String.fromCharCode(kWide.charCodeAt(kGround + 9000) ^ 1) + kWide.slice(kGround + 9001)],
+  ['whose coasts are missing', kWide.replace(/<script type="text\/plain" id="beespace-ground">[^<]*<\/script>/, '')],
+] as const) {
+  test(`a page ${what} says so`, async () => {
+    assert.ok(kGround > 0);
+    const { state, says } = await seen(html);
+    assert.ok(says && state === 'failed', state);
+  });
+}
+
 const kCode = kPage.indexOf('id="beespace-code"');
 const kData = kPage.indexOf(kJson);
 

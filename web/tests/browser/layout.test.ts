@@ -51,6 +51,18 @@ function illegible(): string[] {
   return faults;
 }
 
+/** Names that are cut at an edge. */
+function cutNames(): string[] {
+  return [...document.querySelectorAll<HTMLElement>('.name')]
+    .filter((one) => {
+      for (let around: HTMLElement | null = one; around && around.clientWidth > 0 && around.id !== 'page'; around = around.parentElement) {
+        if (getComputedStyle(around).overflowX === 'hidden' && around.scrollWidth > around.clientWidth + 1) return true;
+      }
+      return false;
+    })
+    .map((one) => one.textContent ?? '');
+}
+
 for (const name of ['snapshot', 'cylinder', 'recording', 'epoch', 'wide', 'fleet', 'compared-snapshots', 'compared-recordings']) {
   pageTest('fits windows large and small', name, {}, async ({ page }) => {
     for (const [width, height] of kSizes) {
@@ -60,6 +72,9 @@ for (const name of ['snapshot', 'cylinder', 'recording', 'epoch', 'wide', 'fleet
       assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width);
       assert.deepEqual(await page.evaluate(overlapping), []);
       assert.deepEqual(await page.evaluate(illegible), []);
+      assert.deepEqual(await page.evaluate(cutNames), []);
+      // Where there is room beside the swarm, the page itself scrolls nowhere.
+      if (width > 760) assert.deepEqual(await page.evaluate(() => [document.documentElement.scrollHeight, scrollY]), [height, 0]);
       await page.screenshot({ path: `${kArtefacts}/${name}-${width}x${height}.png` });
       await page.keyboard.press('d');
     }

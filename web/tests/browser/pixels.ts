@@ -18,7 +18,12 @@ export function violetPixels(page: Page, clip: Clip): Promise<number> {
   return pixels(page, clip, 'violet');
 }
 
-async function pixels(page: Page, clip: Clip, colour: 'red' | 'violet'): Promise<number> {
+/** Pixels of the grey of coasts, in the dark theme. */
+export function coastPixels(page: Page, clip: Clip): Promise<number> {
+  return pixels(page, clip, 'coast');
+}
+
+async function pixels(page: Page, clip: Clip, colour: 'red' | 'violet' | 'coast'): Promise<number> {
   const png = (await page.screenshot({ clip })).toString('base64');
   const blank = await page.context().newPage();
   try {
@@ -35,7 +40,8 @@ async function pixels(page: Page, clip: Clip, colour: 'red' | 'violet'): Promise
         const [r, g, b] = [data[i], data[i + 1], data[i + 2]];
         const red = r > 130 && r > 2.2 * g && r > 2.2 * b;
         const violet = b > 50 && r > 1.15 * g && b > r;
-        if (wanted === 'red' ? red : violet) ++found;
+        const coast = Math.abs(r - 86) < 8 && Math.abs(g - 112) < 8 && Math.abs(b - 127) < 8;
+        if ({ red, violet, coast }[wanted]) ++found;
       }
       return found;
     }, [png, colour] as const);

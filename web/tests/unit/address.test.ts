@@ -12,6 +12,8 @@ test('an address says again what was written', () => {
     atRiskOnly: true,
     group: { swarm: 0, place: 2 },
     trails: true,
+    vectors: true,
+    colourBy: 'speed' as const,
     lift: 20,
   };
   const text = writeAddress(seen);
@@ -26,7 +28,7 @@ test('nothing to say is no address', () => {
 });
 
 test('what cannot be read is left out, and does no harm', () => {
-  for (const text of ['#t=&bees=1,2,3&camera=1,2', '#t=NaN&bees=-1&heights=0', '#bees=1.5&camera=a,b,c,d,e,f,g', '#%%%', '#t=1e999&swarm=-3']) {
+  for (const text of ['#t=&bees=1,2,3&camera=1,2', '#t=NaN&bees=-1&heights=0', '#bees=1.5&camera=a,b,c,d,e,f,g', '#%%%', '#t=1e999&swarm=-3&colour=taste']) {
     const read = readAddress(text);
     assert.deepEqual([read.time_s, read.bees, read.camera, read.lift, read.swarm], [null, [], null, null, 0], text);
   }

@@ -4,8 +4,10 @@ import type { Column } from '../../src/data/column';
 import { Fixes } from '../../src/data/fixes';
 import { sampleAt } from '../../src/data/recording';
 import { Spans } from '../../src/data/spans';
+import { speedsOf } from '../../src/data/speeds';
+import { Pace } from '../../src/scene/pace';
 import { speedFor } from '../../src/time/clock';
-import { conflictColumns, plotTop } from '../../src/time/plot_scales';
+import { conflictColumns, plotScale } from '../../src/time/plot_scales';
 
 function fixesOf(counts: number[], times: number[], xs: number[], gaps: number[]): Fixes {
   const time: Column = { raw: Uint32Array.from(times), scale: 0.5, offset: 0 };
@@ -59,8 +61,53 @@ test('columns of the time line count the bees in conflict', () => {
 });
 
 test('the plot shows the threshold whatever the distances are', () => {
-  for (const distances of [[], [1, 2], [1000, 2000]]) assert.ok(plotTop(distances, 10) > 12);
-  assert.equal(plotTop(new Array(100).fill(1e6), 10), 120);
+  for (const distances of [[], [1, 2], [40, 100], [1000, 2000], new Array<number>(100).fill(1e6)]) {
+    const { shareOf } = plotScale(distances, 10);
+    assert.ok(shareOf(10) > 0.05 && shareOf(10) < 0.8, `${distances.slice(0, 2).join(', ')}: ${shareOf(10)}`);
+    for (const metres of distances) assert.ok(shareOf(metres) >= 0 && shareOf(metres) <= 1);
+  }
+});
+
+test('one that is very far away does not flatten the others, and scales say what they are', () => {
+  const usual = Array.from({ length: 100 }, (_, i) => 4 + i / 20);
+  const [plain, wide] = [plotScale(usual, 5), plotScale([...usual, 50000], 5)];
+  assert.ok(!plain.byPowersOfTen && wide.byPowersOfTen);
+  // Between the closest and the threshold there is something to see in both.
+  for (const { shareOf } of [plain, wide]) assert.ok(shareOf(9) - shareOf(4) > 0.05);
+  assert.ok(wide.ticks.length >= 2 && wide.ticks.every((tick) => Number.isInteger(Math.log10(tick))));
+  for (const tick of wide.ticks) assert.ok(wide.shareOf(tick) >= 0 && wide.shareOf(tick) <= 1);
+  assert.equal(wide.shareOf(0), 0);
+});
+
+test('velocities are those between fixes; none in a gap, nor of a single fix', () => {
+  // As above: 10 to 20 m from 1 to 2 s, away until 4 s, 60 to 80 m from 4 to 5 s.
+  const fixes = fixesOf([4, 0, 1], [2, 4, 8, 10, 6], [10, 20, 60, 80, 5], [1]);
+  const speed = (bee: number, time: number): number | null => {
+    const into: [number, number, number] = [0, 0, 0];
+    return fixes.velocity(bee, time, into) ? into[0] : null;
+  };
+  assert.deepEqual([1, 1.5, 2, 4, 4.9, 5].map((time) => speed(0, time)), [10, 10, 10, 20, 20, 20]);
+  assert.deepEqual([speed(1, 3), speed(2, 3)], [null, null]);
+  assert.deepEqual(speedsOf(fixes), { usual_mps: 20, most_mps: 20 });
+});
+
+test('of a crowd as many are drawn as there is time for, and all again where there is', () => {
+  const pace = new Pace(200000);
+  const frames = (ms: number, count: number): number => {
+    for (let i = 0; i < count; ++i) pace.took(ms);
+    return pace.every;
+  };
+  assert.equal(frames(50, 30), 1);
+  // A single slow frame is chance.
+  assert.equal((pace.took(900), frames(50, 5)), 1);
+  assert.ok(frames(400, 3) >= 4);
+  assert.equal(frames(400, 300), 20);
+  assert.equal(frames(50, 30), 20);
+  assert.equal(frames(10, 30), 1);
+  // Of few all are drawn, however slowly.
+  const few = new Pace(8000);
+  for (let i = 0; i < 30; ++i) few.took(900);
+  assert.equal(few.every, 1);
 });
 
 test('a recording takes about half a minute', () => {
