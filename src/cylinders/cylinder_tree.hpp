@@ -24,7 +24,7 @@
 #include "base/resources.hpp"
 #include "cylinders/cylinder_order.hpp"
 #include "exact/cylinder.hpp"
-#include "tree/crowd_tree.hpp"
+#include "tree/box_test.hpp"
 
 #include <array>
 #include <cstddef>

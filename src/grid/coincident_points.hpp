@@ -22,6 +22,7 @@ class CoincidentPoints {
   [[nodiscard]] PointsView places() const;
   // How many points are at a place.
   [[nodiscard]] std::uint32_t points_at(std::size_t place) const { return points_at_[place]; }
+  [[nodiscard]] const std::uint32_t* points_at() const { return points_at_.data(); }
   [[nodiscard]] std::uint32_t place_of(PointId id) const { return place_of_[id]; }
 
  private:

@@ -53,8 +53,9 @@ double margin_for(double extent, double reach) {
 
 Lattice::Lattice(std::span<const PointsView> sets, const Bounds& bounds, double reach,
                  Memory& memory, std::uint64_t fold_beyond_cells, std::uint64_t most_cells)
-    : axes_{Axis{0.0, 1, Vector<Stretch>(&memory)}, Axis{0.0, 1, Vector<Stretch>(&memory)},
-            Axis{0.0, 1, Vector<Stretch>(&memory)}},
+    : axes_{Axis{0.0, 1, Vector<Stretch>(&memory), Vector<std::uint32_t>(&memory)},
+            Axis{0.0, 1, Vector<Stretch>(&memory), Vector<std::uint32_t>(&memory)},
+            Axis{0.0, 1, Vector<Stretch>(&memory), Vector<std::uint32_t>(&memory)}},
       most_cells_(most_cells) {
   double longest_stretch = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -71,6 +72,7 @@ Lattice::Lattice(std::span<const PointsView> sets, const Bounds& bounds, double 
     cell_m_ *= 2.0;  // larger cells are as right, only slower
     for (Axis& axis : axes_) join_stretches(axis, 4.0 * cell_m_);
   }
+  for (Axis& axis : axes_) make_guide(axis);
 
   std::uint64_t most = 1;
   for (const Axis& axis : axes_) most = std::max(most, axis.cells);
@@ -141,6 +143,26 @@ bool Lattice::number_cells(const Bounds& bounds) {
   return true;
 }
 
+void Lattice::make_guide(Axis& axis) {
+  if (!axis.folded()) return;
+  const auto key_of_first = [](const Stretch& stretch) { return key_of(stretch.first + 0.0); };
+  axis.lowest_key = key_of_first(axis.stretches.front());
+  const std::uint64_t range = key_of_first(axis.stretches.back()) - axis.lowest_key;
+  const unsigned bits = static_cast<unsigned>(std::bit_width(axis.stretches.size())) + 1;
+  const unsigned range_bits = static_cast<unsigned>(std::bit_width(range));
+  axis.key_shift = range_bits > bits ? range_bits - bits : 0;
+  axis.guide.resize(static_cast<std::size_t>(range >> axis.key_shift) + 1);
+  std::size_t stretch = 0;
+  for (std::size_t place = 0; place < axis.guide.size(); ++place) {
+    const std::uint64_t lowest = axis.lowest_key + (std::uint64_t{place} << axis.key_shift);
+    while (stretch + 1 < axis.stretches.size() &&
+           key_of_first(axis.stretches[stretch + 1]) <= lowest) {
+      ++stretch;
+    }
+    axis.guide[place] = static_cast<std::uint32_t>(stretch);
+  }
+}
+
 void Lattice::positions(std::size_t axis, const double* values, std::size_t count,
                         std::int32_t* positions) const {
   const Axis& a = axes_[axis];
@@ -179,10 +201,16 @@ void Lattice::positions(const double* xyz, const std::array<std::size_t, 3>& pla
 }
 
 std::int32_t Lattice::folded_position(const Axis& axis, double value) const {
-  const auto after = std::upper_bound(
-      axis.stretches.begin(), axis.stretches.end(), value,
+  // Sums with zero make -0 plain 0, in keys and first coordinates alike.
+  const std::uint64_t place = (key_of(value + 0.0) - axis.lowest_key) >> axis.key_shift;
+  const std::size_t known = axis.guide.size() - 1;
+  const std::uint32_t first_stretch = axis.guide[std::min<std::size_t>(place, known)];
+  const std::size_t end = place < known ? axis.guide[place + 1] + 1U : axis.stretches.size();
+  const Stretch* const stretches = axis.stretches.data();
+  const Stretch* const after = std::upper_bound(
+      stretches + first_stretch + 1, stretches + end, value,
       [](double coordinate, const Stretch& stretch) { return coordinate < stretch.first; });
-  const Stretch& stretch = *std::prev(after);
+  const Stretch& stretch = *(after - 1);
   const std::uint64_t first = stretch.first_cell << fraction_bits_;
   return static_cast<std::int32_t>(first) +
          static_cast<std::int32_t>((value - stretch.first) * units_per_m_);

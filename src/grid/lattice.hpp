@@ -82,6 +82,11 @@ class Lattice {
     double low = 0.0;
     std::uint64_t cells = 1;
     Vector<Stretch> stretches;  // ascending; empty unless folded
+    // By the high bits of a coordinate's key, from that of the lowest on: the last stretch that
+    // begins at or below the lowest coordinate with these bits.
+    Vector<std::uint32_t> guide;
+    std::uint64_t lowest_key = 0;
+    unsigned key_shift = 0;
 
     [[nodiscard]] bool folded() const { return !stretches.empty(); }
   };
@@ -89,6 +94,7 @@ class Lattice {
   double fold(std::span<const PointsView> sets, std::size_t axis, double gap, Memory& memory);
   static void join_stretches(Axis& axis, double gap);
   bool number_cells(const Bounds& bounds);
+  static void make_guide(Axis& axis);
   [[nodiscard]] std::int32_t folded_position(const Axis& axis, double value) const;
 
   std::array<Axis, 3> axes_;

@@ -33,6 +33,10 @@ class Lanes {
     const __m256 zero = _mm256_setzero_ps();
     return {_mm256_max_ps(low_, zero), _mm256_max_ps(high_, zero)};
   }
+  [[nodiscard]] Lanes between(const Lanes& low, const Lanes& high) const {
+    return {_mm256_min_ps(_mm256_max_ps(low_, low.low_), high.low_),
+            _mm256_min_ps(_mm256_max_ps(high_, low.high_), high.high_)};
+  }
   [[nodiscard]] Lanes one_where_above(float value) const {
     const __m256 values = _mm256_set1_ps(value);
     const __m256 one = _mm256_set1_ps(1.0F);

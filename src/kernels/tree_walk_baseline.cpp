@@ -55,6 +55,18 @@ class Lanes {
     }
     return above;
   }
+  [[nodiscard]] Lanes between(const Lanes& low, const Lanes& high) const {
+    Lanes within;
+    for (unsigned k = 0; k < kParts; ++k) {
+      for (unsigned lane = 0; lane < 4; ++lane) {
+        float value = parts_[k][lane];
+        if (value < low.parts_[k][lane]) value = low.parts_[k][lane];
+        if (value > high.parts_[k][lane]) value = high.parts_[k][lane];
+        within.parts_[k][lane] = value;
+      }
+    }
+    return within;
+  }
   [[nodiscard]] Lanes one_where_above(float value) const {
     Lanes ones;
     for (unsigned k = 0; k < kParts; ++k) {

@@ -9,6 +9,7 @@
 //   load(const float*), store(float*), all(float)
 //   a - b, a + b, a * b                 rounded like floats; contraction does no harm here
 //   above_zero()                        max(a, 0), and 0 for what is not a number
+//   between(low, high)                  min(max(a, low), high)
 //   one_where_above(float)              1 in lanes above the value, and 0 elsewhere
 //   at_most(float), below(float)        one bit a lane; no bit for what is not a number
 //   store_chosen(bits, float*)          the lanes with a bit, one behind the other; what follows,
@@ -32,6 +33,21 @@
 // which q_i may be off; on one with |q_i| > 4 m the gap is at least 3/4 |q_i|, and too large by at
 // most 4/3 u relatively. So a box that the floats see beyond the upper limit holds no point within
 // r.
+//
+// Places far outside of a frame (FarPlace). There, the distances of all points are nearly the same,
+// and an error relative to them hides which is the nearest. What tells points p apart is
+//   g(p) = (|q - p|^2 - |q|^2) / 2n = sum of p_i (k p_i - a_i),  k = 1/2n, a = q/n,
+// where n = |q_1| + |q_2| + |q_3|, at least 32. The doubles q_i are right to 2^-53 relatively.
+//   Of an axis: k p_i and a_i are off by 2 u and u relatively, their difference and the product by
+// u more, each: at most u |p_i| (4 k |p_i| + 3 |a_i|), and with the sums less than 8 u times
+// G = sum of |p_i| (k |p_i| + |a_i|). A box has its least value on each axis where that is nearest
+// to q_i; the value itself is a float of a border or, between these, of q_i, and near the vertex of
+// a parabola its rounding changes no more than k (u q_i)^2, which is far less than u G. So
+// the sum less 2^-20 G is below the value of every point in the box.
+//   Points of a leaf are in [-1, 1], where G < 1 + 3 k; and they are off by u themselves, which
+// changes g by less than 2 u. So their floats are right to 2^-20.
+//   The limit of a squared distance S is (S - |q|^2) / 2n, in doubles, where |q|^2 is off by
+// 5 2^-53 relatively: at most 2^-50 n in all, as |q| <= n.
 //
 // Far away and very small: coordinates of q beyond 2^61 are taken for 2^61; then d_float > 2^60,
 // which neither limit reaches unless all points are to be looked at anyway. Underflow moves squares
@@ -127,6 +143,73 @@ struct LocalPlace {
     if (value < -kFarthest) value = -kFarthest;
     return Lanes::all(static_cast<float>(value));
   }
+};
+
+// A place far outside of a frame: what tells boxes and points apart by their distances from it.
+template <class Lanes>
+class FarPlace {
+ public:
+  // Whether the place is so far away; only then the rest may be called.
+  [[gnu::always_inline]] bool enter(const TreeNode& node, bool is_bottom, const Point& place) {
+    const double far_from = is_bottom ? kFar : kFar * core::kReachAbove;
+    const double at[3] = {(place.x - node.origin[0]) * node.scale,
+                          (place.y - node.origin[1]) * node.scale,
+                          (place.z - node.origin[2]) * node.scale};
+    double sum = 0.0;
+    for (const double coordinate : at) sum += coordinate < 0.0 ? -coordinate : coordinate;
+    if (!(sum >= far_from) || !(sum <= kFarthest)) return false;
+    sum_ = sum;
+    squared_ = at[0] * at[0] + at[1] * at[1] + at[2] * at[2];
+    half_inverse_ = Lanes::all(static_cast<float>(0.5 / sum));
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      at_[axis] = Lanes::all(static_cast<float>(at[axis]));
+      share_[axis] = Lanes::all(static_cast<float>(at[axis] / sum));
+      share_size_[axis] = size_of(share_[axis]);
+    }
+    return true;
+  }
+
+  // Beyond this value, no point has a squared distance of at most this, in the units of the frame.
+  [[gnu::always_inline]] float limit(double squared) const {
+    const double value = (squared - squared_) / (2.0 * sum_);
+    const double size = value < 0.0 ? -value : value;
+    const double above = value + 0x1p-50 * sum_ + kSlack * (1.0 + size);
+    return static_cast<float>(above < kLargestFar ? above : kLargestFar);
+  }
+
+  // At most the values of all points in the boxes of the node's children.
+  [[gnu::always_inline]] Lanes least(const TreeNode& node) const {
+    return least(node, 0) + least(node, 1) + least(node, 2);
+  }
+
+  [[gnu::always_inline]] Lanes values(const TreeLeaf& leaf) const {
+    return value(leaf, 0) + value(leaf, 1) + value(leaf, 2);
+  }
+
+ private:
+  static constexpr double kFar = 32.0;
+
+  [[gnu::always_inline]] static Lanes size_of(const Lanes& a) {
+    return a.above_zero() + (Lanes::all(0.0F) - a).above_zero();
+  }
+  [[gnu::always_inline]] Lanes least(const TreeNode& node, unsigned axis) const {
+    const Lanes at = at_[axis].between(Lanes::load(node.low[axis]), Lanes::load(node.high[axis]));
+    const Lanes size = size_of(at);
+    return at * (half_inverse_ * at - share_[axis]) -
+           Lanes::all(static_cast<float>(kSlack)) * size *
+               (half_inverse_ * size + share_size_[axis]);
+  }
+  [[gnu::always_inline]] Lanes value(const TreeLeaf& leaf, unsigned axis) const {
+    const Lanes at = Lanes::load(leaf.at[axis]);
+    return at * (half_inverse_ * at - share_[axis]);
+  }
+
+  Lanes at_[3];
+  Lanes share_[3];
+  Lanes share_size_[3];
+  Lanes half_inverse_;
+  double sum_;
+  double squared_;
 };
 
 [[gnu::always_inline]] inline unsigned first_bit(std::uint32_t bits) {
@@ -234,17 +317,16 @@ template <class Lanes>
   return enough + 0x1p-17F * (1.0F + enough);
 }
 
+// The same of a FarPlace's values.
+[[gnu::always_inline]] inline float value_beyond(float enough) {
+  return enough + 0x1p-18F * (1.0F + (enough < 0.0F ? -enough : enough));
+}
+
 template <class Lanes>
-[[gnu::always_inline]] inline void offer_leaf(const TreeView& tree, const Point& place,
-                                              const LocalPlace<Lanes>& local, float far_squared,
-                                              std::size_t leaf_index, core::NearestList& list) {
+[[gnu::always_inline]] inline void offer_points(const TreeView& tree, const Point& place,
+                                                std::uint32_t within, std::size_t leaf_index,
+                                                core::NearestList& list) {
   const TreeLeaf& leaf = tree.leaves[leaf_index];
-  const Lanes squares = local.squares(leaf);
-  std::uint32_t within = squares.at_most(far_squared);
-  if (within == 0) return;
-  if (list.most <= kFanOut && !list.is_full) {
-    within &= squares.at_most(limit_beyond(square_in_leaf(squares, list.most)));
-  }
   for (; within != 0; within &= within - 1) {
     const unsigned at = first_bit(within);
     const Point& point = tree.points[leaf_index * kFanOut + at];
@@ -253,30 +335,62 @@ template <class Lanes>
   }
 }
 
+template <class Lanes>
+[[gnu::always_inline]] inline void offer_leaf(const TreeView& tree, const Point& place,
+                                              const LocalPlace<Lanes>& local, float far_squared,
+                                              std::size_t leaf_index, core::NearestList& list) {
+  const Lanes squares = local.squares(tree.leaves[leaf_index]);
+  std::uint32_t within = squares.at_most(far_squared);
+  if (within == 0) return;
+  if (list.most <= kFanOut && !list.is_full) {
+    within &= squares.at_most(limit_beyond(square_in_leaf(squares, list.most)));
+  }
+  offer_points<Lanes>(tree, place, within, leaf_index, list);
+}
+
+template <class Lanes>
+[[gnu::always_inline]] inline void offer_far_leaf(const TreeView& tree, const Point& place,
+                                                  const FarPlace<Lanes>& far, double squared,
+                                                  std::size_t leaf_index, core::NearestList& list) {
+  const Lanes values = far.values(tree.leaves[leaf_index]);
+  std::uint32_t within = values.at_most(far.limit(squared));
+  if (within == 0) return;
+  if (list.most <= kFanOut && !list.is_full) {
+    within &= values.at_most(value_beyond(square_in_leaf(values, list.most)));
+  }
+  offer_points<Lanes>(tree, place, within, leaf_index, list);
+}
+
 constexpr float kProbable = 0.04F;  // NOLINT(misc-definitions-in-headers)
 
 // A node on the path from the root to where the walk is, and which of its children are left.
 template <class Lanes>
 struct Visit {
-  alignas(64) float gaps[kFanOut];
+  alignas(64) float gaps[kFanOut];  // squared; from a place far outside: FarPlace's least values
   LocalPlace<Lanes> local;
+  FarPlace<Lanes> far;
+  bool is_far;
   const TreeNode* node;
   double squared_scale;
   std::size_t index;
   std::uint32_t left;
 
-  [[gnu::always_inline]] void enter(const TreeNode* level, std::size_t node_index,
+  [[gnu::always_inline]] void enter(const TreeNode* level, std::size_t node_index, bool is_bottom,
                                     const Point& place) {
     index = node_index;
     node = level + node_index;
     squared_scale = node->scale * node->scale;
-    local = LocalPlace<Lanes>(*node, place);
-    local.gaps(*node).store(gaps);
     left = 0xFFFF;
+    is_far = far.enter(*node, is_bottom, place);
+    local = LocalPlace<Lanes>(*node, place);
+    (is_far ? far.least(*node) : local.gaps(*node)).store(gaps);
   }
 
+  [[gnu::always_inline]] double squared_reach(const core::NearestList& list) const {
+    return list.largest_squared * squared_scale;
+  }
   [[gnu::always_inline]] float far_squared(const core::NearestList& list) const {
-    return far_limit_of_square(list.largest_squared * squared_scale);
+    return far_limit_of_square(squared_reach(list));
   }
 
   // Prefetches the leaves that will probably be needed: those within reach if that is known.
@@ -295,9 +409,15 @@ struct Visit {
   [[gnu::always_inline]] void drop_beyond(float far_squared) {
     left &= Lanes::load(gaps).at_most(far_squared);
   }
+  [[gnu::always_inline]] void drop_far_beyond(const core::NearestList& list) {
+    const double squared = squared_reach(list);
+    left &= Lanes::load(gaps).at_most(far.limit(squared));
+    // Boxes may lie outside of the frame of their node, near the place: then this tells more.
+    if (left != 0) left &= local.gaps(*node).at_most(far_limit_of_square(squared));
+  }
 
   [[gnu::always_inline]] unsigned take_nearest() {
-    const std::uint32_t around = left & Lanes::load(gaps).at_most(0.0F);
+    const std::uint32_t around = is_far ? 0 : left & Lanes::load(gaps).at_most(0.0F);
     unsigned nearest = first_bit(around != 0 ? around : left);
     if (around == 0) {
       for (std::uint32_t others = left & (left - 1); others != 0; others &= others - 1) {
@@ -325,11 +445,15 @@ template <class Lanes>
                                                   core::NearestList& list) {
   Visit<Lanes> path[core::kMostLevels];
   unsigned level = tree.top;
-  path[level].enter(tree.levels[level], 0, place);
+  path[level].enter(tree.levels[level], 0, level == 0, place);
   for (;;) {
     Visit<Lanes>& visit = path[level];
     const float far_squared = visit.far_squared(list);
-    visit.drop_beyond(far_squared);
+    if (visit.is_far) {
+      visit.drop_far_beyond(list);
+    } else {
+      visit.drop_beyond(far_squared);
+    }
     if (visit.left == 0) {
       if (level == tree.top) return;
       ++level;
@@ -337,12 +461,14 @@ template <class Lanes>
     }
     const std::size_t child = visit.index * kFanOut + visit.take_nearest();
     if (!is_worth_it(tree, *visit.node, level, child, list)) continue;
-    if (level == 0) {
+    if (level == 0 && visit.is_far) {
+      offer_far_leaf(tree, place, visit.far, visit.squared_reach(list), child, list);
+    } else if (level == 0) {
       offer_leaf(tree, place, visit.local, far_squared, child, list);
     } else {
       --level;
-      path[level].enter(tree.levels[level], child, place);
-      if (level == 0) path[0].prefetch_leaves(tree, list);
+      path[level].enter(tree.levels[level], child, level == 0, place);
+      if (level == 0 && !path[0].is_far) path[0].prefetch_leaves(tree, list);
     }
   }
 }

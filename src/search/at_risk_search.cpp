@@ -5,6 +5,8 @@
 #include "grid/cell_proof.hpp"
 #include "grid/neighbor_probe.hpp"
 #include "search/query_grids.hpp"
+#include "sweep/box_questions.hpp"
+#include "sweep/expected_work.hpp"
 #include "sweep/sweep_all.hpp"
 
 #include <algorithm>
@@ -21,6 +23,9 @@ constexpr double kCrowdedForProofs = 2.0;
 // sweep of a point.
 constexpr double kLookCost = 100.0;
 
+// Of a point of one of two sets: what that takes is about the cost of trees of boxes. Measured.
+constexpr double kMostComparisons = 1024.0;
+
 struct Search {
   const SearchDomain& domain;
   const PairOptions& options;
@@ -29,8 +34,28 @@ struct Search {
   core::ProximityTest closer{options.threshold_m, options.inclusive};
 
   void sweep(std::uint8_t* at_risk) const {
-    const QueryGrids grids(domain, options, with, tuning);
-    cpu::mark_all(grids.question(), with, at_risk);
+    {
+      const QueryGrids grids(domain, options, with, tuning);
+      const cpu::SweepQuery question = grids.question();
+      if (!domain.has_others() || !takes_boxes(question)) {
+        return cpu::mark_all(question, with, at_risk);
+      }
+    }
+    cpu::mark_in_boxes(domain.points(), domain.others(), {options.threshold_m, closer}, with,
+                       at_risk);
+  }
+
+  // Whether points of two sets have so many others around that are not near that trees of boxes are
+  // faster. (In one set they would be near to each other.)
+  [[nodiscard]] bool takes_boxes(const cpu::SweepQuery& question) const {
+    if (tuning.method != TuningOverrides::Method::kAutomatic) {
+      return tuning.method == TuningOverrides::Method::kBoxes && !domain.points().empty();
+    }
+    const auto asked = static_cast<double>(question.asked.grid.size);
+    const auto others = static_cast<double>(question.others.grid.size);
+    const double most = kMostComparisons * (asked + others);
+    return asked * others > most && cpu::expected_comparisons(question) > most &&
+           cpu::expected_comparisons_until_near(question) > most;
   }
 
   void look(const core::Vector<PointId>& undecided, std::uint8_t* at_risk) const {

@@ -4,6 +4,7 @@
 #include "grid/coincident_points.hpp"
 #include "grid/lattice.hpp"
 #include "search/crowded.hpp"
+#include "sweep/box_questions.hpp"
 #include "sweep/count_crowds.hpp"
 #include "tree/crowd_tree.hpp"
 
@@ -17,7 +18,8 @@ namespace {
 class Side {
  public:
   Side(const PointsView& points, bool has_duplicates, const core::Bounds& bounds,
-       const core::Lattice& lattice, const core::Resources& with) {
+       const core::Lattice& lattice, const core::Resources& with)
+      : points_(points) {
     if (has_duplicates) places_.emplace(points, with.memory);
     tree_.emplace(places_ ? places_->places() : points, bounds, lattice, with);
     if (!places_) return;
@@ -28,10 +30,16 @@ class Side {
     }
   }
 
+  // The same for trees of boxes.
+  [[nodiscard]] cpu::Places boxes() const {
+    if (!places_) return {points_, nullptr};
+    return {places_->places(), places_->points_at()};
+  }
   [[nodiscard]] cpu::Crowds crowds() const { return {*tree_, weights_.data()}; }
   [[nodiscard]] const std::optional<core::CoincidentPoints>& places() const { return places_; }
 
  private:
+  PointsView points_;
   std::optional<core::CoincidentPoints> places_;
   std::optional<core::CrowdTree> tree_;
   core::Buffer<std::uint32_t> weights_;
@@ -56,16 +64,23 @@ void count_in_crowds(const SearchDomain& domain, const PairOptions& options,
                                  options.threshold_m,
                                  lattice.units_per_m(),
                                  closer,
-                                 tuning.instruction_set};
+                                 tuning.instruction_set,
+                                 tuning.crowd_decisions};
+  const auto count = [&](std::uint32_t* of_places) {
+    if (cpu::count_crowds(question, with, of_places)) return;
+    const cpu::Places around = others ? others->boxes() : asked.boxes();
+    cpu::count_in_boxes(asked.boxes(), others ? &around : nullptr, {options.threshold_m, closer},
+                        with, of_places);
+  };
   const std::size_t size = domain.points().size();
   const std::uint32_t self = domain.has_others() ? 0 : 1;
   if (!asked.places()) {
-    cpu::count_crowds(question, with, counts);
+    count(counts);
     for (std::size_t id = 0; id < size; ++id) counts[id] -= self;
     return;
   }
   core::Buffer<std::uint32_t> of_places(with.memory, asked.places()->size());
-  cpu::count_crowds(question, with, of_places.data());
+  count(of_places.data());
   for (PointId id = 0; id < size; ++id) {
     counts[id] = of_places[asked.places()->place_of(id)] - self;
   }

@@ -166,8 +166,9 @@ Status Engine::find_k_nearest(const PointsView& points, std::size_t k, NearestRo
     if (auto error = core::check_size(points)) return *std::move(error);
     const Result<core::Bounds> bounds = core::measure(points, with);
     if (!bounds) return bounds.error();
-    search::find_k_nearest(points, *bounds, k, with, state_->tuning, state_->nearest_lists,
-                           nearest);
+    std::vector<core::NearestList>& lists = state_->nearest_lists;
+    if (lists.size() < with.crew.size()) lists.resize(with.crew.size());
+    search::find_k_nearest(points, *bounds, k, with, state_->tuning, lists, nearest);
     return kDone;
   });
 }

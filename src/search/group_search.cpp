@@ -4,7 +4,9 @@
 #include "grid/coincident_points.hpp"
 #include "search/crowded.hpp"
 #include "search/query_grids.hpp"
+#include "sweep/box_questions.hpp"
 #include "sweep/join_groups.hpp"
+#include "tree/box_tree.hpp"
 #include "tree/crowd_groups.hpp"
 #include "tree/crowd_tree.hpp"
 
@@ -39,6 +41,16 @@ void find_roots_in_grid(const SearchDomain& domain, const PairOptions& options,
   });
 }
 
+template <class Tree>
+void write_roots(const Tree& tree, const core::Resources& with, core::DisjointSets& sets,
+                 Roots& root_of) {
+  with.crew.split(tree.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      root_of[tree.index(slot)] = sets.root(static_cast<std::uint32_t>(slot));
+    }
+  });
+}
+
 // For every one of `points` the slot that is the root of its set.
 void find_roots_in_tree(const PointsView& points, const SearchDomain& domain,
                         const PairOptions& options, const core::Resources& with,
@@ -48,12 +60,14 @@ void find_roots_in_tree(const PointsView& points, const SearchDomain& domain,
   const core::CrowdTree tree(points, domain.bounds(), lattice, with);
   const core::ProximityTest closer(options.threshold_m, options.inclusive);
   core::DisjointSets sets(with.memory, static_cast<std::uint32_t>(tree.size()));
-  core::join_crowds(tree, options.threshold_m, lattice.units_per_m(), closer, with, sets);
-  with.crew.split(tree.size(), [&](std::size_t begin, std::size_t end, unsigned) {
-    for (std::size_t slot = begin; slot < end; ++slot) {
-      root_of[tree.index(slot)] = sets.root(static_cast<std::uint32_t>(slot));
-    }
-  });
+  if (core::join_crowds(tree, options.threshold_m, lattice.units_per_m(), closer,
+                        tuning.crowd_decisions, with, sets)) {
+    return write_roots(tree, with, sets, root_of);
+  }
+  const core::BoxTree boxes(points, with);
+  core::DisjointSets of_boxes(with.memory, static_cast<std::uint32_t>(boxes.size()));
+  cpu::join_in_boxes(boxes, {options.threshold_m, closer}, with, of_boxes);
+  write_roots(boxes, with, of_boxes, root_of);
 }
 
 void find_roots(const SearchDomain& domain, const PairOptions& options, const core::Resources& with,

@@ -76,7 +76,7 @@ class LeafRows {
       const std::span<const std::uint32_t> candidates(near.slots + place * near.room,
                                                       near.counts[place]);
       if (candidates.empty()) {
-        search(self, reach_m, row);
+        search(self, wanted_ == 1 ? reach_in_leaf(self, first, end) : reach_m, row);
       } else if (!write_sorted(self, candidates, row)) {
         decide(self, candidates, row);
       }
@@ -124,6 +124,17 @@ class LeafRows {
     list_.write(row);
   }
 
+  // A distance within which the point has another one.
+  [[nodiscard]] double reach_in_leaf(std::uint32_t self, std::size_t first, std::size_t end) const {
+    double squared = std::numeric_limits<double>::infinity();
+    for (std::size_t slot = first; slot < end; ++slot) {
+      if (slot == self) continue;
+      const Point& other = tree_.point(static_cast<std::uint32_t>(slot));
+      squared = std::min(squared, core::squared_distance(tree_.point(self), other));
+    }
+    return std::sqrt(squared);
+  }
+
   // Exactly, whatever is around.
   void search(std::uint32_t self, double reach_m, Nearest* row) {
     const Point& place = tree_.point(self);
@@ -146,13 +157,12 @@ class LeafRows {
 
 void find_k_nearest(const PointsView& points, const core::Bounds& bounds, std::size_t k,
                     const core::Resources& with, const TuningOverrides& tuning,
-                    std::vector<core::NearestList>& lists, NearestRows& rows) {
+                    std::span<core::NearestList> lists, NearestRows& rows) {
   const std::size_t size = points.size();
   rows.length = size == 0 ? 0 : std::min(k, size - 1);
   if (rows.length == 0) return rows.entries.clear();
   if (size > rows.entries.max_size() / rows.length) throw std::bad_alloc();
   core::resize_for(rows.entries, size * rows.length, with.crew);
-  if (lists.size() < with.crew.size()) lists.resize(with.crew.size());
   core::PerWorker<Nearest> found(with);
   core::PerWorker<std::uint32_t> slots(with);
   for (unsigned worker = 0; worker < with.crew.size(); ++worker) {

@@ -10,14 +10,14 @@
 #include <beespace/points_view.hpp>
 
 #include <cstddef>
-#include <vector>
+#include <span>
 
 namespace beespace::search {
 
-// The points must be in the domain and in these bounds. `lists` are kept by the caller, for their
-// memory.
+// The points must be in the domain and in these bounds. `lists`, one for each worker, are lent by
+// the caller, for their memory.
 void find_k_nearest(const PointsView& points, const core::Bounds& bounds, std::size_t k,
                     const core::Resources& with, const TuningOverrides& tuning,
-                    std::vector<core::NearestList>& lists, NearestRows& rows);
+                    std::span<core::NearestList> lists, NearestRows& rows);
 
 }  // namespace beespace::search

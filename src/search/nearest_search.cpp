@@ -3,8 +3,11 @@
 #include "base/buffer.hpp"
 #include "base/hash.hpp"
 #include "exact/exact_distance.hpp"
+#include "grid/near_pairs.hpp"
 #include "grid/neighbor_probe.hpp"
 #include "grid/sorted_grid.hpp"
+#include "search/nearest_in_tree.hpp"
+#include "sweep/expected_work.hpp"
 #include "sweep/nearest_all.hpp"
 
 #include <algorithm>
@@ -41,6 +44,7 @@ class NearestSearch {
       return nearest_.assign(size, Nearest{});
     }
     nearest_.resize(size);
+    if (size == 0) return;
     bool all_open = true;
     if (!domain_.has_others() && domain_.expected_neighbors(domain_.widest() * kTwinCells) > 1.0) {
       nearest_.assign(size, Nearest{});
@@ -50,12 +54,14 @@ class NearestSearch {
     }
     double radius = std::min(domain_.side_with_some() * kFirstRadius, farthest_);
     if (radius == 0.0) radius = std::min(1.0, farthest_);  // all asked and others at one place
+    if (tuning_.nearest == TuningOverrides::Nearest::kTree) return look_in_tree();
     for (;;) {
-      look_within(radius, all_open);
+      if (!look_within(radius, all_open)) return look_in_tree();
       settle(radius, all_open);
       all_open = false;
       if (radius == farthest_ || open_.empty()) return;
       if (open_.size() <= kFew) return compare_with_all();
+      if (is_costly(open_.size())) return look_in_tree();
       // The few that are left in open country may take longer steps.
       const double step = open_.size() * 32 < size ? 4.0 : 2.0;
       radius = std::min(step * radius, farthest_);
@@ -67,6 +73,22 @@ class NearestSearch {
   // others, and one in 25 finds none. Measured, between 0.40 and 0.54.
   static constexpr double kFirstRadius = 0.40;
   static constexpr double kTwinCells = 0x1p-40;
+
+  // What grids may cost before a tree is taken for what is open; a tree costs about as much.
+  // Measured: an even swarm compares up to a hundred others of each point in the first round,
+  // leaves one in 25 open, and is sorted but once.
+  static constexpr double kMostComparisons = 512.0;  // for each point of both sets
+  static constexpr std::size_t kMostOpen = 4;        // after a round: one in so many
+  static constexpr double kMostSorted = 3.0;         // times all others
+
+  // Whether more rounds would cost more than a tree.
+  [[nodiscard]] bool is_costly(std::size_t open) const {
+    if (tuning_.nearest != TuningOverrides::Nearest::kAutomatic) return false;
+    return open > domain_.points().size() / kMostOpen ||
+           sorted_ > kMostSorted * static_cast<double>(domain_.others().size());
+  }
+
+  void look_in_tree() { find_nearest_in_tree(domain_, open_, within_, with_, tuning_, nearest_); }
 
   // Points at one place are each other's nearest, however many there are. Only the first of each
   // place takes part in what follows: the others could be nearest to no other point.
@@ -120,20 +142,19 @@ class NearestSearch {
     core::SortedGrid grid;
   };
 
-  // Writes to ids_ the nearest of those that every open point sees within the radius, and maybe
-  // beyond.
-  void look_within(double radius, bool all_open) {
+  // Writes to ids_ the nearest of those that every open point sees within the radius. False, with
+  // nothing done, where that would be too much work.
+  bool look_within(double radius, bool all_open) {
     core::Selection asking{domain_.points()};
     if (!all_open) asking.ids = open_;
     if (around_) {
       if (const auto cells = around_->cells(radius)) {
         const core::SortedGrid asked =
             core::sort_into_grid(asking, around_->lattice, around_->grid.row_shift, with_);
-        return ask(asked, around_->grid, *cells);
+        return ask(asked, around_->grid, radius, *cells);
       }
       around_.reset();
     }
-
     core::Lattice lattice(domain_.sets(), domain_.bounds(), radius, with_.memory,
                           tuning_.fold_beyond_cells);
     unsigned row_shift = domain_.row_shift(lattice, radius);
@@ -147,25 +168,37 @@ class NearestSearch {
       around.ids = surrounding;
     }
     core::SortedGrid others = core::sort_into_grid(around, lattice, row_shift, with_);
-    if (all_open && !domain_.has_others()) {
-      ask(others, others, 1);
-    } else {
-      ask(core::sort_into_grid(asking, lattice, row_shift, with_), others, 1);
-    }
-    if (!few) around_.emplace(std::move(lattice), radius, std::move(others));
+    // Those around a few are found among all, which costs an eighth of sorting all.
+    sorted_ +=
+        few ? static_cast<double>(domain_.others().size()) / 8.0 : static_cast<double>(others.size);
+    const bool done =
+        all_open && !domain_.has_others()
+            ? ask(others, others, radius, 1)
+            : ask(core::sort_into_grid(asking, lattice, row_shift, with_), others, radius, 1);
+    if (done && !few) around_.emplace(std::move(lattice), radius, std::move(others));
+    return done;
   }
 
-  void ask(const core::SortedGrid& asked, const core::SortedGrid& others,
+  bool ask(const core::SortedGrid& asked, const core::SortedGrid& others, double radius,
            std::int32_t reach_cells) {
+    const core::SquaredLimits squared(radius, others.units_per_m);
     const core::ProximityTest unused(1.0, false);
-    cpu::nearest_all({{asked, domain_.points()},
-                      {others, domain_.others()},
-                      unused,
-                      {},
-                      cpu::kernels(tuning_.instruction_set),
-                      !domain_.has_others(),
-                      reach_cells},
-                     with_, ids_.data());
+    const cpu::SweepQuery question{{asked, domain_.points()},
+                                   {others, domain_.others()},
+                                   unused,
+                                   {squared.surely_near, squared.surely_far},
+                                   cpu::kernels(tuning_.instruction_set),
+                                   !domain_.has_others(),
+                                   reach_cells};
+    const double all = static_cast<double>(domain_.points().size() + domain_.others().size());
+    const double most = kMostComparisons * all;
+    if (tuning_.nearest == TuningOverrides::Nearest::kAutomatic &&
+        static_cast<double>(asked.size) * static_cast<double>(others.size) > most &&
+        cpu::expected_comparisons(question) > most) {
+      return false;
+    }
+    cpu::nearest_all(question, with_, ids_.data());
+    return true;
   }
 
   // A point that has found one within the radius has found the nearest. At the last radius, a point
@@ -250,6 +283,7 @@ class NearestSearch {
   core::Buffer<PointId> ids_;
   core::Vector<PointId> candidates_;  // empty: all
   std::optional<Around> around_;
+  double sorted_ = 0.0;         // points, again and again
   core::Vector<PointId> open_;  // those without their nearest yet, once not all are
 };
 

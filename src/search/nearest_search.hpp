@@ -1,7 +1,8 @@
 // The search behind find_nearest and its relatives, with its tuning open to tests and benchmarks.
 //
 // All points are searched around within a radius in which most find another; then, again and again,
-// those that have not found their nearest, within a larger one.
+// those that have not found their nearest, within a larger one. Where that would be too much work,
+// because densities differ too much or the others are far away, a tree of boxes is asked.
 #pragma once
 
 #include "base/resources.hpp"

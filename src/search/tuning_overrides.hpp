@@ -11,15 +11,23 @@
 namespace beespace::search {
 
 struct TuningOverrides {
-  // How points at risk are found in one swarm.
-  enum class Method : std::uint8_t { kAutomatic, kSweep, kProveThenSweep, kProveThenLook };
+  // How points at risk are found in one swarm; between two, kBoxes or a sweep.
+  enum class Method : std::uint8_t { kAutomatic, kSweep, kProveThenSweep, kProveThenLook, kBoxes };
 
   // Whether whole boxes of points are counted and joined at once, and pairs found row by row; or
   // pairs one by one.
   enum class Crowds : std::uint8_t { kAutomatic, kNever, kAlways };
 
+  // Where the nearest are looked for: in grids of growing cells, in a tree, or in a tree what grids
+  // would be too much work for.
+  enum class Nearest : std::uint8_t { kAutomatic, kGrids, kTree };
+
   Method method = Method::kAutomatic;
   Crowds crowds = Crowds::kAutomatic;
+  // In crowds: how many pairs that floats leave open are decided one by one, for each point, before
+  // boxes of doubles are asked. Ordinary crowds have few.
+  std::uint64_t crowd_decisions = 8;
+  Nearest nearest = Nearest::kAutomatic;
   core::CellTable cell_table = core::CellTable::kAutomatic;
   cpu::InstructionSet instruction_set = cpu::best_instruction_set();
   std::optional<unsigned> row_shift = {};  // lowered where positions do not have the bits

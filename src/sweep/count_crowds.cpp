@@ -3,6 +3,8 @@
 
 #include "grid/near_pairs.hpp"
 #include "kernels/crowd_kernels.hpp"
+#include "tree/box_test.hpp"
+#include "tree/box_tree.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -84,13 +86,17 @@ class Counter {
         both_(&asked_ == &others_),
         asked_weights_(asked_weights),
         other_weights_(other_weights),
-        boxes_(question.threshold),
+        boxes_(question.threshold, question.closer),
+        decisions_left_(question.decisions_a_point * (asked_.size() + others_.size())),
         limits_(limits(question)),
         kernels_(crowd_kernels(question.instruction_set)),
         weighted_(question.others.weights != nullptr ? 1U : 0U),
         tally_(tally),
         of_slot_lanes_(memory, std::size_t{kNodePoints} * kCrowdLanes),
         of_leaf_lanes_(memory, std::size_t{kCrowdLanes} * kCrowdLanes) {}
+
+  // Whether floats left more open than may be decided one by one; then counts are not complete.
+  [[nodiscard]] bool gave_up() const { return decisions_left_ == 0; }
 
   // Counts the points that the points of a node are near to; of a set with itself, among themselves
   // and the points behind them, for both.
@@ -122,6 +128,7 @@ class Counter {
   }
 
   void walk(unsigned level, std::size_t node) {
+    if (gave_up()) return;
     const bool holds_own = both_ && node <= node_ >> (4 * level);
     if (holds_own && node < node_ >> (4 * level)) return;  // compared from there
     const bool own = holds_own && level == 0;
@@ -134,7 +141,8 @@ class Counter {
         case Reach::kOpen:
           break;
       }
-      if (level == 0) return compare(node, own);
+      if (!own && is_tiny(others_.box(level, node))) return count_points_near(level, node);
+      if (level == 0) return own || !is_tiny(asked_.box(0, node_)) ? compare(node, own) : count_near_points(node);
     }
     const std::size_t end = others_.end_child(level, node);
     for (std::size_t i = others_.first_child(node); i < end; ++i) walk(level - 1, i);
@@ -143,6 +151,74 @@ class Counter {
   void note_all(std::size_t number, bool own) {
     tally_.of_nodes[node_] += other_weights_.of_node(number);
     if (both_ && !own) tally_.of_nodes[number] += asked_weights_.of_node(node_);
+  }
+
+  // Whether floats would leave open most of what is open: then it is compared as a whole, by doubles.
+  [[nodiscard]] bool is_tiny(const core::Bounds& box) const {
+    constexpr double kUnits = 8.0;
+    double longest = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      longest = std::max(longest, box.high[axis] - box.low[axis]);
+    }
+    return longest * question_.units_per_m <= kUnits;
+  }
+
+  // Each point of the query node with another node.
+  void count_points_near(unsigned level, std::size_t node) {
+    for (std::size_t slot = asked_.first_slot(0, node_); slot < asked_.end_slot(0, node_); ++slot) {
+      count_near(slot, asked_.point(slot), level, node);
+    }
+  }
+  void count_near(std::size_t slot, const Point& place, unsigned level, std::size_t node) {
+    const std::size_t number = others_.number(level, node);
+    switch (boxes_(core::box_around(place), others_.box(level, node))) {
+      case Reach::kFar:
+        return;
+      case Reach::kNear:
+        tally_.of_slots[slot] += other_weights_.of_node(number);
+        if (both_) tally_.of_nodes[number] += weight(question_.asked, slot);
+        return;
+      case Reach::kOpen:
+        break;
+    }
+    if (level == 0) {
+      for (std::size_t i = others_.first_slot(0, node); i < others_.end_slot(0, node); ++i) {
+        if (question_.closer(place, others_.point(i))) count_pair(slot, i);
+      }
+      return;
+    }
+    const std::size_t end = others_.end_child(level, node);
+    for (std::size_t i = others_.first_child(node); i < end; ++i) {
+      count_near(slot, place, level - 1, i);
+    }
+  }
+
+  // The query node with each point of another node.
+  void count_near_points(std::size_t node) {
+    for (std::size_t i = others_.first_slot(0, node); i < others_.end_slot(0, node); ++i) {
+      const Point place = others_.point(i);
+      switch (boxes_(asked_.box(0, node_), core::box_around(place))) {
+        case Reach::kFar:
+          break;
+        case Reach::kNear:
+          tally_.of_nodes[node_] += weight(question_.others, i);
+          if (both_) tally_.of_slots[i] += asked_weights_.of_node(node_);
+          break;
+        case Reach::kOpen:
+          for (std::size_t k = asked_.first_slot(0, node_); k < asked_.end_slot(0, node_); ++k) {
+            if (question_.closer(asked_.point(k), place)) count_pair(k, i);
+          }
+      }
+    }
+  }
+
+  void count_pair(std::size_t asked, std::size_t other) {
+    tally_.of_slots[asked] += weight(question_.others, other);
+    if (both_) tally_.of_slots[other] += weight(question_.asked, asked);
+  }
+
+  static std::uint32_t weight(const Crowds& crowds, std::size_t slot) {
+    return crowds.weights == nullptr ? 1U : crowds.weights[slot];
   }
 
   void compare(std::size_t other, bool own) {
@@ -171,11 +247,10 @@ class Counter {
   }
 
   static void decide(void* context, std::uint32_t i, std::uint32_t j, bool both) {
-    const auto& self = *static_cast<Counter*>(context);
+    auto& self = *static_cast<Counter*>(context);
+    if (self.gave_up()) return;
+    --self.decisions_left_;
     if (!self.question_.closer(self.asked_.point(i), self.others_.point(j))) return;
-    const auto weight = [](const Crowds& crowds, std::uint32_t slot) {
-      return crowds.weights == nullptr ? 1U : crowds.weights[slot];
-    };
     self.tally_.of_slots[i] += weight(self.question_.others, j);
     if (both) self.tally_.of_slots[j] += weight(self.question_.asked, i);
   }
@@ -187,6 +262,7 @@ class Counter {
   const Weights& asked_weights_;
   const Weights& other_weights_;
   core::BoxTest boxes_;
+  std::uint64_t decisions_left_;
   Limits limits_;
   const CrowdKernels& kernels_;
   unsigned weighted_;
@@ -223,7 +299,7 @@ void write_counts(const CrowdTree& tree, const Tallies& tallies, const core::Res
 
 }  // namespace
 
-void count_crowds(const CrowdQuery& question, const core::Resources& with, std::uint32_t* counts) {
+bool count_crowds(const CrowdQuery& question, const core::Resources& with, std::uint32_t* counts) {
   const CrowdTree& asked = question.asked.tree;
   const bool both = &asked == &question.others.tree;
   const Weights asked_weights(question.asked, with.memory);
@@ -235,16 +311,21 @@ void count_crowds(const CrowdQuery& question, const core::Resources& with, std::
   Tallies tallies(both ? with.crew.size() : 1, &with.memory);
   if (!both) tallies[0].emplace(asked, with.memory);
   std::atomic<std::size_t> next{0};
+  std::atomic<bool> gave_up{false};
   with.crew.run([&](unsigned worker) {
     std::optional<Tally>& tally = tallies[both ? worker : 0];
     if (next >= asked.nodes(0)) return;
     if (!tally) tally.emplace(asked, with.memory);
     Counter counter(question, asked_weights, other_weights, *tally, with.memory);
-    for (std::size_t node = next++; node < asked.nodes(0) && !core::is_stopping(); node = next++) {
+    for (std::size_t node = next++; node < asked.nodes(0) && !core::is_stopping() && !gave_up;
+         node = next++) {
       counter.count(node);
+      if (counter.gave_up()) gave_up = true;
     }
   });
+  if (gave_up) return false;
   write_counts(asked, tallies, with, counts);
+  return true;
 }
 
 }  // namespace beespace::cpu

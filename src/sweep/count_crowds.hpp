@@ -25,13 +25,15 @@ struct CrowdQuery {
   double units_per_m;
   const core::ProximityTest& closer;
   InstructionSet instruction_set;
+  std::uint64_t decisions_a_point;  // one by one, of pairs that floats leave open
 };
 
 // Writes to counts[index] how many of the others are near, for every index of the asked tree's
-// points; of a set with itself, each point counts as near to itself.
+// points; of a set with itself, each point counts as near to itself. False, and counts of no use,
+// where floats leave more pairs open than may be decided one by one.
 //
 // Cost: proportional to the pairs of leaves that are near in part. Working memory: 5 bytes a point;
 // of a set with itself, for every worker.
-void count_crowds(const CrowdQuery& question, const core::Resources& with, std::uint32_t* counts);
+bool count_crowds(const CrowdQuery& question, const core::Resources& with, std::uint32_t* counts);
 
 }  // namespace beespace::cpu

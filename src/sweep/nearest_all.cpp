@@ -73,7 +73,7 @@ class NearestAll {
     for (std::uint32_t i = points.begin; i < points.end && !core::is_stopping(); ++i) {
       const std::uint32_t place = i - points.begin;
       const float best = batch_.best[place];
-      if (best == kFar) {
+      if (best > question_.limits.far) {
         result_of(i) = Nearest::kNone;
       } else if (batch_.second[place] > not_surely_farther(best)) [[likely]] {
         result_of(i) = question_.others.grid.id[batch_.who[place]];
@@ -99,8 +99,10 @@ class NearestAll {
       const PointId id = question_.others.grid.id[j];
       if (question_.same_set && id == asking) return false;
       if (best != Nearest::kNone) {
-        const int sign = core::compare_distances(place, question_.others.points[id], place,
-                                                 question_.others.points[best]);
+        const Point other = question_.others.points[id];
+        const Point nearest = question_.others.points[best];
+        const int sign =
+            other == nearest ? 0 : core::compare_distances(place, other, place, nearest);
         if (sign > 0 || (sign == 0 && id > best)) return false;
       }
       best = id;

@@ -9,9 +9,9 @@
 
 namespace beespace::cpu {
 
-// Writes to nearest[id] of every asked point the id of its nearest other among those that the
-// grids' lattice lets it compare with: all within the lattice's reach, and some beyond. Exactly,
-// ties to the lowest id; Nearest::kNone where there is none. No working memory.
+// Writes to nearest[id] of every asked point the id of its nearest other within the far limit of
+// the question. Exactly, ties to the lowest id. Where there is none, any or none of those that the
+// grids' lattice lets it compare with, or Nearest::kNone. No working memory.
 void nearest_all(const SweepQuery& question, const core::Resources& with, PointId* nearest);
 
 }  // namespace beespace::cpu

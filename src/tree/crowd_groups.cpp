@@ -2,6 +2,7 @@
 #include "base/stopping.hpp"
 
 #include "grid/near_pairs.hpp"
+#include "tree/box_test.hpp"
 
 #include <atomic>
 
@@ -28,14 +29,20 @@ struct Leaf {
 class Joiner {
  public:
   Joiner(const CrowdTree& tree, double threshold, double units_per_m, const ProximityTest& closer,
-         DisjointSets& sets, Memory& memory)
+         std::uint64_t most_decisions, DisjointSets& sets, Memory& memory)
       : tree_(tree),
-        boxes_(threshold),
+        boxes_(threshold, closer),
         limits_(threshold, units_per_m),
         closer_(closer),
         sets_(sets),
-        united_(memory, tree.leaves() + tree.node_count()) {
+        united_(memory, tree.leaves() + tree.node_count()),
+        most_decisions_(most_decisions) {
     std::fill_n(united_.data(), tree.leaves() + tree.node_count(), std::uint8_t{0});
+  }
+
+  // Whether floats left more open than may be decided one by one; then not all is joined.
+  [[nodiscard]] bool gave_up() const {
+    return decisions_.load(std::memory_order_relaxed) >= most_decisions_;
   }
 
   // Joins what is near within a node.
@@ -63,6 +70,7 @@ class Joiner {
   }
 
   void join_between(const Crowd& a, const Crowd& b) {
+    if (gave_up()) return;
     if (a.united && b.united && same_set(a, b)) return;
     switch (boxes_(tree_.box(a.level, a.node), tree_.box(b.level, b.node))) {
       case Reach::kFar:
@@ -223,6 +231,8 @@ class Joiner {
     if (squared > limits_.surely_far) return false;
     if (squared >= limits_.surely_near) {
       if (sets_.root(i) == sets_.root(j)) return false;
+      if (gave_up()) return false;
+      decisions_.fetch_add(1, std::memory_order_relaxed);
       if (!closer_(tree_.point(i), tree_.point(j))) return false;
     }
     sets_.join(i, j);
@@ -235,6 +245,8 @@ class Joiner {
   const ProximityTest& closer_;
   DisjointSets& sets_;
   Buffer<std::uint8_t> united_;  // by leaf, then by node
+  std::uint64_t most_decisions_;
+  std::atomic<std::uint64_t> decisions_{0};
 };
 
 // Calls visit(node) for the nodes of `level`, each once, whichever worker comes first.
@@ -250,9 +262,11 @@ void share_nodes(const CrowdTree& tree, unsigned level, const Resources& with, V
 
 }  // namespace
 
-void join_crowds(const CrowdTree& tree, double threshold, double units_per_m,
-                 const ProximityTest& closer, const Resources& with, DisjointSets& sets) {
-  Joiner joiner(tree, threshold, units_per_m, closer, sets, with.memory);
+bool join_crowds(const CrowdTree& tree, double threshold, double units_per_m,
+                 const ProximityTest& closer, std::uint64_t decisions_a_point,
+                 const Resources& with, DisjointSets& sets) {
+  Joiner joiner(tree, threshold, units_per_m, closer, decisions_a_point * tree.size(), sets,
+                with.memory);
   unsigned level = tree.top();
   // Shared are the nodes of the first level that has enough of them for all workers.
   const std::size_t enough = with.crew.size() == 1 ? 1 : 8 * with.crew.size();
@@ -263,6 +277,7 @@ void join_crowds(const CrowdTree& tree, double threshold, double units_per_m,
       joiner.join_between(joiner.crowd(level, node, false), joiner.crowd(level, other, false));
     }
   });
+  return !joiner.gave_up();
 }
 
 }  // namespace beespace::core

@@ -3,9 +3,9 @@
 //
 // Every leaf holds 16 points, every node 16 children, but the last of a level; child c of node i is
 // node 16 i + c of the level below, so nothing points to anything. Nodes have boxes of the given
-// doubles, by which BoxTest decides for all of their points at once, however crowded these are.
-// Leaves and points have lattice positions, which kernels compare many at a time and leave open
-// where rounding may have decided.
+// doubles, by which BoxTest (box_test.hpp) decides for all of their points at once, however crowded
+// these are. Leaves and points have lattice positions, which kernels compare many at a time and
+// leave open where rounding may have decided.
 #pragma once
 
 #include "base/bounds.hpp"
@@ -98,37 +98,6 @@ class CrowdTree {
   Buffer<std::int32_t> positions_;
   Buffer<LeafBoxes> leaf_boxes_;
   Buffer<Bounds> boxes_;
-};
-
-// What boxes tell about the distances between the points in them.
-enum class Reach : std::uint8_t { kNear, kOpen, kFar };  // all within the threshold, ?, none
-
-class BoxTest {
- public:
-  // With the bounds of ProximityTest: the extreme distances of two boxes are rounded just as the
-  // distances of points are.
-  explicit BoxTest(double threshold)
-      : surely_near_(threshold * threshold * (1.0 - 0x1p-50)),
-        surely_far_(threshold * threshold * (1.0 + 0x1p-50)) {}
-
-  [[nodiscard]] Reach operator()(const Bounds& a, const Bounds& b) const {
-    double nearest = 0.0;
-    double farthest = 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double up = b.high[axis] - a.low[axis];
-      const double down = a.high[axis] - b.low[axis];
-      const double most = std::max(up, down);
-      const double least = std::max(0.0, -std::min(up, down));
-      farthest += most * most;
-      nearest += least * least;
-    }
-    if (nearest > surely_far_) return Reach::kFar;
-    return farthest < surely_near_ ? Reach::kNear : Reach::kOpen;
-  }
-
- private:
-  double surely_near_;
-  double surely_far_;
 };
 
 }  // namespace beespace::core

@@ -6,6 +6,7 @@
 #include <beespace/point.hpp>
 
 #include <cstddef>
+#include <memory_resource>
 #include <vector>
 
 namespace beespace::core {
@@ -18,6 +19,9 @@ inline bool is_surely_nearer(double squared, double other_squared) {
 
 class NearestList {
  public:
+  NearestList() = default;
+  explicit NearestList(std::pmr::memory_resource* memory) : found_(memory) {}
+
   // Room for so many, so that looking for them allocates nothing.
   void reserve(std::size_t count) { found_.reserve(count); }
 
@@ -66,7 +70,7 @@ class NearestList {
   static constexpr std::size_t kMostSorted = 64;
 
   Point place_;
-  std::vector<Candidate> found_;
+  std::pmr::vector<Candidate> found_;
 };
 
 }  // namespace beespace::core

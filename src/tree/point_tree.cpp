@@ -1,5 +1,6 @@
 #include "tree/point_tree.hpp"
 
+#include "tree/box_tree.hpp"
 #include "tree/point_tree_order.hpp"
 
 #include <algorithm>
@@ -15,17 +16,6 @@ constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
 std::size_t groups_of(std::size_t count) {
   return (count + kFanOut - 1) / kFanOut;
-}
-
-void extend(Bounds& bounds, const Bounds& other) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    bounds.low[axis] = std::min(bounds.low[axis], other.low[axis]);
-    bounds.high[axis] = std::max(bounds.high[axis], other.high[axis]);
-  }
-}
-
-Bounds box_of(const Point& point) {
-  return {{point.x, point.y, point.z}, {point.x, point.y, point.z}};
 }
 
 bool is_one_place(const Bounds& bounds) {
@@ -59,7 +49,9 @@ void set_frame_around(TreeNode& node, const Bounds& box) {
   node.scale = scale_for(reach_from(node.origin, box));
 }
 
-// Most of the boxes in [-1, 1]: one far away does not blur the others.
+// Most of the boxes in [-kReachAbove, kReachAbove]: one far away does not blur the others. Floats
+// tell a small box from the large ones around it by as many digits more, as the distances of boxes
+// are as good as their own size.
 void set_frame_among(TreeNode& node, const Bounds* boxes, std::size_t count) {
   std::array<double, kFanOut> values{};
   const auto median = values.begin() + count / 2;
@@ -73,7 +65,7 @@ void set_frame_among(TreeNode& node, const Bounds* boxes, std::size_t count) {
   }
   for (std::size_t box = 0; box < count; ++box) values[box] = reach_from(node.origin, boxes[box]);
   std::nth_element(values.begin(), median, end);
-  node.scale = scale_for(*median);
+  node.scale = scale_for(*median) * kReachAbove;
 }
 
 // The lower border of a box as walks may see it: a margin farther out, and so that it does not
@@ -179,7 +171,7 @@ class PointTree::Builder {
       const std::size_t first = begin + leaf * kFanOut;
       for (std::size_t slot = first; slot < std::min(first + kFanOut, end); ++slot) {
         tree_.points_[slot] = points_[order[slot]];
-        extend(box, box_of(tree_.points_[slot]));
+        extend(box, box_around(tree_.points_[slot]));
       }
       boxes[leaf] = box;
     }

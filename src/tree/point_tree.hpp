@@ -9,10 +9,10 @@
 //   leaves       [16][16][16][16] ...           [16][16][7]
 //
 // Boxes and points are floats in the frame of their node: scale * (position - origin), where scale
-// is a power of two. All points of a node of level 0 lie in [-1, 1]; above, most of the boxes do.
-// So the floats resolve a crowd as well as a continent, wherever it lies and whatever lies around
-// it. What they promise is derived in kernels/tree_walk_kernel.hpp; what they leave open, the
-// doubles decide.
+// is a power of two. All points of a node of level 0 lie in [-1, 1]; above, most of the boxes lie
+// in a wider frame. So the floats resolve a crowd as well as a continent, wherever it lies and
+// whatever lies around it. What they promise is derived in kernels/tree_walk_kernel.hpp; what they
+// leave open, the doubles decide.
 #pragma once
 
 #include "base/bounds.hpp"
@@ -30,6 +30,9 @@ namespace beespace::core {
 
 inline constexpr std::size_t kFanOut = 16;
 inline constexpr unsigned kMostLevels = 7;  // 16^8 points
+
+// How far the boxes of a node above level 0 reach in its frame, most of them.
+inline constexpr double kReachAbove = 0x1p+16;
 
 // How far a box in a node's frame reaches beyond the points in it, on every side, where its border
 // is within [-1, 1]; relative to the border, where it is outside.

@@ -1,6 +1,6 @@
 // The searches with the tuning that they make from the data forced upon them: every instruction
 // set of this processor, narrow and wide rows, folded axes, crowds taken as a whole or never, every
-// way to find points at risk.
+// way to find points at risk, trees instead of grids.
 #include "tests/contract/backward_crew.hpp"
 #include "tests/contract/columns.hpp"
 #include "tests/contract/variants.hpp"
@@ -142,6 +142,7 @@ std::vector<Variant> forced_kernels() {
     TuningOverrides tuning;
     tuning.method = TuningOverrides::Method::kSweep;
     tuning.crowds = TuningOverrides::Crowds::kNever;
+    tuning.nearest = TuningOverrides::Nearest::kGrids;
     tuning.instruction_set = set;
     all.push_back(forced(name, tuning, 1));
     for (const unsigned row_shift : {0U, 2U, 30U}) {
@@ -171,6 +172,29 @@ std::vector<Variant> forced_crowds() {
     tuning.fold_beyond_cells = 4;
     all.push_back(forced(std::string(cpu::name_of(set)) + "CrowdsFolded", tuning, 2));
     all.back().questions = {Question::kCounts, Question::kCountsBetween, Question::kGroups};
+  }
+  return all;
+}
+
+std::vector<Variant> forced_trees() {
+  std::vector<Variant> all;
+  for (const cpu::InstructionSet set : cpu::kInstructionSets) {
+    if (!cpu::is_available(set)) continue;
+    TuningOverrides tuning;
+    tuning.instruction_set = set;
+    tuning.nearest = TuningOverrides::Nearest::kTree;
+    tuning.method = TuningOverrides::Method::kBoxes;
+    tuning.crowds = TuningOverrides::Crowds::kAlways;
+    tuning.crowd_decisions = 0;
+    for (const unsigned workers : {1U, 3U}) {
+      const std::string name = std::string(cpu::name_of(set)) + "Trees" + std::to_string(workers);
+      all.push_back(forced(name, tuning, workers));
+      all.back().questions = {Question::kNearest,        Question::kNearestWithin,
+                              Question::kNearestBetween, Question::kNearestWithinBetween,
+                              Question::kAtRiskBetween,  Question::kClosestPairBetween,
+                              Question::kCounts,         Question::kCountsBetween,
+                              Question::kGroups};
+    }
   }
   return all;
 }

@@ -110,6 +110,11 @@ TEST(LargeSwarms, EveryWayToFindPointsAtRiskGivesTheSameAnswer) {
   expect_agreement(large_subjects(), forced_methods());
 }
 
+TEST(LargeSwarms, TreesGiveTheSameAnswer) {
+  expect_agreement(large_subjects(), forced_trees());
+  expect_agreement(subjects_for_threads(), forced_trees());
+}
+
 // Brute force looks from every 500th point only, at all others.
 TEST(LargeSwarms, BruteForceAgreesAboutSomeOfThePoints) {
   std::vector<Subject> subjects = large_subjects();

@@ -28,6 +28,7 @@ std::vector<Variant> contract_variants() {
   append(all, forced_kernels());
   append(all, forced_crowds());
   append(all, forced_methods());
+  append(all, forced_trees());
   return all;
 }
 

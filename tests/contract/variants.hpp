@@ -48,6 +48,7 @@ Variant engine_with_crew(const std::string& name, std::shared_ptr<Crew> crew);
 std::vector<Variant> forced_kernels();
 std::vector<Variant> forced_crowds();
 std::vector<Variant> forced_methods();
+std::vector<Variant> forced_trees();
 
 // All variants that are compared with brute force on every inquiry. Here several workers run on one
 // thread: real threads would spend their time waking each other up; they are tested on large

@@ -1,0 +1,129 @@
+#include "search/nearest_in_tree.hpp"
+
+#include "base/bounds.hpp"
+#include "base/buffer.hpp"
+#include "base/dynamic_schedule.hpp"
+#include "base/stopping.hpp"
+#include "exact/exact_distance.hpp"
+#include "kernels/tree_walk.hpp"
+#include "search/k_nearest_search.hpp"
+#include "tree/nearest_list.hpp"
+#include "tree/point_tree.hpp"
+#include "tree/point_tree_order.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace beespace::search {
+
+namespace {
+
+constexpr std::size_t kAtOnce = 512;  // queries that one worker looks up
+
+// The queries of one search, in the order of a tree of their own: each stands behind one of its
+// neighbours, whose answer is a good guess.
+class Queries {
+ public:
+  Queries(const PointsView& points, std::span<const PointId> asked, const core::Resources& with)
+      : ids_(asked),
+        size_(asked.empty() ? points.size() : asked.size()),
+        places_(with.memory, size_) {
+    for (std::size_t i = 0; i < size_; ++i) places_[i] = points[id_of(i)];
+    const PointsView places(std::span<const Point>(places_.data(), size_));
+    core::Buffer<core::TreeLeaf> leaves(with.memory, (size_ + core::kFanOut - 1) / core::kFanOut);
+    core::Buffer<Point> slots(with.memory, size_);
+    order_ = core::point_tree_order(places, *core::measure(places, with), with, leaves, slots);
+  }
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] PointId id(std::size_t slot) const { return id_of(order_[slot]); }
+  [[nodiscard]] const Point& place(std::size_t slot) const { return places_[order_[slot]]; }
+
+ private:
+  [[nodiscard]] PointId id_of(std::size_t i) const {
+    return ids_.empty() ? static_cast<PointId>(i) : ids_[i];
+  }
+
+  std::span<const PointId> ids_;
+  std::size_t size_;
+  core::Buffer<Point> places_;
+  core::Buffer<std::uint32_t> order_;
+};
+
+// Between two sets.
+class TreeSearch {
+ public:
+  TreeSearch(const PointsView& others, const std::optional<PairOptions>& within,
+             const core::Resources& with, const TuningOverrides& tuning)
+      : others_(others),
+        farthest_(within ? within->threshold_m * kMore : std::numeric_limits<double>::infinity()),
+        tree_(others_, *core::measure(others_, with), with),
+        walks_(cpu::tree_walks(tuning.instruction_set)) {}
+
+  void answer(const Queries& queries, std::size_t begin, std::size_t end, core::Memory& memory,
+              std::vector<Nearest>& nearest) const {
+    core::NearestList list(&memory);
+    Nearest found;  // of the query before
+    for (std::size_t slot = begin; slot < end && !core::is_stopping(); ++slot) {
+      const Point& place = queries.place(slot);
+      double reach_m = farthest_;
+      if (found.id != Nearest::kNone) {
+        reach_m = std::min(reach_m, distance(place, others_[found.id]) * kMore);
+      }
+      list.start(place, 1, reach_m);
+      walks_.find_nearest(tree_.view(), place, list);
+      if (list.write(&found) == 0) found = {};
+      nearest[queries.id(slot)] = found;
+    }
+  }
+
+ private:
+  static constexpr double kMore = 1.0 + 0x1p-48;  // distances are off by a few 2^-53
+
+  const PointsView others_;
+  double farthest_;
+  core::PointTree tree_;
+  cpu::TreeWalks walks_;
+};
+
+void find_in_one_set(const PointsView& points, const core::Resources& with,
+                     const TuningOverrides& tuning, std::vector<Nearest>& nearest) {
+  core::Vector<core::NearestList> lists(&with.memory);
+  for (unsigned worker = 0; worker < with.crew.size(); ++worker) {
+    lists.emplace_back(&with.memory.of(worker));
+  }
+  NearestRows rows;
+  rows.entries = std::move(nearest);
+  find_k_nearest(points, *core::measure(points, with), 1, with, tuning, lists, rows);
+  nearest = std::move(rows.entries);
+}
+
+}  // namespace
+
+void find_nearest_in_tree(const SearchDomain& domain, std::span<const PointId> asked,
+                          const std::optional<PairOptions>& within, const core::Resources& with,
+                          const TuningOverrides& tuning, std::vector<Nearest>& nearest) {
+  const PointsView points = domain.original_points();
+  const PointsView others = domain.original_others();
+  if (domain.has_others()) {
+    const Queries queries(points, asked, with);
+    const TreeSearch search(others, within, with, tuning);
+    cpu::schedule(with.crew, queries.size(), kAtOnce,
+                  [&](std::size_t begin, std::size_t end, unsigned worker) {
+                    search.answer(queries, begin, end, with.memory.of(worker), nearest);
+                  });
+  } else {
+    find_in_one_set(points, with, tuning, nearest);
+  }
+  if (!within) return;
+  const core::ProximityTest closer(within->threshold_m, within->inclusive);
+  with.crew.split(points.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t id = begin; id < end; ++id) {
+      Nearest& found = nearest[id];
+      if (found.id != Nearest::kNone && !closer(points[id], others[found.id])) found = {};
+    }
+  });
+}
+
+}  // namespace beespace::search
