@@ -1,6 +1,5 @@
 #include "c_io/wording.hpp"
 
-#include <array>
 #include <cstddef>
 #include <string_view>
 #include <utility>
@@ -15,7 +14,7 @@ struct Wording {
 };
 
 // Longer ones first, where one begins as another one.
-constexpr std::array<Wording, 26> kWordings = {{
+constexpr Wording kWordings[] = {
     {"give it with --obstacles to 'beespace simulate', 'advise' or 'verify'",
      "read it as obstacles"},
     {"'beespace replay' and 'beespace predict' read it", "read it as a recording"},
@@ -46,7 +45,7 @@ constexpr std::array<Wording, 26> kWordings = {{
     {"--inclusive", "inclusive"},
     {"--max-gap", "max_gap"},
     {"--max-age", "max_age"},
-}};
+};
 
 }  // namespace
 
