@@ -97,14 +97,14 @@ TEST(RosTable, WithoutAHeaderPosesAreKnownByTheirOrientation) {
     for (int i = 0; i < 78; ++i) rest += ",0.25";
     return rest + "\n";
   }();
-  for (const std::string& line : {pose, odometry}) {
+  for (const std::string line : {pose, odometry}) {
     const auto recording = recording_of(record(line));
     EXPECT_EQ(recording.bees[0].fixes[0].position, (Point{1, 2, 3})) << line;
     EXPECT_EQ(times_of(recording.bees[0]), Times{1700000000 + 5e-9}) << line;
     EXPECT_TRUE(has_note(recording, "'ros2 topic echo --csv'")) << line;
   }
   // Nine numbers and a word that are no pose.
-  for (const std::string& line :
+  for (const std::string line :
        {"1700000000,5,map,1,2,3,0,0,0.6,0.7\n", "1700000000,5.5,map,1,2,3,0,0,0.6,0.8\n",
         "1700000000,5,7,1,2,3,0,0,0.6,0.8\n"}) {
     expect_error(record(line), {ErrorCode::kMissingColumn, "bees.csv:1", "there is no header"});
