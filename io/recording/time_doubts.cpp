@@ -46,7 +46,7 @@ struct Steps {
 
 Steps steps_of(const Recording& recording) {
   constexpr std::size_t kMost = 100'000;
-  constexpr double kMoves_mps = 0.1;
+  constexpr double kMoves_mps = 0.001;
   Steps steps;
   for (const RecordedBee& bee : recording.bees) {
     for (std::size_t i = 1; i < bee.fixes.size() && steps.seconds.size() < kMost; ++i) {

@@ -30,7 +30,7 @@ TEST(RosTable, ThePoseAndTheStampOfTheHeaderAreTaken) {
   EXPECT_TRUE(bee.velocities.empty());
   EXPECT_EQ(recording.frame, Frame::kMetres);
   EXPECT_TRUE(recording.since_1970);
-  EXPECT_TRUE(has_note(recording, "in s and column 4 'header.stamp.nsecs' in ns"));
+  EXPECT_TRUE(has_note(recording, "in seconds and column 4 'header.stamp.nsecs' in ns"));
   EXPECT_TRUE(has_note(recording, "not from column 1 'Time'; --columns time=1 would change that"));
 }
 
