@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -45,7 +46,7 @@ struct Steps {
 
 Steps steps_of(const Recording& recording) {
   constexpr std::size_t kMost = 100'000;
-  constexpr double kMoves_mps = 0.1;
+  constexpr double kMoves_mps = 0.001;
   Steps steps;
   for (const RecordedBee& bee : recording.bees) {
     for (std::size_t i = 1; i < bee.fixes.size() && steps.seconds.size() < kMost; ++i) {
@@ -71,6 +72,13 @@ std::string short_number(double value) {
   return {text.data(), end};
 }
 
+// As --time-unit has it.
+std::string_view word_of(Unit unit) {
+  if (unit == Unit::kSecond) return "s";
+  if (unit == Unit::kMillisecond) return "ms";
+  return unit == Unit::kMicrosecond ? "us" : "ns";
+}
+
 // The unit of which a thousand are one; or the other way round.
 Unit smaller(Unit unit) {
   if (unit == Unit::kSecond) return Unit::kMillisecond;
@@ -87,8 +95,8 @@ Unit larger(Unit unit) {
 Error doubt(const Steps& steps, Unit named, Unit other, double times, const std::string& why) {
   const double speed = median(steps.speeds);
   const double seconds = median(steps.seconds);
-  const std::string is(symbol_of(named));
-  const std::string would_be(symbol_of(other));
+  const std::string is(word_of(named));
+  const std::string would_be(word_of(other));
   return {ErrorCode::kInvalidArgument,
           "are the times in " + is + ", as the header says? Then bees move at " +
               short_number(speed) + " m/s and are heard of every " + short_number(seconds) + " s" +

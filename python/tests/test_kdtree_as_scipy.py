@@ -37,7 +37,7 @@ def same(ours: Any, theirs: Any) -> None:
         assert all(type(each) is int or isinstance(each, list) for each in ours)
     elif isinstance(ours, np.ndarray):
         assert ours.shape == theirs.shape and ours.dtype == theirs.dtype
-        assert ours.flags.writeable
+        assert ours.flags.writeable == theirs.flags.writeable
         if ours.dtype == object:
             for mine, its in zip(ours.ravel(), theirs.ravel()):
                 same(mine, its)

@@ -260,8 +260,7 @@ TEST(Predict, InvalidNumbersAreRefused) {
                          option + " '" + bad + "' is not a number of seconds from 0 on");
     }
   }
-  expect_usage_error({"predict", "a.csv", "b.csv"},
-                     "'b.csv' is one argument too many for 'beespace predict'");
+  expect_usage_error({"predict", "-", "-"}, "standard input can be read once");
   expect_usage_error({"predict", "--report", "bees"}, "'--report' is no option");
   expect_usage_error({"predict", "--speed", "2"}, "'--speed' is no option");
 }

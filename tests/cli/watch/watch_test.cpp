@@ -187,7 +187,7 @@ TEST(Watch, InputThatCannotBeUnderstoodIsRefused) {
         std::pair{"1,2,3,4,5\n6,7,8,9,10\n", "there is no header that tells the columns"},
         std::pair{"x,y,z\n1,2,3\n", "--columns"},
         std::pair{"{\"id\": \"a\"}\n", "the keys of this"},
-        std::pair{"\x1f\x8b\x08 zipped\n", "this is gzip-compressed data"}}) {
+        std::pair{"\x1f\x8b\x08 zipped\n", "the gzip data is damaged"}}) {
     expect_failure({"watch"}, input, kBadInput, message);
   }
   // It does not wait for the end of the input.

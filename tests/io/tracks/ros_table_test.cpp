@@ -30,7 +30,7 @@ TEST(RosTable, ThePoseAndTheStampOfTheHeaderAreTaken) {
   EXPECT_TRUE(bee.velocities.empty());
   EXPECT_EQ(recording.frame, Frame::kMetres);
   EXPECT_TRUE(recording.since_1970);
-  EXPECT_TRUE(has_note(recording, "in s and column 4 'header.stamp.nsecs' in ns"));
+  EXPECT_TRUE(has_note(recording, "in seconds and column 4 'header.stamp.nsecs' in ns"));
   EXPECT_TRUE(has_note(recording, "not from column 1 'Time'; --columns time=1 would change that"));
 }
 
@@ -97,7 +97,7 @@ TEST(RosTable, WithoutAHeaderPosesAreKnownByTheirOrientation) {
     for (int i = 0; i < 78; ++i) rest += ",0.25";
     return rest + "\n";
   }();
-  for (const std::string line : {pose, odometry}) {
+  for (const std::string& line : {pose, odometry}) {
     const auto recording = recording_of(record(line));
     EXPECT_EQ(recording.bees[0].fixes[0].position, (Point{1, 2, 3})) << line;
     EXPECT_EQ(times_of(recording.bees[0]), Times{1700000000 + 5e-9}) << line;

@@ -66,9 +66,9 @@ class Tree(metaclass=_NodesOfScipy):
 
     @property
     def data(self) -> NDArray[np.float64]:
-        """The points, shape (n, m): the caller's array where that is of doubles in rows, unless
-        `copy_data` was true. It must not change while the tree is used."""
-        return self._points.data
+        """The points, shape (n, m): the caller's memory where that is of doubles in rows, unless
+        `copy_data` was true. It must not change while the tree is used, and is read-only here."""
+        return _read_only(self._points.data.view())
 
     @property
     def n(self) -> int:
@@ -93,12 +93,12 @@ class Tree(metaclass=_NodesOfScipy):
     @property
     def maxes(self) -> NDArray[np.float64]:
         """The greatest coordinates."""
-        return self.data.max(axis=0) if self.n else np.zeros(self.m)
+        return _read_only(self.data.max(axis=0) if self.n else np.zeros(self.m))
 
     @property
     def mins(self) -> NDArray[np.float64]:
         """The least coordinates."""
-        return self.data.min(axis=0) if self.n else np.zeros(self.m)
+        return _read_only(self.data.min(axis=0) if self.n else np.zeros(self.m))
 
     def __getattr__(self, name: str) -> Any:
         """What belongs to the tree of SciPy itself (`tree`, `size`, `indices`) is asked of one, which
@@ -113,6 +113,12 @@ class Tree(metaclass=_NodesOfScipy):
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
         _handing.note_handed_over(name, "an attribute of the tree itself")
         return getattr(self._tree_of_scipy(name), name)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        """As of a tree of SciPy, what belongs to the tree itself cannot be set."""
+        if name in ("tree", "size", "indices"):
+            raise AttributeError(f"attribute {name!r} of {type(self).__name__!r} objects is not writable")
+        super().__setattr__(name, value)
 
     def __repr__(self) -> str:
         return f"<beespace.compat.scipy.{type(self).__name__}: {self.n:,} points of {self.m} axes>"
@@ -175,6 +181,11 @@ class Tree(metaclass=_NodesOfScipy):
         if other.boxsize is not None:
             raise HandOver("boxsize")
         return TreePoints(other.data)
+
+
+def _read_only(array: NDArray[np.float64]) -> NDArray[np.float64]:
+    array.flags.writeable = False
+    return array
 
 
 def _points(data: Any, leafsize: Any, copied: bool, boxsize: Any) -> TreePoints:
