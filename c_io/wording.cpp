@@ -15,7 +15,7 @@ struct Wording {
 };
 
 // Longer ones first, where one begins as another one.
-constexpr std::array<Wording, 26> kWordings = {{
+constexpr std::array<Wording, 29> kWordings = {{
     {"give it with --obstacles to 'beespace simulate', 'advise' or 'verify'",
      "read it as obstacles"},
     {"'beespace replay' and 'beespace predict' read it", "read it as a recording"},
