@@ -73,12 +73,12 @@ class Tree(metaclass=_NodesOfScipy):
     @property
     def n(self) -> int:
         """The number of points."""
-        return len(self.data)
+        return len(self._points.data)
 
     @property
     def m(self) -> int:
         """The number of coordinates of a point."""
-        return int(self.data.shape[1])
+        return int(self._points.data.shape[1])
 
     @property
     def leafsize(self) -> int:
@@ -124,7 +124,7 @@ class Tree(metaclass=_NodesOfScipy):
         return f"<beespace.compat.scipy.{type(self).__name__}: {self.n:,} points of {self.m} axes>"
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"data": self.data, "options": self._options, "frame": self._frame}
+        return {"data": self._points.data, "options": self._options, "frame": self._frame}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         Tree.__init__(self, state["data"], *state["options"])
@@ -164,7 +164,7 @@ class Tree(metaclass=_NodesOfScipy):
 
     def _tree_of_scipy(self, reason: str) -> Any:
         if self._scipy is None:
-            self._scipy = scipy_class(type(self)._name, reason)(self.data, *self._options)
+            self._scipy = scipy_class(type(self)._name, reason)(self._points.data, *self._options)
         return self._scipy
 
     def _points_of(self, other: Any) -> TreePoints:
