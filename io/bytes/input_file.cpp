@@ -24,7 +24,8 @@ Error open_error(const std::string& path, int error_number) {
       message = "not allowed to read this file; check its permissions (ls -l)";
       break;
     case EISDIR:
-      message = "this is a directory; name a file in it, or ask 'beespace replay' about all of them";
+      message =
+          "this is a directory; name a file in it, or ask 'beespace replay' about all of them";
       break;
     case ENOTDIR:
       message = "a part of this path is not a directory; check the name";

@@ -243,7 +243,8 @@ Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOpti
   auto table = find_table(text, options.skip_bad);
   if (!table) return table.error();
   if (auto error = no_record_problem(text, *table)) return *std::move(error);
-  const bool skybrush = bare_skybrush || is_path_with_colours(text, *table);
+  const bool skybrush = bare_skybrush || (options.format == RecordingFormat::kAuto &&
+                                          is_path_with_colours(text, *table));
   auto chosen = skybrush && table->names.empty() && options.columns.empty()
                     ? skybrush_layout(*table, options)
                     : choose_track_layout(*table, text, options);
