@@ -70,6 +70,9 @@ void add_file_options(Command& command, ExportRequest& request) {
                  "standard output)");
   command.choice("--format", request.format, {"kml", "czml", "geojson", "csv"},
                  "Where the ending does not say");
+  command.option("--origin", "PLACE", request.placement, read_placement,
+                 "Of positions in metres: lon,lat,height,heading of x\n(in degrees; 0 is north, 90 "
+                 "east), as 19.06,47.48,110,90");
   add_error_json_option(command, moving);
   add_scene_risk_option(command, moving);
   add_quiet_option(command, moving.quiet);
@@ -83,9 +86,6 @@ Command export_command() {
     return settle(request->show.moving, "export").and_then([&] { return run_export(*request); });
   });
   add_scene_options(command, request->show);
-  command.option("--origin", "PLACE", request->placement, read_placement,
-                 "Of positions in metres: lon,lat,height,heading of x\n(in degrees; 0 is north, 90 "
-                 "east), as 19.06,47.48,110,90");
   add_file_options(command, *request);
   return command;
 }

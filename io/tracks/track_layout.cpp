@@ -308,7 +308,8 @@ Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOpti
   if (!table) return table.error();
   if (auto error = no_record_problem(text, *table)) return *std::move(error);
   const bool free = options.columns.empty();
-  const bool skybrush = bare_skybrush || is_path_with_colours(text, *table);
+  const bool skybrush = bare_skybrush || (options.format == RecordingFormat::kAuto &&
+                                          is_path_with_colours(text, *table));
   const auto ros = free ? find_ros_table(text, *table) : std::nullopt;
   auto chosen = skybrush && table->names.empty() && free ? skybrush_layout(*table, options)
                 : ros ? ros_layout(*ros, *table, text, options, whole)

@@ -103,6 +103,34 @@ TEST_P(CompiledShow, ExportsLieWhereTheShowSays) {
   }
 }
 
+// Along the first side, 0.5 m from which a pillar stands; the others are 4 m away from it and more.
+TEST_P(CompiledShow, DronesKeepClearOfObstaclesAlongTheirCurves) {
+  const TemporaryFolder folder;
+  const std::string pillar = folder.file(
+      "pillar.json",
+      R"({"obstacles": [{"kind": "cylinder", "center": [0, -3.5], "radius_m": 0.5, "high_m": 20}]})");
+  const auto verify = [&](const std::string& clearance) {
+    return run({"verify", show_file(GetParam()), "--threshold", "3", "--max-descent", "3",
+                "--obstacles", pillar, "--clearance", clearance});
+  };
+  const Finished touched = verify("0.6");
+  EXPECT_EQ(touched.exit_code, 1);
+  expect_rows(rows_of(touched.out),
+              {{"clearance", "Drone 1", "obstacles[0], a cylinder", "12", "18", "0.5", "0.6", ""}});
+  EXPECT_EQ(verify("0.49").exit_code, 0);
+}
+
+#if BEESPACE_HAS_PAGE
+TEST_P(CompiledShow, ThePageHasItsLimitsAndCues) {
+  const TemporaryFolder folder;
+  const std::string page = folder.path("ring.html");
+  EXPECT_EQ(run({"report", show_file(GetParam()), "--output", page}).exit_code, 0);
+  expect_parts(folder.read("ring.html"),
+               {R"("limits":{"horizontal_mps":8,"climb_mps":3,"descent_mps":2.4,"height_m":120})",
+                R"({"time_s":8,"name":"Ring"})"});
+}
+#endif
+
 class ShowTables : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Forms, ShowTables, testing::Values("ring.zip", "ring-csv"),
                          [](const auto& name) { return std::string(name.param).substr(5); });

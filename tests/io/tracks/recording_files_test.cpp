@@ -173,6 +173,17 @@ TEST(RecordingFiles, SkybrushTablesOutsideOfAZipMustBeNamed) {
                {ErrorCode::kMissingColumn, "bees.csv:1", "a Skybrush CSV has the columns"});
 }
 
+TEST(RecordingFiles, SkybrushTablesOutsideOfAZipAreKnownByTheirColours) {
+  const auto shown = recording_of(record("0,1,2,3,255,0,0\n500,1,2,4,255,0,9\n"));
+  EXPECT_EQ(times_of(shown.bees[0]), (Times{0, 0.5}));
+  EXPECT_TRUE(shown.show.has_value());
+  for (const char* const other :
+       {"0,1,2,3,256,0,0\n500,1,2,4,255,0,9\n", "0,1,2,3,0.5,0,0\n500,1,2,4,0.5,0,9\n",
+        "500,1,2,3,255,0,0\n0,1,2,4,255,0,9\n", "0.5,1,2,3,255,0,0\n1,1,2,4,255,0,9\n"}) {
+    expect_error(record(other), {ErrorCode::kMissingColumn, "bees.csv:1", "there is no header"});
+  }
+}
+
 TEST(RecordingFiles, WhatIsWrongInAZipIsBlamedOnItsPart) {
   expect_error(load_recording_from_memory(
                    zipped({{"1.csv", std::string(kOneBee)}, {"2.csv", "time_s,x,y,z\n0,1,?,3\n"}}),
