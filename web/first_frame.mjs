@@ -19,7 +19,7 @@ async function firstFrame(file) {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, colorScheme: 'dark', reducedMotion: 'reduce' });
   const page = await context.newPage();
   await page.goto(pathToFileURL(resolve(file)).href, { waitUntil: 'commit' });
-  await page.waitForSelector('html[data-beespace="ready"]', { timeout: 60000 });
+  await page.waitForSelector('html[data-beespace="ready"]', { timeout: 120000 });
   const marks = await page.evaluate("performance.getEntriesByType('mark').map(({ name, startTime }) => [name, startTime])");
   await context.close();
   return Object.fromEntries(marks);
