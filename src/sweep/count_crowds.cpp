@@ -142,7 +142,8 @@ class Counter {
           break;
       }
       if (!own && is_tiny(others_.box(level, node))) return count_points_near(level, node);
-      if (level == 0) return own || !is_tiny(asked_.box(0, node_)) ? compare(node, own) : count_near_points(node);
+      if (level == 0)
+        return own || !is_tiny(asked_.box(0, node_)) ? compare(node, own) : count_near_points(node);
     }
     const std::size_t end = others_.end_child(level, node);
     for (std::size_t i = others_.first_child(node); i < end; ++i) walk(level - 1, i);
@@ -153,7 +154,8 @@ class Counter {
     if (both_ && !own) tally_.of_nodes[number] += asked_weights_.of_node(node_);
   }
 
-  // Whether floats would leave open most of what is open: then it is compared as a whole, by doubles.
+  // Whether floats would leave open most of what is open: then it is compared as a whole, by
+  // doubles.
   [[nodiscard]] bool is_tiny(const core::Bounds& box) const {
     constexpr double kUnits = 8.0;
     double longest = 0.0;
