@@ -25,9 +25,8 @@ struct TuningOverrides {
   Method method = Method::kAutomatic;
   Crowds crowds = Crowds::kAutomatic;
   // In crowds: how many pairs that floats leave open are decided one by one, for each point, before
-  // boxes of doubles are asked. Ordinary crowds have few; a node with points of both a clump and of
-  // what surrounds it at the threshold has a hundred.
-  std::uint64_t crowd_decisions = 128;
+  // boxes of doubles are asked. Ordinary crowds have few.
+  std::uint64_t crowd_decisions = 8;
   Nearest nearest = Nearest::kAutomatic;
   core::CellTable cell_table = core::CellTable::kAutomatic;
   cpu::InstructionSet instruction_set = cpu::best_instruction_set();
