@@ -86,9 +86,9 @@ double comparisons_until_near(const SweepQuery& question, std::uint32_t asked) {
 
 template <class Comparisons>
 double expected(const SweepQuery& question, const Comparisons& comparisons) {
-  constexpr std::size_t kPointsADraw = 512;
+  constexpr std::size_t kPointsADraw = 2048;
   constexpr std::size_t kFewestDrawn = 16;
-  constexpr std::size_t kMostDrawn = 256;
+  constexpr std::size_t kMostDrawn = 64;
   const std::size_t size = question.asked.grid.size;
   if (size == 0) return 0.0;
   const std::size_t drawn =

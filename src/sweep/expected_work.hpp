@@ -5,8 +5,8 @@
 
 namespace beespace::cpu {
 
-// About how many pairs a sweep of all rows around would compare, from a few hundred query points.
-// A twentieth or so of what there is in one place shows. Cost: some hundred microseconds.
+// About how many pairs a sweep of all rows around would compare, from some dozens of query points.
+// What a tenth of them see shows. Cost: some hundred microseconds at most.
 double expected_comparisons(const SweepQuery& question);
 
 // The same where a query point is left once it has a near one, and what floats leave open counts

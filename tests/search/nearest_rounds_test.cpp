@@ -49,6 +49,7 @@ std::vector<Forced> forced_choices() {
         Forced forced{std::string(cpu::name_of(set)) + ", row shift " + std::to_string(row_shift) +
                           (fold_beyond == 1 ? ", folded" : ""),
                       {}};
+        forced.tuning.nearest = search::TuningOverrides::Nearest::kGrids;
         forced.tuning.instruction_set = set;
         forced.tuning.row_shift = row_shift;
         forced.tuning.fold_beyond_cells = fold_beyond;
