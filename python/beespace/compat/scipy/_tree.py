@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import collections
+import functools
+import importlib.metadata
 import sys
 from collections.abc import Callable
 from typing import Any, ClassVar, TypeVar
@@ -67,8 +69,9 @@ class Tree(metaclass=_NodesOfScipy):
     @property
     def data(self) -> NDArray[np.float64]:
         """The points, shape (n, m): the caller's memory where that is of doubles in rows, unless
-        `copy_data` was true. It must not change while the tree is used, and is read-only here."""
-        return _read_only(self._points.data.view())
+        `copy_data` was true. It must not change while the tree is used; here it is read-only, as from
+        SciPy 1.18 on."""
+        return _fixed(self._points.data)
 
     @property
     def n(self) -> int:
@@ -93,12 +96,12 @@ class Tree(metaclass=_NodesOfScipy):
     @property
     def maxes(self) -> NDArray[np.float64]:
         """The greatest coordinates."""
-        return _read_only(self.data.max(axis=0) if self.n else np.zeros(self.m))
+        return _fixed(self.data.max(axis=0) if self.n else np.zeros(self.m))
 
     @property
     def mins(self) -> NDArray[np.float64]:
         """The least coordinates."""
-        return _read_only(self.data.min(axis=0) if self.n else np.zeros(self.m))
+        return _fixed(self.data.min(axis=0) if self.n else np.zeros(self.m))
 
     def __getattr__(self, name: str) -> Any:
         """What belongs to the tree of SciPy itself (`tree`, `size`, `indices`) is asked of one, which
@@ -183,9 +186,22 @@ class Tree(metaclass=_NodesOfScipy):
         return TreePoints(other.data)
 
 
-def _read_only(array: NDArray[np.float64]) -> NDArray[np.float64]:
-    array.flags.writeable = False
-    return array
+@functools.cache
+def _are_fixed() -> bool:
+    """Whether the arrays of a tree of the installed SciPy are read-only; if there is none, so are ours."""
+    try:
+        major, minor = importlib.metadata.version("scipy").split(".")[:2]
+    except importlib.metadata.PackageNotFoundError:
+        return True
+    return (int(major), int(minor)) >= (1, 18)
+
+
+def _fixed(array: NDArray[np.float64]) -> NDArray[np.float64]:
+    if not _are_fixed():
+        return array
+    seen = array.view()
+    seen.flags.writeable = False
+    return seen
 
 
 def _points(data: Any, leafsize: Any, copied: bool, boxsize: Any) -> TreePoints:
