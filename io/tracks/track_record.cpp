@@ -115,9 +115,11 @@ const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
     return is_unknown(text) || (layout_.infinite_is_unknown && (text == "inf" || text == "-inf"));
   };
   if (layout_.on_ground && says_yes(fields_[TrackSlot::kOnGround].text)) return &kOnGround;
-  if (unknown(TrackSlot::kPosition) || unknown(TrackSlot::kPosition + 1)) {
-    return layout_.of_aircraft ? &kNoPosition : &kUnknownPlace;
-  }
+  const bool no_first = unknown(TrackSlot::kPosition);
+  const bool no_second = unknown(TrackSlot::kPosition + 1);
+  if (layout_.of_aircraft && (no_first || no_second)) return &kNoPosition;
+  // Half a place is a mistake: it may hide what is near.
+  if (!layout_.of_aircraft && no_first && no_second) return &kUnknownPlace;
   // Of others a bad time is a mistake.
   if (!layout_.of_aircraft) {
     const bool has_height = layout_.table.choice.dimensions == 3;
