@@ -166,7 +166,7 @@ TEST(KNearest, EveryKernel) {
     BackwardCrew crew(3);
     core::Memory memory;
     const core::Resources with{crew, memory};
-    std::vector<core::NearestList> lists;
+    std::vector<core::NearestList> lists(crew.size());
     NearestRows rows;
     expect_brute_force(cpu::name_of(set), [&](const std::vector<Point>& points, std::size_t k) {
       const Result<core::Bounds> bounds = core::measure(points, with);
