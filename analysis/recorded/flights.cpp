@@ -75,7 +75,7 @@ Result<std::optional<PathEncounter>> closest_of(const Flight& first, const Fligh
   for (const BezierPath& one : first) {
     for (const BezierPath& other : second) {
       if (std::max(one.begins_s, other.begins_s) > std::min(end_of(one), end_of(other))) continue;
-      const auto found = closest_on_paths(one, other, during, threshold_m);
+      auto found = closest_on_paths(one, other, during, threshold_m);
       if (!found) return found;
       if (!*found) continue;
       const bool closer = (*found)->closer || (closest && closest->closer);

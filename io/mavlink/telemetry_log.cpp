@@ -53,11 +53,11 @@ bool is_telemetry_log(std::string_view bytes) {
 }
 
 bool begins_as_telemetry_log(std::string_view bytes) {
-  constexpr std::uint64_t kEarliest_us = 1'000'000'000'000'000;  // the year 2001
-  constexpr std::uint64_t kLatest_us = 5'000'000'000'000'000;    // 2128
+  constexpr std::uint64_t kEarliestMicros = 1'000'000'000'000'000;  // the year 2001
+  constexpr std::uint64_t kLatestMicros = 5'000'000'000'000'000;    // 2128
   if (bytes.size() < kTelemetryFront || !may_begin(bytes, 0)) return false;
   const std::uint64_t stamp = stamp_at(bytes, 0);
-  return stamp >= kEarliest_us && stamp < kLatest_us;
+  return stamp >= kEarliestMicros && stamp < kLatestMicros;
 }
 
 std::optional<std::size_t> logged_frame_size(std::string_view bytes) {

@@ -15,7 +15,7 @@ constexpr std::string_view kLocalTopic = "vehicle_local_position";
 constexpr std::string_view kGpsTopic = "vehicle_gps_position";
 
 // A double holds every microsecond until then: the year 2255.
-constexpr std::uint64_t kLatest_us = std::uint64_t{1} << 53u;
+constexpr std::uint64_t kLatestMicros = std::uint64_t{1} << 53u;
 
 // The numbers of one message, by their names; what is not there is not known.
 class Numbers {
@@ -157,11 +157,11 @@ class Gathering {
 
   // GPS says what UTC was at an instant that may lie beside that of the message.
   void add_time(std::vector<std::int64_t>& ahead) {
-    constexpr std::uint64_t kEarliest_us = 1'000'000'000'000'000;  // the year 2001
+    constexpr std::uint64_t kEarliestMicros = 1'000'000'000'000'000;  // the year 2001
     const Numbers numbers(*walk_.topic().layout, walk_.message());
     const std::uint64_t utc = numbers.micros("time_utc_usec");
     const std::uint64_t own = numbers.micros("timestamp");
-    if (utc < kEarliest_us || utc >= kLatest_us || own >= kLatest_us) return;
+    if (utc < kEarliestMicros || utc >= kLatestMicros || own >= kLatestMicros) return;
     const auto beside = static_cast<std::int64_t>(numbers.of("timestamp_time_relative", 0.0));
     ahead.push_back(static_cast<std::int64_t>(utc) - static_cast<std::int64_t>(own) - beside);
   }

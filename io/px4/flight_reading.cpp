@@ -141,7 +141,7 @@ class FlightReading {
 
   // Logs of several drones have one clock only by GPS.
   [[nodiscard]] std::optional<Error> clock_problem() const {
-    constexpr std::uint64_t kMostSpread_us = 1'000'000;
+    constexpr std::uint64_t kMostSpreadMicros = 1'000'000;
     if (!assembly_.has_several()) return std::nullopt;
     if (!log_.clock) {
       return Error{
@@ -151,7 +151,7 @@ class FlightReading {
           "or leave it out",
           {}};
     }
-    if (log_.clock->spread_micros <= kMostSpread_us) return std::nullopt;
+    if (log_.clock->spread_micros <= kMostSpreadMicros) return std::nullopt;
     return Error{ErrorCode::kInvalidArgument,
                  "the times of GPS in this PX4 log contradict its own clock by " +
                      milliseconds(log_.clock->spread_micros) +

@@ -9,6 +9,7 @@
 #include "io/tracks/track_columns.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_table.hpp"
+#include "io/tracks/track_time.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -369,11 +369,11 @@ struct Visit {
   alignas(64) float gaps[kFanOut];  // squared; from a place far outside: FarPlace's least values
   LocalPlace<Lanes> local;
   FarPlace<Lanes> far;
-  bool is_far;
   const TreeNode* node;
   double squared_scale;
   std::size_t index;
   std::uint32_t left;
+  bool is_far;
 
   [[gnu::always_inline]] void enter(const TreeNode* level, std::size_t node_index, bool is_bottom,
                                     const Point& place) {

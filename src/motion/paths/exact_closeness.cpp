@@ -31,7 +31,7 @@ Weighted weighted(const BezierCurve& curve) {
 // The part of the curve in that time. Control point k of it is the curve's blossom at the end of
 // the window k times, and at its beginning otherwise.
 Weighted exact_part_of(const BezierCurve& curve, const TimeSpan& window) {
-  const Weighted whole = weighted(curve);
+  Weighted whole = weighted(curve);
   if (window.begins_s == curve.begins_s && window.ends_s == curve.ends_s) return whole;
   Weighted part;
   for (unsigned k = 0; k <= curve.degree; ++k) {
