@@ -122,8 +122,8 @@ _beespace() {
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
         --obstacles | -o | --output) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --units | --threshold | --max-speed | --max-acceleration | --clearance | --threads) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --grounded --units --heights --skip-bad --threshold --max-speed --max-acceleration --obstacles --clearance --max-gap --straight --threads --output --csv --json --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --units | --threshold | --max-speed | --max-acceleration | --max-horizontal | --max-climb | --max-descent | --max-height | --clearance | --threads) return ;;
+        *) options='--crs --columns --time-unit --time-zone --fps --scale --grounded --units --heights --skip-bad --threshold --max-speed --max-acceleration --max-horizontal --max-climb --max-descent --max-height --obstacles --clearance --max-gap --straight --threads --output --csv --json --quiet --help --version' files=yes ;;
       esac
       ;;
     fleet)
@@ -182,8 +182,8 @@ _beespace() {
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --format) values='kml czml geojson csv' ;;
         -o | --output) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --units | --tolerance | --threshold | --vertical | --threads) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --format --json --fail-on-risk --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --units | --tolerance | --threshold | --vertical | --threads | --origin) return ;;
+        *) options='--crs --columns --time-unit --time-zone --fps --scale --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --format --origin --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     generate)
