@@ -173,7 +173,7 @@ class RowSweeps {
   }
 
   // Some tens of milliseconds; and so many points that what a sweep does first does not count.
-  static constexpr std::uint64_t kManyComparisons = std::uint64_t{1} << 25;
+  static constexpr std::uint64_t kManyComparisons = std::uint64_t{1} << 21;
   static constexpr std::uint32_t kPart = 512;
 
   const core::SortedGrid& asked_;

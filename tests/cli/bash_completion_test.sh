@@ -43,7 +43,7 @@ expect "predict" beespace pre
 expect "replay" beespace help repl
 expect "replay report" beespace help rep
 expect "--horizon" beespace predict --ho
-expect "--time-unit" beespace replay --ti
+expect "--time-unit --time-zone" beespace replay --ti
 expect "auto s ms us ns" beespace predict --time-unit ""
 expect "ms" beespace replay --time-unit = m
 expect "conflicts bees separation events" beespace replay --report ""
@@ -92,7 +92,7 @@ expect "none" beespace simulate --acceleration = n
 expect "--step --steps" beespace simulate random-swap --step
 expect "" beespace simulate --bees ""
 expect "$1" beespace simulate head-on --output "${1%sh}"
-expect "--max-speed --max-acceleration --max-gap" beespace verify --max
+expect "--max-speed --max-acceleration --max-horizontal --max-climb --max-descent --max-height --max-gap" beespace verify --max
 expect "wgs84" beespace verify --crs = w
 expect "" beespace verify --max-speed ""
 expect "$1" beespace verify a.csv "${1%sh}"
