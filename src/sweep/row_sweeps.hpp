@@ -172,7 +172,7 @@ class RowSweeps {
     return sweep_.target_count == 0 && sweep_.own.end - sweep_.own.begin < 2;
   }
 
-  // Some tens of milliseconds; and so many points that what a sweep does first does not count.
+  // Some milliseconds; and so many points that what a sweep does first does not count.
   static constexpr std::uint64_t kManyComparisons = std::uint64_t{1} << 21;
   static constexpr std::uint32_t kPart = 512;
 
