@@ -4,10 +4,13 @@
 #include "io/shows/show_settings.hpp"
 #include "io/shows/show_trajectory.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace beespace::io {
 namespace {
@@ -16,12 +19,13 @@ Error show_error(ErrorCode code, std::string message, std::string place) {
   return {code, std::move(message), {std::move(place)}};
 }
 
-// What is read of a drone, and what became of it.
+// What is read of a drone, and where.
 struct Drone {
   std::string name = {};
-  BezierPath path = {};
-  bool stood = false;
-  bool flies = true;
+  Trajectory trajectory = {};
+  Ground ground = {};
+  std::string place = {};  // of a trajectory of a single point
+  std::uint64_t index = 0;
 };
 
 class ShowReading {
@@ -101,21 +105,63 @@ class ShowReading {
         Error error = drone.error();
         error.location.record = index;
         if (auto fatal = assembly_.bad(std::move(error), name)) return fatal;
-      } else if (!drone->flies) {
-        ++grounded_;
       } else {
-        if (drone->stood) ++stood_;
-        assembly_.tracks().add_path(std::move(drone->name), std::move(drone->path));
+        drones_.push_back(*std::move(drone));
       }
       ++index;
     }
     if (index == 0) return no_drones(*swarm.value());
+    if (auto error = keep_drones()) return error;
     if (grounded_ == index) {
       return show_error(ErrorCode::kNoPoints,
                         "no drone of this show leaves the ground; --grounded checks them there",
                         documents_.place_of(root));
     }
     return std::nullopt;
+  }
+
+  // What is the ground, is known when all are read.
+  std::optional<Error> keep_drones() {
+    double ground_m = std::numeric_limits<double>::infinity();
+    for (const Drone& drone : drones_) {
+      ground_m = std::min(ground_m, lowest_of(drone.trajectory, drone.ground));
+    }
+    const bool all = assembly_.options().grounded;
+    for (Drone& drone : drones_) {
+      BezierPath& path = drone.trajectory.path;
+      const bool single = path.pieces.empty();
+      if (single && (all || !on_ground(path.begin.z, ground_m))) {
+        if (auto fatal = assembly_.bad(single_point(drone), drone.name)) return fatal;
+        continue;
+      }
+      count_takeoff(drone.trajectory);
+      const bool stood = !all && keep_flight(drone.trajectory, ground_m);
+      if (path.pieces.empty()) {
+        ++grounded_;
+        continue;
+      }
+      if (stood) ++stood_;
+      assembly_.tracks().add_path(std::move(drone.name), std::move(path));
+    }
+    drones_.clear();
+    return std::nullopt;
+  }
+
+  static Error single_point(const Drone& drone) {
+    Error error = show_error(ErrorCode::kMalformedRecord,
+                             "drone " + excerpt(drone.name) +
+                                 ": points has a single point, which does not say how long the "
+                                 "drone is there; add a second point with the time until which",
+                             drone.place);
+    error.location.record = drone.index;
+    return error;
+  }
+
+  void count_takeoff(const Trajectory& trajectory) {
+    const double takeoff_s = trajectory.takeoff_s.value_or(0.0);
+    if (takeoff_s != 0.0) ++shifted_;
+    first_takeoff_s_ = std::min(first_takeoff_s_, takeoff_s);
+    last_takeoff_s_ = std::max(last_takeoff_s_, takeoff_s);
   }
 
   [[nodiscard]] Error no_drones(const ShowValue& value) const {
@@ -151,11 +197,10 @@ class ShowReading {
     }
     auto ground = read_ground(of_drone, drone.name);
     if (!ground) return ground.error();
-    if (!assembly_.options().grounded) {
-      drone.stood = keep_flight(*trajectory, *ground);
-      drone.flies = !trajectory->path.pieces.empty();
-    }
-    drone.path = std::move(trajectory->path);
+    if (trajectory->path.pieces.empty()) drone.place = documents_.place_of(*found.value());
+    drone.trajectory = *std::move(trajectory);
+    drone.ground = *std::move(ground);
+    drone.index = index;
     return drone;
   }
 
@@ -198,6 +243,12 @@ class ShowReading {
       return std::to_string(count) + (count == 1 ? " drone" : " drones") +
              (count == 1 ? one : many);
     };
+    if (shifted_ > 0) {
+      assembly_.note("the times of the points of " + drones(shifted_, "", "") +
+                     " count from takeoffTime, which is not 0" +
+                     (first_takeoff_s_ < last_takeoff_s_ ? " and not the same for all" : "") +
+                     ", as Skybrush plays them");
+    }
     if (stood_ > 0) {
       assembly_.note("the time on the ground of " + drones(stood_, "", "") +
                      " is left out, before take-off and after landing; --grounded keeps it");
@@ -210,8 +261,12 @@ class ShowReading {
 
   ShowDocuments& documents_;
   RecordingAssembly& assembly_;
+  std::vector<Drone> drones_;
   std::uint64_t stood_ = 0;
   std::uint64_t grounded_ = 0;
+  std::uint64_t shifted_ = 0;  // by takeoffTime
+  double first_takeoff_s_ = std::numeric_limits<double>::infinity();
+  double last_takeoff_s_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace

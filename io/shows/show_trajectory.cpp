@@ -1,6 +1,8 @@
 #include "io/shows/show_trajectory.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -9,6 +11,8 @@
 
 namespace beespace::io {
 namespace {
+
+constexpr double kGroundTolerance_m = 0.1;
 
 Error malformed(ErrorCode code, std::string message) {
   return {code, std::move(message), {}};
@@ -70,7 +74,8 @@ std::optional<Error> read_entry(JsonElement element, std::size_t index, Entry& e
   return std::nullopt;
 }
 
-std::optional<Error> read_points(JsonElement points, BezierPath& path) {
+// Their times count from take-off, as Skybrush's own player has it.
+std::optional<Error> read_points(JsonElement points, double takeoff_s, BezierPath& path) {
   JsonArray entries;
   if (!points.get(entries)) {
     return malformed(ErrorCode::kMalformedRecord, "points is " + std::string(json_kind(points)) +
@@ -81,6 +86,12 @@ std::optional<Error> read_points(JsonElement points, BezierPath& path) {
   for (const JsonElement element : entries) {
     Entry entry;
     if (auto error = read_entry(element, index, entry)) return error;
+    entry.time_s += takeoff_s;
+    if (!std::isfinite(entry.time_s)) {
+      return malformed(ErrorCode::kNotFinite,
+                       "takeoffTime and the time of points[" + std::to_string(index) +
+                           "] are together too large; correct the trajectory");
+    }
     if (index == 0) {
       if (entry.control_count > 0) {
         return malformed(ErrorCode::kMalformedRecord,
@@ -112,8 +123,13 @@ std::optional<Error> read_optional_time(JsonElement trajectory, const char* key,
   return std::nullopt;
 }
 
-double begin_of(const BezierPath& path, std::size_t piece) {
-  return piece == 0 ? path.begins_s : path.pieces[piece - 1].ends_s;
+// Until take-off it is where its first point is.
+void wait_for_takeoff(Trajectory& trajectory) {
+  BezierPath& path = trajectory.path;
+  const double waits_from_s = path.begins_s - trajectory.takeoff_s.value_or(0.0);
+  if (path.pieces.empty() || !(waits_from_s < path.begins_s)) return;
+  path.pieces.insert(path.pieces.begin(), BezierPiece{path.begins_s, path.begin, {}, 0});
+  path.begins_s = waits_from_s;
 }
 
 const Point& start_of(const BezierPath& path, std::size_t piece) {
@@ -154,43 +170,57 @@ Result<Trajectory> read_trajectory(JsonElement trajectory) {
                      "the trajectory has no 'points'; export the show again");
   }
   Trajectory read;
-  if (auto error = read_points(*points, read.path)) return *std::move(error);
   if (auto error = read_optional_time(trajectory, "takeoffTime", read.takeoff_s)) {
     return *std::move(error);
   }
-  if (auto error = read_optional_time(trajectory, "landingTime", read.landing_s)) {
+  if (auto error = read_points(*points, read.takeoff_s.value_or(0.0), read.path)) {
     return *std::move(error);
   }
-  if (read.takeoff_s && read.landing_s && *read.landing_s < *read.takeoff_s) {
+  std::optional<double> landing_s;
+  if (auto error = read_optional_time(trajectory, "landingTime", landing_s)) {
+    return *std::move(error);
+  }
+  if (read.takeoff_s && landing_s && *landing_s < *read.takeoff_s) {
     return malformed(ErrorCode::kTimeOrder,
                      "landingTime comes before takeoffTime; correct the trajectory");
   }
+  wait_for_takeoff(read);
   return read;
 }
 
-bool keep_flight(Trajectory& trajectory, const Ground& ground) {
+double lowest_of(const Trajectory& trajectory, const Ground& ground) {
+  double lowest_m = trajectory.path.begin.z;
+  for (const BezierPiece& piece : trajectory.path.pieces) {
+    lowest_m = std::min(lowest_m, piece.end.z);
+  }
+  // Skybrush counts heights from the ground.
+  lowest_m = std::min(lowest_m, ground.home ? ground.home->z : 0.0);
+  return ground.land_at ? std::min(lowest_m, ground.land_at->z) : lowest_m;
+}
+
+bool on_ground(double height_m, double ground_m) {
+  return height_m - ground_m <= kGroundTolerance_m;
+}
+
+bool keep_flight(Trajectory& trajectory, double ground_m) {
   BezierPath& path = trajectory.path;
-  const double ground_z = (ground.home ? *ground.home : path.begin).z;
+  double lowest_m = std::min(ground_m, path.begin.z);
+  for (const BezierPiece& piece : path.pieces) {
+    lowest_m = std::min(lowest_m, piece.end.z);
+    for (std::size_t i = 0; i < piece.control_count; ++i) {
+      lowest_m = std::min(lowest_m, piece.controls[i].z);
+    }
+  }
   const auto stands = [&](std::size_t piece) {
-    const Point& place = start_of(path, piece);
-    const bool low = place.z <= ground_z || place == ground.home || place == ground.land_at;
-    return low && stands_still(path, piece);
+    return stands_still(path, piece) && on_ground(start_of(path, piece).z, lowest_m);
   };
   std::size_t first = 0;
   std::size_t behind = path.pieces.size();
-  while (first < behind && trajectory.takeoff_s &&
-         path.pieces[first].ends_s <= *trajectory.takeoff_s) {
-    ++first;
-  }
-  while (first < behind && trajectory.landing_s &&
-         begin_of(path, behind - 1) >= *trajectory.landing_s) {
-    --behind;
-  }
   while (first < behind && stands(first)) ++first;
   while (first < behind && stands(behind - 1)) --behind;
-  if (first == 0 && behind == path.pieces.size()) return path.pieces.empty();
+  if (first == 0 && behind == path.pieces.size()) return false;
 
-  const double begins_s = begin_of(path, first);
+  const double begins_s = first == 0 ? path.begins_s : path.pieces[first - 1].ends_s;
   const Point begin = start_of(path, first);
   path.pieces.resize(behind);
   path.pieces.erase(path.pieces.begin(), path.pieces.begin() + static_cast<std::ptrdiff_t>(first));

@@ -1,7 +1,7 @@
 // The trajectory of a drone in a show: {"version": 1, "points": [[t, [x, y, z], [controls]], ...]}.
 //
-// Each entry ends a Bezier piece whose inner control points it lists; times are in seconds,
-// positions in metres.
+// Each entry ends a Bezier piece whose inner control points it lists; times are in seconds from
+// takeoffTime, before which the drone is at its first point; positions are in metres.
 #pragma once
 
 #include "io/json/json_document.hpp"
@@ -15,9 +15,8 @@
 namespace beespace::io {
 
 struct Trajectory {
-  BezierPath path;
+  BezierPath path;  // in time of the show
   std::optional<double> takeoff_s;
-  std::optional<double> landing_s;
 };
 
 // Errors: kUnsupportedFormat for another version or curves of a higher degree, kMissingColumn,
@@ -26,14 +25,21 @@ Result<Trajectory> read_trajectory(JsonElement trajectory);
 
 // Where a drone stands when it does not fly.
 struct Ground {
-  std::optional<Point> home;  // where it starts; the first point of the path where it is not said
+  std::optional<Point> home;     // where it starts; on z = 0 where it is not said
   std::optional<Point> land_at;  // where it is to land
 };
 
-// Leaves of the path what is flown: the pieces that overlap the time between take-off and landing,
-// whole, but not those at its start and its end in which the drone stands still at home, where it
-// lands, or no higher than home. A path that is left without pieces is no flight at all. Returns
-// whether anything was left out.
-bool keep_flight(Trajectory& trajectory, const Ground& ground);
+// The lowest height that is said of a drone; the ground of a show is at the lowest of all its
+// drones.
+double lowest_of(const Trajectory& trajectory, const Ground& ground);
+
+// Within 0.1 m.
+bool on_ground(double height_m, double ground_m);
+
+// Leaves of the path what is flown: all pieces but those at its start and its end in which the
+// drone stands still on the ground, and no lower at any time. Standing still any higher is flight,
+// whatever the show calls the place. A path of which all pieces are left out is no flight at all.
+// Returns whether anything was left out.
+bool keep_flight(Trajectory& trajectory, double ground_m);
 
 }  // namespace beespace::io

@@ -101,16 +101,37 @@ TEST(Show, TheTimeOnTheGroundIsLeftOutAndThatIsReported) {
   EXPECT_TRUE(recording_of(load_show(show(drone("a", kTrajectory)), grounded)).notes.empty());
 }
 
-TEST(Show, PiecesThatOverlapTheFlightStayWhole) {
-  const BezierPath path = path_of(
-      R"({"takeoffTime": 2, "landingTime": 5,
-          "points": [[0, [0, 0, 3]], [1, [1, 0, 3]], [2, [2, 0, 3]], [4, [3, 0, 3]],
-                     [6, [4, 0, 3]], [7, [5, 0, 3]]]})",
-      false);
-  EXPECT_EQ(path.begins_s, 2.0);
-  EXPECT_EQ(path.begin, (Point{2, 0, 3}));
-  ASSERT_EQ(path.pieces.size(), 2u);
-  EXPECT_EQ(path.pieces.back().ends_s, 6.0);
+TEST(Show, TimesCountFromTakeoff) {
+  const std::string late = R"({"takeoffTime": 12, "points": [[0, [9, 0, 0]], [2, [9, 0, 5]]]})";
+  const BezierPath path = path_of(late, false);
+  EXPECT_EQ(path.begins_s, 12.0);
+  ASSERT_EQ(path.pieces.size(), 1u);
+  EXPECT_EQ(path.pieces[0].ends_s, 14.0);
+  const BezierPath waiting = path_of(late, true);
+  EXPECT_EQ(waiting.begins_s, 0.0);
+  ASSERT_EQ(waiting.pieces.size(), 2u);
+  EXPECT_EQ(waiting.pieces[0].end, (Point{9, 0, 0}));
+  EXPECT_TRUE(has_note(recording_of(load_show(show(drone("a", late)))),
+                       "the times of the points of 1 drone count from takeoffTime, which is not 0, "
+                       "as Skybrush plays them"));
+  EXPECT_TRUE(
+      has_note(recording_of(load_show(show(drone("a", late) + "," + drone("b", kTrajectory)))),
+               "which is not 0 and not the same for all, as"));
+}
+
+TEST(Show, WaitingInTheAirUntilTakeoffIsFlight) {
+  const BezierPath path =
+      path_of(R"({"takeoffTime": 12, "points": [[0, [9, 0, 10]], [2, [9, 0, 5]]]})", false);
+  EXPECT_EQ(path.begins_s, 0.0);
+  EXPECT_EQ(path.pieces.size(), 2u);
+}
+
+TEST(Show, LandingTimeCutsNothing) {
+  EXPECT_EQ(path_of(R"({"landingTime": 1, "points": [[0, [9, 0, 0]], [2, [9, 0, 5]],
+                                                     [4, [0, 0, 5]], [6, [0, 0, 0]]]})",
+                    false)
+                .pieces.size(),
+            3u);
 }
 
 TEST(Show, HoveringIsNoStanding) {
@@ -120,10 +141,40 @@ TEST(Show, HoveringIsNoStanding) {
   EXPECT_EQ(path_of(hovering, false, R"(, "home": [0, 0, 0])").pieces.size(), 3u);
   EXPECT_EQ(path_of(hovering, false, R"(, "home": [0, 0, 0], "landAt": [5, 0, 0])").pieces.size(),
             3u);
-  // On a pad of its own, and where it is to land.
-  EXPECT_EQ(path_of(hovering, false, R"(, "home": [0, 0, 3], "landAt": null)").pieces.size(), 1u);
+  // Where it is to land, without a home, and at home beside a drone that starts lower.
   EXPECT_EQ(path_of(hovering, false, R"(, "home": [0, 0, 0], "landAt": [5, 0, 3])").pieces.size(),
-            2u);
+            3u);
+  EXPECT_EQ(path_of(hovering, false).pieces.size(), 3u);
+  const auto beside = recording_of(load_show(
+      show(drone("a", kTrajectory) + "," + drone("b", hovering, R"(, "home": [0, 0, 3])"))));
+  ASSERT_EQ(beside.bees.size(), 2u);
+  EXPECT_EQ(beside.bees[1].path->pieces.size(), 3u);
+  // The lowest of the whole show is the ground.
+  EXPECT_EQ(path_of(hovering, false, R"(, "home": [0, 0, 3], "landAt": null)").pieces.size(), 1u);
+}
+
+TEST(Show, AConstantTrajectoryInTheAirIsFlight) {
+  const std::string still = R"({"points": [[0, [50, 0, 10]], [20, [50, 0, 10]]]})";
+  for (const char* const more :
+       {"", R"(, "home": [50, 0, 10])", R"(, "home": [0, 0, 0], "landAt": [50, 0, 10])"}) {
+    EXPECT_EQ(ids_of(recording_of(
+                  load_show(show(drone("a", kTrajectory) + "," + drone("b", still, more))))),
+              (Ids{"a", "b"}))
+        << more;
+  }
+}
+
+TEST(Show, ASinglePointInTheAirDoesNotSayHowLong) {
+  const std::string json =
+      show(drone("a", kTrajectory) + "," + drone("b", R"({"points": [[0, [0, 0, 5]]]})"));
+  const auto refused = load_show(json);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_NE(refused.error().message.find("drone 'b': points has a single point, which does not"),
+            std::string::npos);
+  EXPECT_EQ(refused.error().location.record, 1u);
+  const auto grounded = recording_of(load_show(
+      show(drone("a", kTrajectory) + "," + drone("b", R"({"points": [[0, [0, 0, 0]]]})"))));
+  EXPECT_EQ(ids_of(grounded), Ids{"a"});
 }
 
 TEST(Show, StandingInTheMiddleStays) {
