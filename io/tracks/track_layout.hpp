@@ -82,6 +82,11 @@ struct TrackLayout {
   std::vector<std::string> notes = {};
 };
 
+// Whether ids of bees are told by the name of the file.
+inline bool is_named_after_file(const TrackLayout& layout) {
+  return layout.ids_within_file || (!layout.table.choice.id && layout.time);
+}
+
 // The values of a report, in the order in which they are read.
 struct TrackSlot {
   static constexpr std::size_t kId = 0;

@@ -193,7 +193,9 @@ Result<TrackTableReader> TrackTableReader::begin(const TrackTable& beginning,
     assembly.note(layout->time ? "there is no id: each file is taken for one bee, named after it"
                                : "there is no id: bees are numbered in their order, from 0");
   }
-  TrackTableReader reader(*std::move(layout), beginning.stem, assembly);
+  std::string stem = beginning.stem;
+  if (is_named_after_file(*layout)) stem = assembly.name_of_source(std::move(stem));
+  TrackTableReader reader(*std::move(layout), std::move(stem), assembly);
   reader.data_offset_ += beginning.bytes.size() - text.size();
   Progress* const progress = assembly.options().progress;
   if (progress != nullptr) progress->done += reader.data_offset_;
