@@ -61,6 +61,13 @@ Result<std::vector<std::string>> tables_of(const ZipArchive& archive, const std:
                  {source}};
   }
   std::sort(tables.begin(), tables.end());
+  const auto twice = std::adjacent_find(tables.begin(), tables.end());
+  if (twice != tables.end()) {
+    return Error{ErrorCode::kUnsupportedFormat,
+                 "this zip archive holds several files named " + excerpt(*twice) +
+                     ", of which only one can be read; pack them under different names",
+                 {source}};
+  }
   return tables;
 }
 
@@ -78,6 +85,7 @@ std::optional<Error> read_archive(Bytes bytes, const std::string& source,
   }
   const auto tables = tables_of(*archive, source);
   if (!tables) return tables.error();
+  if (tables->size() > 1) assembly.expect_several();
   for (const std::string& table : *tables) {
     const std::string place = archive->place_of(table);
     assembly.begin_source(place);

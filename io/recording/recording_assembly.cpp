@@ -158,9 +158,15 @@ void RecordingAssembly::note(std::string text) {
 }
 
 std::string RecordingAssembly::name_of_source(std::string stem) {
-  if (std::find(stems_.begin(), stems_.end(), stem) != stems_.end()) return sources_.back();
-  stems_.push_back(stem);
-  return stem;
+  if (named_sources_ == sources_.size()) return source_stem_;
+  named_sources_ = sources_.size();
+  source_stem_ = std::move(stem);
+  if (stems_.insert(source_stem_).second) return source_stem_;
+  source_stem_ = sources_.back();
+  for (std::size_t number = 2; !stems_.insert(source_stem_).second; ++number) {
+    source_stem_ = sources_.back() + "#" + std::to_string(number);
+  }
+  return source_stem_;
 }
 
 void RecordingAssembly::miss(std::uint64_t records, std::string_view id) {

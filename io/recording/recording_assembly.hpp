@@ -66,7 +66,8 @@ class RecordingAssembly {
   // The frame was judged by all positions while they came, of which not all are there any more.
   void settled_frame() { frame_is_settled_ = true; }
   [[nodiscard]] bool has_several() const { return several_; }
-  // That name: `stem`, or where another source has it already, all of the source's name.
+  // What to call the source in ids, the same for every call until the next source begins: `stem`,
+  // or where another source has it already, all of the source's name, numbered if need be.
   std::string name_of_source(std::string stem);
 
   // Errors: kUnknownFrame, kMissingColumn, kInvalidArgument for inputs that do not go together:
@@ -129,8 +130,10 @@ class RecordingAssembly {
   std::unordered_set<std::string> missing_known_;  // the same
   std::vector<std::pair<LeftOutReason, std::string>> heard_;
   std::vector<std::string> sources_;
-  std::vector<bool> in_records_;    // by source
-  std::vector<std::string> stems_;  // those given away by name_of_source()
+  std::vector<bool> in_records_;           // by source
+  std::unordered_set<std::string> stems_;  // those given away by name_of_source()
+  std::string source_stem_;                // the last of them
+  std::size_t named_sources_ = 0;          // how many sources were begun when it was given away
   bool several_ = false;
   bool frame_is_settled_ = false;
   bool flat_ = true;                                     // all inputs so far

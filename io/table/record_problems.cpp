@@ -49,7 +49,7 @@ Error line_without_end(std::string_view beginning) {
 Error comment_or_record(std::string_view line) {
   return {ErrorCode::kMalformedRecord,
           "a comment, or a record? " + excerpt(line) +
-              " begins with # and has the columns of a record; remove it, or let no id begin with "
+              " begins with # and has numbers as a record has; remove it, or let no id begin with "
               "#" +
               std::string(kOrLeaveOut),
           {}};

@@ -218,6 +218,16 @@ std::string_view without_comment_sign(std::string_view line) {
   return has_comment_sign(line) ? without_padding(without_padding(line).substr(1)) : line;
 }
 
+// Whether it has as many columns as a record, two or all of them numbers.
+bool has_columns_of_record(std::string_view line, const TableLayout& layout) {
+  const std::size_t most = std::min<std::size_t>(2, layout.columns);
+  for (const std::string_view text : {line, without_comment_sign(line)}) {
+    const FieldCount count = count_fields(text, layout.delimiter);
+    if (count.fields == layout.columns && count.numeric >= most) return true;
+  }
+  return false;
+}
+
 Error comment_error(std::string_view line, std::string_view why) {
   return {ErrorCode::kMalformedRecord,
           "a comment line: " + excerpt(line) + " " + std::string(why) +
@@ -320,12 +330,17 @@ bool has_comment_sign(std::string_view line) {
 // refuse.
 bool is_comment(std::string_view line, const TableLayout& layout) {
   if (!has_comment_sign(line)) return false;
-  const std::size_t most = std::min<std::size_t>(2, layout.columns);
-  for (const std::string_view text : {line, without_comment_sign(line)}) {
-    const FieldCount count = count_fields(text, layout.delimiter);
-    if (count.fields == layout.columns && count.numeric >= most) return false;
-  }
-  return true;
+  if (has_columns_of_record(line, layout)) return false;
+  const std::string_view text = without_comment_sign(line);
+  const auto has_number = [text](char delimiter) {
+    const FieldCount count = count_fields(text, delimiter);
+    return count.fields > 1 && count.numeric > 0;
+  };
+  if (has_number(',') || has_number(';') || has_number('\t')) return false;
+  if (layout.delimiter != ' ') return !has_number(layout.delimiter);
+  // Words of people are apart by blanks, too.
+  const FieldCount count = count_fields(text, ' ');
+  return count.numeric < 2 || 2 * count.numeric < count.fields;
 }
 
 std::optional<Error> no_record_problem(std::string_view text, const TableLayout& layout) {
@@ -406,7 +421,7 @@ Result<TableLayout> find_table(std::string_view text, bool skip_bad) {
   layout.columns = layout.contents.size();
   const bool header_behind = layout.header.data() == line.text.data();
   for (const Comment& comment : comments) {
-    if (header_behind || is_comment(comment.text, layout)) continue;
+    if (header_behind || !has_columns_of_record(comment.text, layout)) continue;
     Error error = without_advice(comment_or_record(comment.text));
     error.location.line = comment.line;
     return error;

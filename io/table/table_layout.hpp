@@ -78,8 +78,9 @@ Error at_first_line(Error error, const TableLayout& table);
 // Whether it begins with "#".
 bool has_comment_sign(std::string_view line);
 
-// Whether it is a comment: a line that begins with "#", but not one that could be a record that was
-// taken out, or has an id that begins so: those are errors of read_record() and its like.
+// Whether it is a comment: a line behind the header that begins with "#", but not one that could be
+// a record that was taken out, or has an id that begins so, since it has a number between
+// delimiters: those are errors of read_record() and its like.
 bool is_comment(std::string_view line, const TableLayout& layout);
 
 // kNoPoints where nothing follows the header.

@@ -308,7 +308,8 @@ std::optional<Error> read_cells(JsonCells& cells, std::string description, const
   }
   if (place == RecordPlace::kRecordAndName) assembly.count_records();
   std::uint64_t rows = 0;
-  return read_track_records(cells.text(), *layout, stem, place, rows, assembly);
+  const std::string bee = is_named_after_file(*layout) ? assembly.name_of_source(stem) : stem;
+  return read_track_records(cells.text(), *layout, bee, place, rows, assembly);
 }
 
 std::string_view description_of(Form form) {

@@ -43,6 +43,11 @@ bool is_axes_name(const Words& words) {
          !has(words, "child");
 }
 
+bool is_child_name(const Words& words) {
+  return words.size() >= 3 && words[words.size() - 3] == "child" &&
+         words[words.size() - 2] == "frame" && words.back() == "id";
+}
+
 // "pose.position" of "pose.position.x"; nothing of other columns.
 std::optional<Words> position_before(Words words, std::string_view axis) {
   if (words.size() < 2 || words.back() != axis) return std::nullopt;
@@ -52,7 +57,8 @@ std::optional<Words> position_before(Words words, std::string_view axis) {
 }
 
 std::optional<RosTable> by_names(const TableLayout& table) {
-  RosTable found{table.names, {}, {}, {}};
+  RosTable found;
+  found.names = table.names;
   std::array<std::vector<std::size_t>, 3> axes;
   std::array<Words, 3> before;
   bool stamped = false;
@@ -60,6 +66,7 @@ std::optional<RosTable> by_names(const TableLayout& table) {
     const Words words = split_words(table.names[column]);
     stamped = stamped || is_header_stamp(words);
     if (!found.axes_name && is_axes_name(words)) found.axes_name = column;
+    if (!found.child && is_child_name(words)) found.child = column;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       auto place = position_before(words, kAxes[axis]);
       if (!place) continue;
@@ -149,6 +156,7 @@ RosTable table_of(const Message& message) {
     found.names.push_back("unread." + std::to_string(found.names.size() + 1));
   }
   found.columns = columns_text({first, first + 1, first + 2});
+  if (message.frames == 2) found.child = first - 1;
   found.axes_name = 2;
   found.note = "without a header, this is taken for " + std::string(message.name) +
                " as 'ros2 topic echo --csv' writes it: seconds, nanoseconds, frame, position in "

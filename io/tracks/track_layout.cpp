@@ -211,6 +211,7 @@ Result<TrackLayout> skybrush_layout(TableLayout table, const RecordingOptions& o
 Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::string_view text,
                                RecordingOptions options, bool whole) {
   options.columns = ros.columns;
+  if (ros.child) options.columns += ",id=" + std::to_string(*ros.child + 1);
   table.names = ros.names;
   auto layout = choose_track_layout(std::move(table), text, options, whole);
   if (!layout) return layout;
@@ -222,7 +223,12 @@ Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::stri
     }
   }
   layout->axes_name = ros.axes_name;
+  layout->ids_within_file = ros.child.has_value();
   layout->notes.push_back(ros.note);
+  if (ros.child) {
+    layout->notes.emplace_back(
+        "each child_frame_id is taken for a bee; of several files, for one of that file");
+  }
   return layout;
 }
 

@@ -77,9 +77,15 @@ struct TrackLayout {
   std::optional<std::size_t> on_ground = {};  // of those that are left out
   bool show = false;                          // of a drone show: a path with colours
   std::optional<std::size_t> axes_name = {};  // of ROS: what x, y, z are counted in ("map")
+  bool ids_within_file = false;               // of ROS: another file may call another bee so
   std::vector<UnitTaken> units = {};          // of positions and velocities
   std::vector<std::string> notes = {};
 };
+
+// Whether ids of bees are told by the name of the file.
+inline bool is_named_after_file(const TrackLayout& layout) {
+  return layout.ids_within_file || (!layout.table.choice.id && layout.time);
+}
 
 // The values of a report, in the order in which they are read.
 struct TrackSlot {

@@ -83,6 +83,7 @@ std::optional<Error> TrackRecordReader::read_id(TrackRecord& record) {
     record.left_out = &kNoAnimal;
     return std::nullopt;
   }
+  if (layout_.ids_within_file && field.text.empty()) return std::nullopt;
   if (field.text.empty()) {
     return at_column(ErrorCode::kMalformedRecord,
                      "the id is empty; fill it in" + std::string(kOrLeaveOut), *choice.id);

@@ -59,6 +59,16 @@ Error midnight_passed(const TrackRecord& record, const TimeChoice& time) {
   return error;
 }
 
+// The bee of a record whose id another file may give to another bee, in `id`.
+void name_within_file(const std::string& file, bool several, TrackRecord& record, std::string& id) {
+  if (record.id.empty()) {
+    record.id = file;
+  } else if (several) {
+    id.assign(file).append(":").append(record.id);
+    record.id = id;
+  }
+}
+
 }  // namespace
 
 SourceFacts facts_of(const TrackLayout& layout, std::string description) {
@@ -93,6 +103,7 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
   TrackRecord record;
   record.id = stem;
   std::string row_id;
+  std::string file_id;
   std::uint64_t rows = 0;
   const char* reported = text.data();
   RecordWalk walk(text, 0, layout.table);
@@ -110,9 +121,13 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       row_id = std::to_string(assembly.nameless() + walk.row());
       record.id = row_id;
     }
-    if (auto error = reader.read(walk.record(), record)) {
-      place(*error, line, rows_before + walk.row(), place_of, layout);
-      if (auto fatal = assembly.bad(*std::move(error), record.id)) return fatal;
+    auto problem = reader.read(walk.record(), record);
+    if (layout.ids_within_file && !(problem && record.id.empty())) {
+      name_within_file(stem, assembly.has_several(), record, file_id);
+    }
+    if (problem) {
+      place(*problem, line, rows_before + walk.row(), place_of, layout);
+      if (auto fatal = assembly.bad(*std::move(problem), record.id)) return fatal;
       continue;
     }
     if (record.left_out != nullptr) {
@@ -178,7 +193,9 @@ Result<TrackTableReader> TrackTableReader::begin(const TrackTable& beginning,
     assembly.note(layout->time ? "there is no id: each file is taken for one bee, named after it"
                                : "there is no id: bees are numbered in their order, from 0");
   }
-  TrackTableReader reader(*std::move(layout), beginning.stem, assembly);
+  std::string stem = beginning.stem;
+  if (is_named_after_file(*layout)) stem = assembly.name_of_source(std::move(stem));
+  TrackTableReader reader(*std::move(layout), std::move(stem), assembly);
   reader.data_offset_ += beginning.bytes.size() - text.size();
   Progress* const progress = assembly.options().progress;
   if (progress != nullptr) progress->done += reader.data_offset_;

@@ -86,6 +86,11 @@ TEST(FirstLines, WhatCouldBeARecordIsNoComment) {
                {ErrorCode::kMalformedRecord, "bees.csv:2", "a comment, or a record?"});
   expect_error(load_text("x,y,z\n1,2,3\n#4,5,6\n", in_metres()),
                {ErrorCode::kMalformedRecord, "bees.csv:3", "a comment, or a record?"});
+  expect_error(load_text("id,x,y,z\na,1,2,3\n#b;1;2;3\n", in_metres()),
+               {ErrorCode::kMalformedRecord, "bees.csv:3", "a comment, or a record?"});
+  expect_error(load_text("1 2 3\n# b 1 2\n", in_metres()),
+               {ErrorCode::kMalformedRecord, "bees.csv:2", "a comment, or a record?"});
+  EXPECT_EQ(points_of(load_text("1 2 3\n# 3 bees at 4 Hz\n", in_metres())).size(), 1u);
   expect_error(load_text("id,x,y,z\n#1,1,2,3\n#2,1,2,4\n", in_metres()),
                {ErrorCode::kMalformedRecord, "bees.csv:2", "let no id begin with #"});
 }

@@ -185,7 +185,17 @@ TEST(BadTrack, RecordsOfAnotherShape) {
                {ErrorCode::kMalformedRecord, "bees.csv:3:1", "never closed on this line"});
   expect_error(with_row("# a,1,1,2,3"),
                {ErrorCode::kMalformedRecord, "bees.csv:3", "a comment, or a record?"});
-  EXPECT_TRUE(with_row("# a comment"));
+  for (const std::string_view row :
+       {"#a,1,1,2", "#1,1,1,2,3,", "#b;1;2;3", "#b\t1", "# 7, again"}) {
+    expect_error(with_row(row),
+                 {ErrorCode::kMalformedRecord, "bees.csv:3", "a comment, or a record?"});
+  }
+  for (const std::string_view row : {"# a comment", "# a comment, too", "# 3 bees at 4 Hz", "#"}) {
+    EXPECT_TRUE(with_row(row)) << row;
+  }
+  const auto without =
+      recording_of(record("id,time_s,x,y,z\n#1,0,0,0\nq,0,0,0,0\n", skipping_bad()));
+  EXPECT_EQ(without.missing.count, 1u);
   expect_error(with_row(std::string_view("a,1,1,\0,3", 10)),
                {ErrorCode::kUnsupportedFormat, "bees.csv", "NUL"});
 }

@@ -23,7 +23,7 @@ constexpr std::string_view kOdometry =
 
 TEST(RosTable, ThePoseAndTheStampOfTheHeaderAreTaken) {
   const auto recording = recording_of(record(kOdometry));
-  ASSERT_EQ(ids_of(recording), Ids{"bees"});
+  ASSERT_EQ(ids_of(recording), Ids{"base_link"});
   const RecordedBee& bee = recording.bees[0];
   EXPECT_EQ(times_of(bee), (Times{1700000000.25, 1700000001}));
   EXPECT_EQ(bee.fixes[1].position, (Point{4, 5, 6}));
@@ -109,6 +109,34 @@ TEST(RosTable, WithoutAHeaderPosesAreKnownByTheirOrientation) {
         "1700000000,5,7,1,2,3,0,0,0.6,0.8\n"}) {
     expect_error(record(line), {ErrorCode::kMissingColumn, "bees.csv:1", "there is no header"});
   }
+}
+
+TEST(RosTable, EachChildIsABee) {
+  const std::string header =
+      "header.stamp.sec,header.stamp.nanosec,header.frame_id,child_frame_id,"
+      "transform.translation.x,transform.translation.y,transform.translation.z\n";
+  const std::string named = header +
+                            "1772373600,0,map,d1,0,0,5\n"
+                            "1772373600,500000000,map,d2,1,0,5\n"
+                            "1772373601,0,map,d1,0,0,5\n"
+                            "1772373601,500000000,map,,2,0,5\n";
+  const std::string bare =
+      "1772373600,0,map,d1,0,0,5,0,0,0,1\n"
+      "1772373600,500000000,map,d2,1,0,5,0,0,0,1\n"
+      "1772373601,0,map,d1,0,0,5,0,0,0,1\n"
+      "1772373601,500000000,map,,2,0,5,0,0,0,1\n";
+  for (const std::string& table : {named, bare}) {
+    const auto recording = recording_of(record(table));
+    EXPECT_EQ(ids_of(recording), (Ids{"d1", "d2", "bees"})) << table;
+    EXPECT_EQ(recording.bees[0].fixes.size(), 2u) << table;
+    EXPECT_TRUE(has_note(recording, "each child_frame_id is taken for a bee")) << table;
+  }
+  // Every robot may call itself so.
+  const TemporaryFolder folder;
+  const auto both = load_recording({folder.write("north.csv", kOdometry),  //
+                                    folder.write("south.csv", kOdometry)},
+                                   {});
+  EXPECT_EQ(ids_of(recording_of(both)), (Ids{"north:base_link", "south:base_link"}));
 }
 
 TEST(RosTable, AFrameIsNoId) {
