@@ -435,6 +435,7 @@ TEST(Ulog, ALogThatIsCutShortIsReadAsFarAsItGoes) {
     EXPECT_TRUE(
         has_note(recording, "ends within a message, at byte " + std::to_string(whole.size())))
         << length;
+    EXPECT_EQ(recording.missing.count, 1u) << length;
   }
 }
 
