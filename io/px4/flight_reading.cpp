@@ -233,7 +233,8 @@ class FlightReading {
     }
     if (losses.cut_at) {
       assembly_.note("the log " + name + " ends within a message, at byte " +
-                     std::to_string(*losses.cut_at) + "; that one, and what may have come behind it, is left out");
+                     std::to_string(*losses.cut_at) +
+                     "; that one, and what may have come behind it, is left out");
       assembly_.miss(1, id_);
     }
   }
