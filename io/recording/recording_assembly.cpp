@@ -53,7 +53,6 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   const auto disagree = [this](ErrorCode code, const std::string& message) {
     return Error{code, message, {sources_.back()}};
   };
-  flat_ = flat_ && facts.dimensions == 2;
   if (!facts_) {
     facts_ = facts;
     facts_source_ = sources_.back();
@@ -66,6 +65,15 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
                     "this is " + frame_words(facts.frame) + ", but " + facts_source_ + " is " +
                         frame_words(facts_->frame) +
                         "; read them apart, or convert one of them first");
+  }
+  // A height that is missing is not 0.
+  if (facts.dimensions != facts_->dimensions) {
+    return disagree(ErrorCode::kMissingColumn,
+                    std::string("there are ") + (facts.dimensions == 2 ? "no " : "") +
+                        "heights here, but " + (facts.dimensions == 2 ? "" : "none ") + "in " +
+                        facts_source_ +
+                        "; give heights to all, or leave them out of all with --columns x=...,"
+                        "y=..., or read them apart");
   }
   if (facts.has_time != facts_->has_time) {
     return disagree(ErrorCode::kMissingColumn,
@@ -97,7 +105,6 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   if (facts.named_time != facts_->named_time) facts_->named_time = Unit::kUnstated;
   // The least that any of them says.
   facts_->naming = std::min(facts_->naming, facts.naming);
-  facts_->dimensions = std::min(facts_->dimensions, facts.dimensions);
   if (auto error = agree_on_heights(facts.heights)) return error;
   agree_on_units(facts);
   if (facts.description != facts_->description) facts_->description = "several formats";
@@ -380,7 +387,7 @@ Result<Recording> RecordingAssembly::finish() {
     recording_.since_1970 = facts_->since_1970;
     recording_.clock = facts_->clock;
     if (facts_->since_1970) recording_.time_zone = options_.time_zone;
-    recording_.flat = flat_;
+    recording_.flat = facts_->dimensions == 2;
     recording_.heights = facts_->heights;
     if (!several_height_units_) recording_.height_unit = facts_->height_unit;
   }

@@ -71,7 +71,7 @@ class RecordingAssembly {
   std::string name_of_source(std::string stem);
 
   // Errors: kUnknownFrame, kMissingColumn, kInvalidArgument for inputs that do not go together:
-  // in frame, time or what heights are counted from.
+  // in frame, time, whether there are heights or what these are counted from.
   std::optional<Error> agree(const SourceFacts& facts);
   // Of ROS: positions are counted in axes of that name, which must be one for all. Errors:
   // kUnknownFrame.
@@ -136,7 +136,6 @@ class RecordingAssembly {
   std::size_t named_sources_ = 0;          // how many sources were begun when it was given away
   bool several_ = false;
   bool frame_is_settled_ = false;
-  bool flat_ = true;                                     // all inputs so far
   std::optional<SourceFacts> facts_;                     // of all inputs so far
   std::string facts_source_;                             // who said so first
   HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by the source that states it

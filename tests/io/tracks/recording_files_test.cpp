@@ -108,6 +108,37 @@ TEST(RecordingFiles, FilesMustAgreeOnWhatTimesAre) {
                {ErrorCode::kMissingColumn, snapshot, "there is no time here, but one in"});
 }
 
+TEST(RecordingFiles, AHeightThatOneFileLacksIsNotZero) {
+  const TemporaryFolder folder;
+  const std::string space = folder.write("1.csv", kTwoBees);
+  const std::string plane = folder.write("2.csv", "id,time_s,x,y\nc,0,1,2\n");
+  expect_error(load_recording({space, plane}),
+               {ErrorCode::kMissingColumn, plane, "there are no heights here, but in " + space});
+  expect_error(load_recording({plane, space}),
+               {ErrorCode::kMissingColumn, space, "heights here, but none in " + plane});
+  EXPECT_TRUE(load_recording({space, plane}, columns_are("id=id,time=time_s,x=x,y=y")));
+  const std::string high = folder.write("3.csv", "id,time_s,lon,lat,height\na,0,9,47,500\n");
+  const std::string ground = folder.write("4.csv", "id,time_s,lon,lat\nb,0,9,47\n");
+  expect_error(load_recording({high, ground}), {ErrorCode::kMissingColumn, ground, "no heights"});
+  const std::string packed =
+      zipped({{"1.csv", std::string(kTwoBees)}, {"2.csv", "id,time_s,x,y\nc,0,1,2\n"}});
+  expect_error(load_recording_from_memory(packed, "bees.zip"),
+               {ErrorCode::kMissingColumn, "2.csv", "there are no heights here, but in"});
+}
+
+TEST(RecordingFiles, HeightsThatAreEmptyThroughoutOneFileAreNotZero) {
+  const TemporaryFolder folder;
+  const std::string header =
+      "event-id,visible,timestamp,location-long,location-lat,height-above-ellipsoid,"
+      "tag-local-identifier,individual-local-identifier\n";
+  const std::string high =
+      folder.write("1.csv", header + "1,true,2015-09-10 07:00:00.000,9.17,47.7,420,1,a\n");
+  const std::string none =
+      folder.write("2.csv", header + "2,true,2015-09-10 07:00:00.000,9.17,47.7,,2,b\n");
+  expect_error(load_recording({high, none}),
+               {ErrorCode::kMissingColumn, none, "there are no heights here, but in " + high});
+}
+
 TEST(RecordingFiles, AFolderIsReadByTheNamesOfItsTables) {
   const TemporaryFolder folder;
   write_table(folder, "bee 2.csv", kOneBee);
