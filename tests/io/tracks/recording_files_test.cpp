@@ -123,7 +123,7 @@ TEST(RecordingFiles, AHeightThatOneFileLacksIsNotZero) {
   const std::string packed =
       zipped({{"1.csv", std::string(kTwoBees)}, {"2.csv", "id,time_s,x,y\nc,0,1,2\n"}});
   expect_error(load_recording_from_memory(packed, "bees.zip"),
-               {ErrorCode::kMissingColumn, "2.csv", "there are no heights here, but in"});
+               {ErrorCode::kMissingColumn, "bees.zip!2.csv", "there are no heights here, but in"});
 }
 
 TEST(RecordingFiles, HeightsThatAreEmptyThroughoutOneFileAreNotZero) {
