@@ -31,9 +31,17 @@ struct Listed {
   std::vector<std::string> documents = {};
   std::vector<std::string> logs = {};
   std::vector<std::string> flights = {};
+  std::vector<std::string> others = {};
   std::string_view foreign = {};  // what is said of a show of other editors
   std::error_code problem = {};
 
+  std::vector<std::string>& of(std::string_view name, const std::string& path) {
+    if (is_folder(path)) return others;
+    if (is_table_name(name)) return tables;
+    if (has_ending(name, {".json", ".ndjson", ".jsonl"})) return documents;
+    if (has_ending(name, {".tlog"})) return logs;
+    return has_ending(name, {".ulg", ".ulog"}) ? flights : others;
+  }
   // The kind that is read.
   std::vector<std::string>& chosen() {
     if (!tables.empty()) return tables;
@@ -49,11 +57,8 @@ Listed listed(const std::string& folder) {
        entry.increment(found.problem)) {
     const std::string name = entry->path().filename().string();
     const std::string path = entry->path().string();
-    if (name.front() == '.' || is_folder(path)) continue;
-    if (is_table_name(name)) found.tables.push_back(path);
-    if (has_ending(name, {".json", ".ndjson", ".jsonl"})) found.documents.push_back(path);
-    if (has_ending(name, {".tlog"})) found.logs.push_back(path);
-    if (has_ending(name, {".ulg", ".ulog"})) found.flights.push_back(path);
+    if (name.front() == '.') continue;
+    found.of(name, path).push_back(path);
     if (found.foreign.empty()) found.foreign = foreign_show(name);
   }
   return found;
@@ -103,7 +108,7 @@ std::string recordings_left_in(const std::string& folder) {
   Listed found = listed(folder);
   const std::vector<std::string>* const chosen = &found.chosen();
   std::vector<std::string> left;
-  for (const auto* kind : {&found.logs, &found.flights}) {
+  for (const auto* kind : {&found.documents, &found.logs, &found.flights, &found.others}) {
     if (kind != chosen) left.insert(left.end(), kind->begin(), kind->end());
   }
   if (left.empty()) return {};

@@ -25,8 +25,7 @@ std::string_view foreign_show(std::string_view name);
 // kCannotOpen, kNoPoints when there is nothing.
 Result<std::vector<std::string>> recordings_in(const std::string& folder);
 
-// What of a folder is surely a recording, and not read beside others there: logs beside tables.
-// In a sentence, or nothing.
+// What of a folder is not read beside what is, but for hidden files. In a sentence, or nothing.
 std::string recordings_left_in(const std::string& folder);
 
 // "swarm" of "data/swarm.csv.gz"; "stdin" of "-".

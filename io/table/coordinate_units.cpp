@@ -62,6 +62,16 @@ Error no_override(std::string_view what, const std::string& why) {
           {}};
 }
 
+// The unit that the header names: of a known source perhaps behind a name that only its columns
+// have, as "X#wcentroid (cm)" of TRex.
+Unit named_unit(const ColumnMeaning& word, const KnownColumn* known) {
+  if (word.unit != Unit::kUnstated || known == nullptr || known->unit == Unit::kUnstated) {
+    return word.unit;
+  }
+  const std::size_t last = known->name.rfind('_') + 1;  // 0 where there is none
+  return known->name.substr(last) == symbol_of(known->unit) ? known->unit : Unit::kUnstated;
+}
+
 Error not_in_pixels(const TableLayout& table, std::size_t column, Unit unit) {
   Error error{ErrorCode::kInvalidArgument,
               "column " + excerpt(table.names[column]) + " names its unit, " +
@@ -130,12 +140,16 @@ std::optional<Error> settle_units(const ColumnSchema& schema, const TableLayout&
     const std::size_t column = choice.axes[axis];
     const bool named = column < table.names.size();
     const ColumnMeaning word = stated(schema, table, column);
+    const KnownColumn* const known = chooser.source() != nullptr && named
+                                         ? chooser.source()->find(table.names[column])
+                                         : nullptr;
+    const Unit in_name = named_unit(word, known);
     // What is said of positions is not of a z that names its own unit.
     const bool height =
-        axis == 2 && (geographic || word.role == Role::kHeight || word.unit != Unit::kUnstated ||
+        axis == 2 && (geographic || word.role == Role::kHeight || in_name != Unit::kUnstated ||
                       overrides.height != Unit::kUnstated);
     if (pixels && !(height && overrides.height != Unit::kUnstated)) {
-      if (word.unit != Unit::kUnstated) return not_in_pixels(table, column, word.unit);
+      if (in_name != Unit::kUnstated) return not_in_pixels(table, column, in_name);
       choice.units[axis] = Unit::kPixel;
       choice.pixel_m = options.pixel->metric;
       taken.push_back({kAxes[axis], Unit::kPixel, UnitEvidence::kAsked,
@@ -143,16 +157,13 @@ std::optional<Error> settle_units(const ColumnSchema& schema, const TableLayout&
       continue;
     }
     const auto unit = chooser.choose(height ? UnitRole::kHeight : UnitRole::kPosition,
-                                     geographic ? "heights" : kAxes[axis], column, word.unit);
+                                     geographic ? "heights" : kAxes[axis], column, in_name);
     if (!unit) return unit.error();
     choice.units[axis] = unit->unit;
     if (named) units.push_back({column, unit->unit, unit->evidence});
     taken.push_back(*unit);
     if (axis < 2) continue;
     choice.datum = word.datum;
-    const KnownColumn* const known = chooser.source() != nullptr && named
-                                         ? chooser.source()->find(table.names[column])
-                                         : nullptr;
     if (known != nullptr) choice.datum = known->datum;
   }
   choice.units_taken = put_together(taken);

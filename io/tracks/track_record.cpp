@@ -88,6 +88,14 @@ std::optional<Error> TrackRecordReader::read_id(TrackRecord& record) {
     return at_column(ErrorCode::kMalformedRecord,
                      "the id is empty; fill it in" + std::string(kOrLeaveOut), *choice.id);
   }
+  // All of whom it is not known who they are would become one.
+  if (is_unknown(field.text)) {
+    return at_column(ErrorCode::kMalformedRecord,
+                     "the id " + excerpt(field.text) +
+                         " says that it is not known; fill it in, or write another name" +
+                         std::string(kOrLeaveOut),
+                     *choice.id);
+  }
   record.id = field.text;
   if (field.doubled_quotes) {
     unquoted_id_ = unquoted(field);

@@ -2,6 +2,7 @@
 
 #include "io/frames/track_domain.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/table/record_problems.hpp"
 
 #include <beespace/geodesy.hpp>
 
@@ -143,6 +144,15 @@ std::optional<Error> settle_units(const VelocityQuestion& question, VelocityChoi
     auto one = question.units.choose(climb ? UnitRole::kClimb : UnitRole::kSpeed,
                                      climb ? "climb rates" : "speeds", column, unit);
     if (!one) return one.error();
+    // Whoever has pixels has perhaps pixels per second.
+    if (question.position.units[0] == Unit::kPixel && one->evidence == UnitEvidence::kUsual) {
+      return at_column(ErrorCode::kInvalidArgument,
+                       column_text(question.header.table(), column) +
+                           " holds the velocity, but in which unit? Positions are in pixels; say "
+                           "it in the header, as in " +
+                           excerpt("vx [mm/s]") + ", or with --units speed=mm/s",
+                       column);
+    }
     choice.units[i] = one->unit;
     units.push_back({column, one->unit, one->evidence});
     const bool same =

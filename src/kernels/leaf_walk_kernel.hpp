@@ -3,12 +3,12 @@
 // nearest.
 //
 // Included after tree_walk_kernel.hpp, by the same files and under the same rules: what floats
-// promise is said there, of one frame. Here, all is in the frame of the leaf's node of level 0.
-// Another node's points come to it by x' = (x + offset) * unit, where unit is a power of two: how
-// long the unit of the other frame is here. Let c be the largest of these units, 1 or above, and no
-// offset longer than 16 c here. With u = 2^-24, a float is off by u c where it was, by 16 u c for
-// the offset, and by 17 u c for the sum; the place by u; their difference, the squares and sums by
-// 5/2 u relatively:
+// promise is said in frame_place_kernel.hpp, of one frame. Here, all is in the frame of the leaf's
+// node of level 0. Another node's points come to it by x' = (x + offset) * unit, where unit is a
+// power of two: how long the unit of the other frame is here. Let c be the largest of these units,
+// 1 or above, and no offset longer than 16 c here. With u = 2^-24, a float is off by u c where it
+// was, by 16 u c for the offset, and by 17 u c for the sum; the place by u; their difference, the
+// squares and sums by 5/2 u relatively:
 //   |d_float - d| <= sqrt(3) 35 u c + (5/2 + o(1)) u d  <  a + 2^-22 d    with a = 2^-18 c.
 // Let as many others as are wanted have d_float^2 <= T. They are within D = (sqrt(T) + a) (1 +
 // 2^-21). What is not farther has a float of at most D (1 + 2^-22) + a, the square of which is

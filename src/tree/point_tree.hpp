@@ -11,8 +11,8 @@
 // Boxes and points are floats in the frame of their node: scale * (position - origin), where scale
 // is a power of two. All points of a node of level 0 lie in [-1, 1]; above, most of the boxes lie
 // in a wider frame. So the floats resolve a crowd as well as a continent, wherever it lies and
-// whatever lies around it. What they promise is derived in kernels/tree_walk_kernel.hpp; what they
-// leave open, the doubles decide.
+// whatever lies around it. What they promise is derived in kernels/frame_place_kernel.hpp; what
+// they leave open, the doubles decide.
 #pragma once
 
 #include "base/bounds.hpp"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "tests/cli/run/command_run.hpp"
 #include "tests/cli/run/expectations.hpp"
@@ -221,6 +222,33 @@ TEST(Animals, ClocksDoNotMix) {
       folder.file("next.csv", "timestamp,id,x_m,y_m\n2015-03-29 00:00:00,b,0,0\n");
   const Finished days = run({"replay", bare, next});
   expect_parts(days.err, {"from       2015-03-28 00:00:00.000 to 2015-03-29 00:00:00.000"});
+}
+
+// A header that names its unit has no pixels, however its tool writes that; and whoever has pixels
+// has perhaps pixels a second.
+TEST(Animals, UnitsThatContradictAreRefused) {
+  const TemporaryFolder folder;
+  const std::string fish = folder.file(
+      "fish.csv", "frame,X#wcentroid (cm),Y#wcentroid (cm),time,missing\n0,0,0,0,0\n1,0,0,0.1,0\n");
+  EXPECT_EQ(run({"replay", fish}).exit_code, 0);
+  const std::vector<std::vector<std::string>> contrary = {{"--scale", "2cm"},
+                                                          {"--units", "position=m"}};
+  for (const std::vector<std::string>& more : contrary) {
+    std::vector<std::string> asked = {"replay", fish};
+    asked.insert(asked.end(), more.begin(), more.end());
+    const Finished finished = run(asked);
+    EXPECT_EQ(finished.exit_code, 2) << more[0];
+    expect_parts(finished.err, {"X#wcentroid (cm)", "names its unit, cm", more[0]});
+  }
+  const std::string header = "id,time_s,x_px,y_px,";
+  const std::string rows = "\na,0,0,0,50,10\na,1,0,10,-50,10\n";
+  const std::string silent = folder.file("silent.csv", header + "vx,vy" + rows);
+  const Finished asks = run({"replay", silent, "--scale", "1mm"});
+  EXPECT_EQ(asks.exit_code, 2);
+  expect_parts(asks.err, {"'vx' holds the velocity, but in which unit?", "speed=mm/s"});
+  EXPECT_EQ(run({"replay", silent, "--scale", "1mm", "--units", "speed=mm/s"}).exit_code, 0);
+  const std::string stated = folder.file("stated.csv", header + "vx [mm/s],vy [mm/s]" + rows);
+  EXPECT_EQ(run({"replay", stated, "--scale", "1mm"}).exit_code, 0);
 }
 
 // Who asks 'detect' is told whom to ask.

@@ -181,6 +181,11 @@ TEST(BadTrack, RecordsOfAnotherShape) {
                {ErrorCode::kColumnCount, "bees.csv:3", "4 columns where the header has 5"});
   expect_error(with_row(",1,1,2,3"),
                {ErrorCode::kMalformedRecord, "bees.csv:3:1", "the id is empty"});
+  // Several whose names are not known are not one.
+  for (const std::string_view row : {"NA,1,1,2,3", "n/a,1,1,2,3", "NaN,1,1,2,3"}) {
+    expect_error(with_row(row), {ErrorCode::kMalformedRecord, "bees.csv:3:1", "it is not known"});
+  }
+  EXPECT_TRUE(with_row("Nana,1,1,2,3"));
   expect_error(with_row("\"a,1,1,2,3"),
                {ErrorCode::kMalformedRecord, "bees.csv:3:1", "never closed on this line"});
   expect_error(with_row("# a,1,1,2,3"),
