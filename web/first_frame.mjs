@@ -27,7 +27,7 @@ async function firstFrame(file) {
 
 const median = (list) => list.slice().sort((a, b) => a - b)[Math.floor(list.length / 2)];
 const taken = pages.map(() => []);
-// The first opening of a browser is that of nobody.
+// The first opening of a browser is not counted.
 await firstFrame(pages[0]);
 for (let round = 0; round < Number(times); ++round) {
   // To and fro: none is always the first.

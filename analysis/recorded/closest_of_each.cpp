@@ -67,7 +67,7 @@ Result<ClosestOfEach> closest_of_each(const std::vector<Track>& tracks, double t
                                 .max_results = 100'000 + kMostOfEach * tracks.size()});
     if (!found && found.error().code != ErrorCode::kTooManyResults) return found.error();
     if (!found) break;
-    // Whoever was found before stays with the same one: nobody is closer.
+    // A bee that was found before keeps its pair: none other is closer.
     for (const Conflict& conflict : found->conflicts) take(closest, conflict);
     if (all_are_found(closest) || within_m > extent_m) return closest;
     within_m *= 2.0;

@@ -23,20 +23,45 @@ std::pair<double, double> whole_time(const io::Recording& recording) {
   return time;
 }
 
-// Before its first fix and after its last one; of a show's drone, which stands then, none.
-double outside_s(const io::Recording& recording, const io::RecordedBee& bee,
-                 const std::pair<double, double>& whole) {
-  if (bee.fixes.empty() || recording.show) return 0.0;
-  return (bee.fixes.front().time_s - whole.first) + (whole.second - bee.fixes.back().time_s);
+// A drone of a show that begins and ends here stands there before and after.
+constexpr double kGroundTolerance_m = 0.1;
+
+// The lowest height at which a bee begins or ends.
+double ground_of(const io::Recording& recording) {
+  double lowest_m = std::numeric_limits<double>::infinity();
+  for (const io::RecordedBee& bee : recording.bees) {
+    if (bee.fixes.empty()) continue;
+    lowest_m = std::min({lowest_m, bee.fixes.front().position.z, bee.fixes.back().position.z});
+  }
+  return lowest_m;
+}
+
+// How long each bee is not known before its first fix and after its last one: a drone of a show not
+// while it stands on the ground.
+std::vector<double> outside_s(const io::Recording& recording) {
+  const auto whole = whole_time(recording);
+  const double ground_m = ground_of(recording);
+  const auto stands = [&](const Fix& fix) {
+    return recording.show && fix.position.z - ground_m <= kGroundTolerance_m;
+  };
+  std::vector<double> outside;
+  for (const io::RecordedBee& bee : recording.bees) {
+    double seconds = 0.0;
+    if (!bee.fixes.empty()) {
+      const Fix& first = bee.fixes.front();
+      const Fix& last = bee.fixes.back();
+      if (!stands(first)) seconds += first.time_s - whole.first;
+      if (!stands(last)) seconds += whole.second - last.time_s;
+    }
+    outside.push_back(seconds);
+  }
+  return outside;
 }
 
 }  // namespace
 
 std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps) {
-  const auto whole = whole_time(recording);
-  std::vector<double> unknown_s;
-  for (const io::RecordedBee& bee : recording.bees)
-    unknown_s.push_back(outside_s(recording, bee, whole));
+  std::vector<double> unknown_s = outside_s(recording);
   for (const Gap& gap : gaps) unknown_s[gap.track] += length_of(gap);
   return unknown_s;
 }
@@ -59,9 +84,7 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
                       return a.track != b.track ? a.track < b.track : a.begins_s < b.begins_s;
                     });
   coverage.longest.erase(named, coverage.longest.end());
-  const auto whole = whole_time(recording);
-  for (const io::RecordedBee& bee : recording.bees) {
-    const double missing_s = outside_s(recording, bee, whole);
+  for (const double missing_s : outside_s(recording)) {
     coverage.outside_s += missing_s;
     if (missing_s > 0.0) ++coverage.bees_partly;
   }

@@ -1,4 +1,4 @@
-// What is too close where nobody says so in the command: what the input declares, or what is usual.
+// What is too close where the command does not say: what the input declares, or what is usual.
 #pragma once
 
 #include "io/recording/recording.hpp"

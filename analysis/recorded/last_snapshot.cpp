@@ -73,7 +73,7 @@ void bring_forward(LastState& state, double by_s) {
   state.height_m = flushed(state.height_m + state.climb_mps * by_s);
 }
 
-// Whether the input has a place for them, known or not: then nobody has forgotten a column.
+// Whether the input has a place for them, known or not: then no column was forgotten.
 bool has_velocities(const io::Recording& recording) {
   return std::any_of(recording.bees.begin(), recording.bees.end(),
                      [](const io::RecordedBee& bee) { return !bee.velocities.empty(); });

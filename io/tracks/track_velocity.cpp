@@ -144,7 +144,7 @@ std::optional<Error> settle_units(const VelocityQuestion& question, VelocityChoi
     auto one = question.units.choose(climb ? UnitRole::kClimb : UnitRole::kSpeed,
                                      climb ? "climb rates" : "speeds", column, unit);
     if (!one) return one.error();
-    // Whoever has pixels has perhaps pixels per second.
+    // Beside pixels they may be pixels per second.
     if (question.position.units[0] == Unit::kPixel && one->evidence == UnitEvidence::kUsual) {
       return at_column(ErrorCode::kInvalidArgument,
                        column_text(question.header.table(), column) +

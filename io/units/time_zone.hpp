@@ -20,8 +20,8 @@ class TimeZone {
   [[nodiscard]] const std::string& name() const { return name_; }
 
   // How many seconds clocks there are ahead of UTC when they show a local time, in seconds since
-  // 1970-01-01 00:00:00 on them. What is wrong, as a sentence, where they show it twice or never;
-  // nothing when all is well.
+  // 1970-01-01 00:00:00 on them. What is wrong, as a sentence, where they show it twice or never,
+  // or where how they are turned is not known any more; nothing when all is well.
   [[nodiscard]] std::string offset_of_local(std::int64_t local_s, std::int64_t& offset_s) const;
   // The same at an instant, in seconds since 1970 (UTC).
   [[nodiscard]] std::int64_t offset_at(std::int64_t since_1970_s) const;

@@ -63,6 +63,19 @@ TEST(Coverage, CountsGapsAndTheTimeBeforeTheFirstAndAfterTheLastFix) {
   EXPECT_EQ(gap_text(gaps.front(), recording), "a from 1.00 s for 49 s");
 }
 
+// A drone of a show that lands stands there from then on; one whose path ends in the air may be
+// anywhere.
+TEST(Coverage, DronesOfAShowAreKnownWhileTheyStandOnTheGround) {
+  io::Recording recording;
+  recording.show = io::ShowFacts();
+  recording.bees = {bee_at("a", {0, 30, 60}), bee_at("b", {10, 15, 20}), bee_at("c", {10, 15, 20})};
+  recording.bees[0].fixes[1].position.z = recording.bees[1].fixes[1].position.z = 10.0;
+  recording.bees[2].fixes[2].position.z = 0.2;
+  const Coverage coverage = coverage_of(recording, {}, {5.0, 1.0});
+  EXPECT_EQ(coverage.bees_partly, 1U);
+  EXPECT_EQ(unknown_times_s(recording, {}), (std::vector<double>{0.0, 0.0, 40.0}));
+}
+
 TEST(Coverage, NamesTheLongestGapsFirst) {
   io::Recording recording;
   recording.bees = {bee_at("a", {0, 10, 30, 60, 100})};

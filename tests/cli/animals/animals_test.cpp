@@ -224,8 +224,8 @@ TEST(Animals, ClocksDoNotMix) {
   expect_parts(days.err, {"from       2015-03-28 00:00:00.000 to 2015-03-29 00:00:00.000"});
 }
 
-// A header that names its unit has no pixels, however its tool writes that; and whoever has pixels
-// has perhaps pixels a second.
+// A header that names its unit has no pixels, however its tool writes that; and speeds beside
+// pixels are not taken for metres per second.
 TEST(Animals, UnitsThatContradictAreRefused) {
   const TemporaryFolder folder;
   const std::string fish = folder.file(

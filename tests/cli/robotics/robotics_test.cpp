@@ -48,7 +48,7 @@ TEST(Robotics, TwoLogsOfPx4AreTwoDronesOnOneClock) {
 
 TEST(Robotics, ALocalPositionIsWhereTheGlobalOneIs) {
   TemporaryFolder folder;
-  // Without global positions, whose topic gets a name that nobody knows.
+  // Without global positions, whose topic gets a name that is not known.
   for (const std::string name : {"north.ulg", "south.ulg"}) {
     std::string log = content_of(name);
     for (std::size_t at = 0; (at = log.find("vehicle_global_position", at)) != std::string::npos;) {

@@ -92,7 +92,7 @@ export function followPlaces(placing: Placing): void {
     timeFrames();
     placeMoving();
   });
-  // Whoever looks closely sees all.
+  // At rest all are shown.
   times.clock.playing.listen((playing) => {
     if (!playing) placeMoving();
   });
