@@ -3,6 +3,7 @@
 #pragma once
 
 #include <beespace/mover.hpp>
+#include <beespace/point.hpp>
 
 #include <cmath>
 #include <string_view>
@@ -19,6 +20,9 @@ inline bool in_motion_domain(double value) {
 // of a metre per second, is nothing.
 inline double without_dust(double value) {
   return std::abs(value) < kSmallestInMotion ? 0.0 : value;
+}
+inline Point without_dust(const Point& point) {
+  return {without_dust(point.x), without_dust(point.y), without_dust(point.z)};
 }
 
 // For messages.

@@ -1,5 +1,7 @@
 #include "io/recording/track_gathering.hpp"
 
+#include "io/frames/track_domain.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -66,7 +68,8 @@ void TrackGathering::add(std::string_view id, const Fix& fix, const Velocity* ve
     heights.resize(fixes.size(), kUnknown);
     heights.push_back(stated_height.value_or(kUnknown));
   }
-  fixes.push_back(fix);
+  // Degrees and heights that were computed may be dust, whatever the input is written in.
+  fixes.push_back({without_dust(fix.time_s), without_dust(fix.position)});
   bee.origins.push_back(origin);
   if (bee.waits) return;
   bee.waits = true;

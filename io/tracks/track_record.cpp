@@ -22,10 +22,6 @@
 namespace beespace::io {
 namespace {
 
-Point free_of_dust(const Point& point) {
-  return {without_dust(point.x), without_dust(point.y), without_dust(point.z)};
-}
-
 // [-]digits[.digits] while it fits: one division of exact doubles rounds correctly.
 bool read_short_number(std::string_view text, double& value) {
   constexpr std::size_t kMostDigits = 15;
@@ -226,7 +222,7 @@ std::optional<Error> TrackRecordReader::read_position(TrackRecord& record) {
   record.stated_height = values[2];
   record.position = {values[0], values[1], values[2]};
   if (!choice.is_metric()) {
-    const Point metric = free_of_dust(in_metric(record.position, choice));
+    const Point metric = without_dust(in_metric(record.position, choice));
     record.position = metric;
     for (const auto& [axis, value] :
          {std::pair{0, metric.x}, std::pair{1, metric.y}, std::pair{2, metric.z}}) {

@@ -153,6 +153,18 @@ TEST(Ulog, HeightsAboveTheEllipsoidAreTakenForAllWhereAsked) {
                {ErrorCode::kInvalidArgument, "flights/north.ulg", "none by pressure"});
 }
 
+// Nothing smaller than what motion is computed with comes out of a reader: computed degrees that
+// should be 0 are often a little beside it.
+TEST(Ulog, DegreesTooSmallToBeAnythingAreZero) {
+  UlogMaking log = px4_log();
+  log.data(kGlobalNumber, global_message({.micros = 5'000'000, .lat = 1e-40, .lon = -4e-310}));
+  const auto recording = load(log.bytes());
+  ASSERT_TRUE(recording) << recording.error().message;
+  const Point& at = recording.value().bees.at(0).fixes.at(0).position;
+  EXPECT_EQ(at.x, 0.0);
+  EXPECT_EQ(at.y, 0.0);
+}
+
 TEST(Ulog, VelocitiesAreThoseOfTheLocalPositionOfTheSameMeasurement) {
   UlogMaking log = px4_log();
   log.data(kGpsNumber, gps_message(1, kNoon_us + 1));
