@@ -56,12 +56,15 @@ def of_scipy() -> list[Way]:
         n = len(points)
         return coo_matrix((np.concatenate([values, values]), (i, j)), (n, n)).tocsr()
 
+    def query(points: Points, k: int, **bounds: Any) -> Any:
+        return cKDTree(points).query(points, k, **bounds)
+
     def nearest(points: Points, k: int) -> Any:
-        distances, ids = cKDTree(points).query(points, k + 1)
+        distances, ids = query(points, k + 1)
         return distances[:, 1:], ids[:, 1:]  # the first is the point itself
 
     def some_near(points: Points, x: float) -> Any:
-        distances, _ = cKDTree(points).query(points, 2, distance_upper_bound=x)
+        distances, _ = query(points, 2, distance_upper_bound=x)
         return np.isfinite(distances[:, 1])
 
     def counts(points: Points, x: float) -> Any:
