@@ -42,7 +42,8 @@ Error not_as_it_comes(const std::string& what) {
           {}};
 }
 
-std::optional<Error> format_problem(std::string_view beginning, RecordingFormat format) {
+std::optional<Error> format_problem(std::string_view beginning, const RecordingOptions& options) {
+  const RecordingFormat format = options.format;
   if (is_zip(beginning)) return not_as_it_comes("a zip archive");
   if (is_packed(beginning)) return not_as_it_comes("compressed twice");
   const std::string_view text = without_byte_order_mark(beginning);
@@ -58,7 +59,9 @@ std::optional<Error> format_problem(std::string_view beginning, RecordingFormat 
   if (is_telemetry_log(beginning)) return not_as_it_comes("a MAVLink telemetry log");
   if (is_base_station(beginning)) return not_as_it_comes("a list of BaseStation messages");
   if (is_daidalus_encounter(text)) return not_as_it_comes("an encounter of DAIDALUS");
-  if (is_wide_table(text)) return not_as_it_comes("a table with columns for each animal");
+  if (options.columns.empty() && is_wide_table(text)) {
+    return not_as_it_comes("a table with columns for each animal");
+  }
   if (is_bluesky_scenario(text)) {
     return Error{
         ErrorCode::kUnsupportedFormat,
@@ -120,18 +123,30 @@ Status RecordingStream::begin_source() {
   pending_->drop(pending_->size());
   at_ = 0;
   if (auto status = want(kHeadBytes); !status) return placed(std::move(status).error());
-  if (auto problem = format_problem(pending(), options_->format)) return placed(*problem);
+  if (auto problem = format_problem(pending(), *options_)) return placed(*problem);
   auto status = begin_table(path);
   return status ? std::move(status) : Status(placed(std::move(status).error()));
 }
 
+// What is pending, without a piece of a line.
+std::string_view RecordingStream::beginning() const {
+  const std::string_view all = pending();
+  const std::size_t last = ended_ ? std::string_view::npos : all.find_last_of("\r\n");
+  return last == std::string_view::npos ? all : all.substr(0, last + 1);
+}
+
 Status RecordingStream::begin_table(const std::string& path) {
   const bool bare = options_->format == RecordingFormat::kSkybrushCsv;
-  auto table = TrackTableReader::begin({pending(), stem_of(path), bare}, *assembly_);
+  const auto begin = [&] {
+    return TrackTableReader::begin(
+        {beginning(), stem_of(path), bare, ended_ ? SeenRecords::kWhole : SeenRecords::kBeginning},
+        *assembly_);
+  };
+  auto table = begin();
   // Blank lines only, so far.
   while (!table && table.error().code == ErrorCode::kNoPoints && !ended_) {
     if (auto status = want(2 * pending().size()); !status) return status;
-    table = TrackTableReader::begin({pending(), stem_of(path), bare}, *assembly_);
+    table = begin();
   }
   if (!table) return std::move(table).error();
   at_ += table->data_offset();

@@ -68,6 +68,7 @@ class RecordingStream {
   // At least so many bytes are pending, unless the input ends before.
   Status want(std::size_t bytes);
   [[nodiscard]] std::string_view pending() const { return pending_->view().substr(at_); }
+  [[nodiscard]] std::string_view beginning() const;
   [[nodiscard]] Origin origin_of(std::uint64_t fix) const;
 
   std::unique_ptr<RecordingOptions> options_;

@@ -32,21 +32,33 @@ Point flown(const Mover& mover, double seconds) {
 
 }  // namespace
 
-std::optional<Apart> apart_at(const Track& a, const Track& b, double time_s, double height_unit_m) {
+std::optional<Standing> standing_at(const Track& track, double time_s) {
+  const auto place = position_at(track, time_s);
+  if (!place) return std::nullopt;
+  if (track.heights_m.empty()) return Standing{*place, std::nullopt};
+  return Standing{*place, height_at(track, time_s)};
+}
+
+Apart apart(const Standing& a, const Standing& b, double height_unit_m) {
+  if (!a.height || !b.height) return apart(a.place, b.place);
+  return apart(a.place, *a.height, b.place, *b.height, height_unit_m);
+}
+
+std::optional<double> common_instant(const Track& a, const Track& b, double time_s) {
   if (a.fixes.empty() || b.fixes.empty()) return std::nullopt;
-  // An instant at the end of what is known may be rounded to beyond it.
   const double from_s = std::max(a.fixes.front().time_s, b.fixes.front().time_s);
   const double until_s = std::min(a.fixes.back().time_s, b.fixes.back().time_s);
   if (from_s > until_s) return std::nullopt;
-  time_s = std::clamp(time_s, from_s, until_s);
-  const auto place_a = position_at(a, time_s);
-  const auto place_b = position_at(b, time_s);
-  if (!place_a || !place_b) return std::nullopt;
-  if (a.heights_m.empty() || b.heights_m.empty()) return apart(*place_a, *place_b);
-  const auto height_a = height_at(a, time_s);
-  const auto height_b = height_at(b, time_s);
-  if (!height_a || !height_b) return std::nullopt;
-  return apart(*place_a, *height_a, *place_b, *height_b, height_unit_m);
+  return std::clamp(time_s, from_s, until_s);
+}
+
+std::optional<Apart> apart_at(const Track& a, const Track& b, double time_s, double height_unit_m) {
+  const auto instant_s = common_instant(a, b, time_s);
+  if (!instant_s) return std::nullopt;
+  const auto of_a = standing_at(a, *instant_s);
+  const auto of_b = standing_at(b, *instant_s);
+  if (!of_a || !of_b) return std::nullopt;
+  return apart(*of_a, *of_b, height_unit_m);
 }
 
 ApartOf apart_of(const std::vector<Track>& tracks, double height_unit_m) {

@@ -5,6 +5,7 @@
 #include "analysis/recorded/last_snapshot.hpp"
 
 #include <beespace/conflict.hpp>
+#include <beespace/point.hpp>
 #include <beespace/track.hpp>
 
 #include <functional>
@@ -12,6 +13,22 @@
 #include <vector>
 
 namespace beespace::analysis {
+
+// Where a bee is at a time, and its height where heights are apart from positions.
+struct Standing {
+  Point place;
+  std::optional<double> height;
+};
+
+// Of a track, between two fixes in the straight line; nothing before the first and after the last.
+std::optional<Standing> standing_at(const Track& track, double time_s);
+
+// Of two that both have heights apart from their positions, or neither.
+Apart apart(const Standing& a, const Standing& b, double height_unit_m);
+
+// An instant at the end of what is known of both may be rounded to beyond it: the nearest that is
+// not. Nothing where they are never known at the same time.
+std::optional<double> common_instant(const Track& a, const Track& b, double time_s);
 
 // Of two tracks; nothing where they are never known at the same time. Between two fixes each flies
 // straight, whatever gap is between them.

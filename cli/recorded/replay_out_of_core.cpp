@@ -12,6 +12,7 @@
 #include "cli/input/moving_output.hpp"
 #include "cli/input/temporary_folder.hpp"
 #include "cli/output/output_file.hpp"
+#include "cli/recorded/large_apart.hpp"
 #include "cli/recorded/replay_answer.hpp"
 #include "cli/recorded/replay_summary.hpp"
 #include "io/bytes/atomic_output.hpp"
@@ -79,6 +80,7 @@ class Replaying {
     read_s_ = watch_.lap();
     bar_.enter_stage("searching");
     if (auto status = search(); !status) return std::move(status).error();
+    if (auto status = look_apart(); !status) return std::move(status).error();
     search_s_ = watch_.lap();
     bar_.enter_stage("writing");
     return write();
@@ -175,6 +177,7 @@ class Replaying {
           }
         });
     if (!found) return in_words_of_the_command(found.error(), moving_);
+    facts_ = fixes_.facts();
     const auto worst = std::min_element(
         found_.conflicts.begin(), found_.conflicts.end(),
         [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });
@@ -182,23 +185,26 @@ class Replaying {
     return std::monostate{};
   }
 
+  // Where two were when they were closest, which the search does not keep.
+  Status look_apart() {
+    distances_ = distances_of(moving_, recording_, threshold_m_);
+    if (!moving_.vertical) return std::monostate{};
+    auto apart = large_apart_of(fixes_, found_.conflicts, tracks_,
+                                {analysis::heights_apart(geometry_),
+                                 analysis::height_unit_m(geometry_, recording_.height_unit)});
+    if (!apart) return std::move(apart).error();
+    distances_.apart = *std::move(apart);
+    return std::monostate{};
+  }
+
   Result<ExitCode> write() {
     const analysis::Coverage coverage = analysis::coverage_of(recording_, found_.gaps, max_gap_);
-    const RecordingOutOfCoreFacts facts = fixes_.facts();
-    const analysis::Findings findings{recording_, tracks_,  tracks_,         found_,
-                                      closest_,   coverage, facts.encounters};
-    // Where two were when they were closest is not kept: with a vertical threshold, columns of how
-    // far apart they are horizontally and vertically are empty.
-    Distances distances = distances_of(moving_, recording_, threshold_m_);
-    if (moving_.vertical) {
-      distances.apart = [](const Conflict& /*conflict*/) {
-        return std::optional<analysis::Apart>();
-      };
-    }
+    const analysis::Findings findings{recording_, tracks_,  tracks_,          found_,
+                                      closest_,   coverage, facts_.encounters};
     const JsonHead head = [&](io::JsonWriter& json) {
-      write_findings(json, findings, request_, threshold_m_, distances);
+      write_findings(json, findings, request_, threshold_m_, distances_);
     };
-    write_answer(rows_of(request_, findings, distances), moving_, head, request_.report.c_str(),
+    write_answer(rows_of(request_, findings, distances_), moving_, head, request_.report.c_str(),
                  output_);
     const Status written = output_.commit();
     if (!written && output_.pipe_closed()) return ExitCode::kPipeClosed;
@@ -206,8 +212,8 @@ class Replaying {
     bar_.finish();
     if (!moving_.quiet) {
       say(replay_summary(findings, moving_,
-                         {threshold_m_, read_s_, search_s_, request_.memory_bytes, facts.windows},
-                         distances));
+                         {threshold_m_, read_s_, search_s_, request_.memory_bytes, facts_.windows},
+                         distances_));
     }
     const bool risky = !found_.conflicts.empty() || coverage.may_hide_conflicts();
     return moving_.fail_on_risk && risky ? ExitCode::kRiskFound : ExitCode::kFine;
@@ -226,6 +232,8 @@ class Replaying {
   double threshold_m_ = 0.0;
   RecordedConflicts found_;
   std::optional<Conflict> closest_;  // of the conflicts
+  RecordingOutOfCoreFacts facts_;    // of the search
+  Distances distances_;
   Stopwatch watch_;
   double read_s_ = 0.0;
   double search_s_ = 0.0;

@@ -18,6 +18,7 @@
 #include <beespace/points_view.hpp>
 #include <beespace/result.hpp>
 #include <beespace/search_options.hpp>
+#include <beespace/track.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -61,6 +62,15 @@ struct LargeAgent {
   friend constexpr bool operator==(const LargeAgent&, const LargeAgent&) = default;
 };
 
+/// @brief A fix as it was added.
+struct LargeFix {
+  AgentId agent = 0;      ///< The agent.
+  Fix fix;                ///< When it was where.
+  double height_m = 0.0;  ///< Its height, where heights are apart from positions; else 0.
+
+  friend constexpr bool operator==(const LargeFix&, const LargeFix&) = default;
+};
+
 /// @brief Sees conflicts in ascending order of (first, second, begins_s), some a call. Must not
 /// throw.
 using LargeConflictVisitor = std::function<void(std::span<const LargeConflict>)>;
@@ -68,6 +78,8 @@ using LargeConflictVisitor = std::function<void(std::span<const LargeConflict>)>
 using LargeGapVisitor = std::function<void(std::span<const LargeGap>)>;
 /// @brief Sees agents in ascending order of their ids. Must not throw.
 using LargeAgentVisitor = std::function<void(const LargeAgent&)>;
+/// @brief Sees fixes in ascending order of (agent, time), some a call. Must not throw.
+using LargeFixVisitor = std::function<void(std::span<const LargeFix>)>;
 
 /// @brief Two fixes of one agent at one time, which is an error.
 struct LargeTimeClash {
@@ -144,6 +156,11 @@ class BEESPACE_API RecordingOutOfCore {
   /// @param visit Sees each.
   /// @return As find_conflicts(), but for the options.
   Status visit_agents(const LargeAgentVisitor& visit);
+
+  /// @brief Goes through all fixes, each once. What is too small for exact comparison is zero.
+  /// @param visit Sees them.
+  /// @return As find_conflicts(), but for the options.
+  Status visit_fixes(const LargeFixVisitor& visit);
 
   /// @brief Finds all conflicts between two of the agents, over the whole time, as
   /// beespace::find_conflicts.

@@ -285,7 +285,7 @@ std::optional<Error> read_cells(JsonCells& cells, std::string description, const
                                 RecordPlace place, RecordingAssembly& assembly) {
   const RecordingOptions& options = assembly.options();
   if (options.progress != nullptr) options.progress->total += cells.text().size();
-  auto layout = choose_track_layout(layout_of(cells), cells.text(), options, true);
+  auto layout = choose_track_layout(layout_of(cells), cells.text(), options, SeenRecords::kWhole);
   if (!layout) {
     Error error = std::move(layout).error();
     error.location.column.reset();

@@ -209,11 +209,11 @@ Result<TrackLayout> skybrush_layout(TableLayout table, const RecordingOptions& o
 
 // Of ROS it is known what the columns are.
 Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::string_view text,
-                               RecordingOptions options, bool whole) {
+                               RecordingOptions options, SeenRecords seen) {
   options.columns = ros.columns;
   if (ros.child) options.columns += ",id=" + std::to_string(*ros.child + 1);
   table.names = ros.names;
-  auto layout = choose_track_layout(std::move(table), text, options, whole);
+  auto layout = choose_track_layout(std::move(table), text, options, seen);
   if (!layout) return layout;
   if (options.frame == Frame::kAuto) layout->frame_reason = "positions of ROS are in metres";
   for (UnitTaken& taken : layout->units) {
@@ -243,6 +243,7 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   if (layout.label) fill(*layout.label, TrackSlot::kLabel);
   if (layout.on_ground) fill(*layout.on_ground, TrackSlot::kOnGround);
   if (layout.axes_name) fill(*layout.axes_name, TrackSlot::kAxesName);
+  if (layout.no_height_yet) fill(*layout.no_height_yet, TrackSlot::kLateHeight);
   for (std::size_t i = 0; layout.velocity && i < layout.velocity->dimensions; ++i) {
     fill(layout.velocity->columns[i], TrackSlot::kVelocity + i);
   }
@@ -260,7 +261,7 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
 }
 
 Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text,
-                                        const RecordingOptions& options, bool whole) {
+                                        const RecordingOptions& options, SeenRecords seen) {
   TrackLayout layout;
   layout.table = std::move(table);
   const auto overrides = find_overrides(track_columns(), options, layout.table);
@@ -279,9 +280,10 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   const FrameDecision frame = frame_before_values(options.frame, {choice.evidence, choice.reason});
   layout.frame = frame.frame;
   layout.frame_reason = frame.reason;
-  if (whole && layout.time && layout.frame == Frame::kWgs84 && !header.override_of(Role::kHeight) &&
-      is_empty_throughout(text, layout.table, 2)) {
+  if (seen != SeenRecords::kSome && layout.time && layout.frame == Frame::kWgs84 &&
+      !header.override_of(Role::kHeight) && is_empty_throughout(text, layout.table, 2)) {
     layout.notes.push_back(column_text(layout.table, choice.axes[2]) + " is empty throughout");
+    if (seen == SeenRecords::kBeginning) layout.no_height_yet = choice.axes[2];
     leave_out_heights(choice);
   }
   layout.units = choice.units_taken;
@@ -309,7 +311,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
 }
 
 Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOptions& options,
-                                      bool bare_skybrush, bool whole) {
+                                      bool bare_skybrush, SeenRecords seen) {
   auto table = find_table(text, options.skip_bad);
   if (!table) return table.error();
   if (auto error = no_record_problem(text, *table)) return *std::move(error);
@@ -318,8 +320,8 @@ Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOpti
                                           is_path_with_colours(text, *table));
   const auto ros = free ? find_ros_table(text, *table) : std::nullopt;
   auto chosen = skybrush && table->names.empty() && free ? skybrush_layout(*table, options)
-                : ros ? ros_layout(*ros, *table, text, options, whole)
-                      : choose_track_layout(*table, text, options, whole);
+                : ros ? ros_layout(*ros, *table, text, options, seen)
+                      : choose_track_layout(*table, text, options, seen);
   if (!chosen) return at_first_line(std::move(chosen).error(), *table);
   return chosen;
 }

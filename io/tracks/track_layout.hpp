@@ -57,6 +57,13 @@ struct VelocityChoice {
   std::array<Unit, 3> units = {Unit::kMetrePerSecond, Unit::kMetrePerSecond, Unit::kMetrePerSecond};
 };
 
+// What there is of a table when its layout is chosen.
+enum class SeenRecords : std::uint8_t {
+  kSome,       // some records, which say nothing of the others
+  kBeginning,  // many: heights that they have none of are taken for empty, until one comes
+  kWhole,      // all: heights that they have none of are empty
+};
+
 struct TrackLayout {
   TableLayout table = {};  // the position in table.choice, and the id
   Frame frame = Frame::kAuto;
@@ -70,15 +77,16 @@ struct TrackLayout {
   // it is as good as none.
   bool places_may_be_unknown = false;
   bool infinite_is_unknown = false;
-  bool ids_may_be_empty = false;              // of who is none of the animals
-  std::optional<std::size_t> visible = {};    // who says no there is an outlier
-  const LeftOutReason* no_height = nullptr;   // what to say of such a record
-  std::optional<std::size_t> label = {};      // what each is called beside its id: the flight
-  std::optional<std::size_t> on_ground = {};  // of those that are left out
-  bool show = false;                          // of a drone show: a path with colours
-  std::optional<std::size_t> axes_name = {};  // of ROS: what x, y, z are counted in ("map")
-  bool ids_within_file = false;               // of ROS: another file may call another bee so
-  std::vector<UnitTaken> units = {};          // of positions and velocities
+  bool ids_may_be_empty = false;                  // of who is none of the animals
+  std::optional<std::size_t> visible = {};        // who says no there is an outlier
+  const LeftOutReason* no_height = nullptr;       // what to say of such a record
+  std::optional<std::size_t> label = {};          // what each is called beside its id: the flight
+  std::optional<std::size_t> on_ground = {};      // of those that are left out
+  bool show = false;                              // of a drone show: a path with colours
+  std::optional<std::size_t> axes_name = {};      // of ROS: what x, y, z are counted in ("map")
+  bool ids_within_file = false;                   // of ROS: another file may call another bee so
+  std::optional<std::size_t> no_height_yet = {};  // of heights that the beginning has none of
+  std::vector<UnitTaken> units = {};              // of positions and velocities
   std::vector<std::string> notes = {};
 };
 
@@ -99,7 +107,8 @@ struct TrackSlot {
   static constexpr std::size_t kVisible = 11;
   static constexpr std::size_t kNanoseconds = 12;
   static constexpr std::size_t kAxesName = 13;
-  static constexpr std::size_t kNothing = 14;  // where columns go that are not asked for
+  static constexpr std::size_t kLateHeight = 14;
+  static constexpr std::size_t kNothing = 15;  // where columns go that are not asked for
 };
 
 // By column: which slot it fills. An id may be read from a column that is something else too, but
@@ -109,13 +118,13 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout);
 // `text` has no byte-order mark. `bare_skybrush`: a table without a header is a Skybrush CSV.
 // Errors: those of find_layout(), kInvalidArgument where a unit of time must be said,
 // kUnsupportedFormat for a unit that is not read; with line, without source.
-// `whole`: nothing comes behind `text`, so that a column that is empty there is empty.
 Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOptions& options,
-                                      bool bare_skybrush, bool whole = false);
+                                      bool bare_skybrush, SeenRecords seen = SeenRecords::kSome);
 
 // The same for records whose columns are known already: `table` says how `text`, one or more of
 // them, is split, and what the columns are called and hold. Errors without line.
 Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text,
-                                        const RecordingOptions& options, bool whole = false);
+                                        const RecordingOptions& options,
+                                        SeenRecords seen = SeenRecords::kSome);
 
 }  // namespace beespace::io

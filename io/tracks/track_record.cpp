@@ -273,12 +273,17 @@ std::optional<Error> TrackRecordReader::read_velocity(TrackRecord& record) {
 }
 
 std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord& record) {
+  record.late_height = {};
   if (line.size() > kLongestLine) return long_line(line);
   std::size_t count = 0;
   FieldCursor cursor(line, layout_.table.delimiter);
   const std::size_t columns = slots_.size();
   for (Field field; cursor.next(field); ++count) {
     if (count < columns) fields_[slots_[count]] = field;
+  }
+  if (layout_.no_height_yet && *layout_.no_height_yet < count) {
+    const std::string_view height = without_padding(fields_[TrackSlot::kLateHeight].text);
+    if (!is_unknown(height)) record.late_height = height;
   }
   if (auto problem = record_problem(line, layout_.table, count, cursor.problem())) return problem;
   record.left_out = nullptr;

@@ -29,6 +29,7 @@ struct TrackRecord {
   double stated_height = 0.0;       // or z, as the input has it
   Velocity velocity = {};           // not-a-number where it is unknown
   std::string_view axes_name = {};  // of ROS: what the position is counted in; as long as the line
+  std::string_view late_height = {};  // where there were none before (TrackLayout::no_height_yet)
 };
 
 class TrackRecordReader {

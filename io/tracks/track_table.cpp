@@ -59,6 +59,18 @@ Error midnight_passed(const TrackRecord& record, const TimeChoice& time) {
   return error;
 }
 
+// What came before was read as if there were no heights.
+Error height_after_all(std::string_view text, std::size_t column) {
+  Error error{ErrorCode::kMalformedRecord,
+              "a height, " + excerpt(text) +
+                  ", comes here, but in none of the records of the beginning, so that there were "
+                  "taken to be none; leave --memory out, or say with --columns whether there is a "
+                  "height column",
+              {}};
+  error.location.column = column + 1;
+  return error;
+}
+
 // The bee of a record whose id another file may give to another bee, in `id`.
 void name_within_file(const std::string& file, bool several, TrackRecord& record, std::string& id) {
   if (record.id.empty()) {
@@ -122,6 +134,11 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       record.id = row_id;
     }
     auto problem = reader.read(walk.record(), record);
+    if (!record.late_height.empty()) {
+      Error error = height_after_all(record.late_height, *layout.no_height_yet);
+      place(error, line, rows_before + walk.row(), place_of, layout);
+      return error;
+    }
     if (layout.ids_within_file && !(problem && record.id.empty())) {
       name_within_file(stem, assembly.has_several(), record, file_id);
     }
@@ -180,7 +197,7 @@ Result<TrackTableReader> TrackTableReader::begin(const TrackTable& beginning,
   if (auto problem = text_problem(beginning.bytes)) return *std::move(problem);
   const std::string_view text = without_byte_order_mark(beginning.bytes);
   auto layout =
-      find_track_layout(text, assembly.options(), beginning.bare_skybrush, beginning.whole);
+      find_track_layout(text, assembly.options(), beginning.bare_skybrush, beginning.seen);
   if (!layout) return std::move(layout).error();
   if (layout->time && layout->time->clock) {
     layout->time->clock = assembly.common_clock(*layout->time->clock);
@@ -212,7 +229,7 @@ std::optional<Error> TrackTableReader::read(std::string_view lines) {
 
 std::optional<Error> read_track_table(const TrackTable& table, RecordingAssembly& assembly) {
   TrackTable all = table;
-  all.whole = true;
+  all.seen = SeenRecords::kWhole;
   auto reader = TrackTableReader::begin(all, assembly);
   if (!reader) return std::move(reader).error();
   return reader->read(table.bytes.substr(reader->data_offset()));

@@ -19,7 +19,7 @@ struct TrackTable {
   std::string_view bytes = {};  // unpacked
   std::string stem = {};        // of the file's name: the bee, where there is no id column
   bool bare_skybrush = false;   // without a header it is a Skybrush CSV
-  bool whole = false;           // and not its first lines
+  SeenRecords seen = SeenRecords::kSome;
 };
 
 // How errors name the place of a record.

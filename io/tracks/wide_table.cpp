@@ -124,7 +124,7 @@ std::optional<Error> read_wide_table(std::string_view text, RecordingAssembly& a
                     ColumnContent::kNumber};
   table.lines_before = wide->table.lines_before;
   table.records_per_line = wide->animals.size();
-  auto layout = choose_track_layout(std::move(table), records, options, true);
+  auto layout = choose_track_layout(std::move(table), records, options, SeenRecords::kWhole);
   if (!layout) {
     Error error = std::move(layout).error();
     error.location.column.reset();

@@ -20,7 +20,7 @@ import numpy as np
 import cluster
 from beespace.spark._cut import Cut
 from beespace.spark._questions import AtRisk, PairsOf
-from beespace.spark._search import Level, arguments_of, look, places_of, prepare, reach_of
+from beespace.spark._search import Level, Prepared, arguments_of, look, places_of, prepare, reach_of
 from scenes import THRESHOLD_M, Scene
 
 _TO_FIT = [Scene(100_000, 2), Scene(500_000, 2), Scene(2_000_000, 2), Scene(200_000, 20)]
@@ -54,7 +54,7 @@ def _measure(session: Any, scene: Scene, folder: Path, fit: bool) -> Row:
     places = places_of("id", "x", "y", "z", None, None, None)
     level = Level(THRESHOLD_M, None, False)
     reach = reach_of(level, places.columns)
-    given = (places.columns, places.id, places.unit, arguments_of(level))
+    asked = (places.columns, places.id, places.unit, arguments_of(level))
     taken: dict[str, list[float]] = {}
     row: Row = {
         "scene": scene.name,
@@ -67,19 +67,18 @@ def _measure(session: Any, scene: Scene, folder: Path, fit: bool) -> Row:
     def note(name: str, work: Any) -> None:
         taken.setdefault(name, []).append(cluster.used(work).processor_s)
 
-    prepared: list[Any] = []
+    def survey() -> Prepared:
+        found = look(frame, places, True, _CELL_POINTS, None)
+        return prepare(frame, places, found, reach, _CELL_POINTS, None)
 
-    def survey() -> None:
-        found = look(frame, places, True)
-        prepared.append(prepare(frame, places, found, reach, _CELL_POINTS, None))
-
+    prepared: list[Prepared] = []
     for _ in range(_RUNS):
-        note("survey", survey)
+        note("survey", lambda: prepared.append(survey()))
         blocks = prepared[-1].blocks
         note("cut", lambda: cluster.run(blocks))
-        found = blocks.mapInArrow(PairsOf(*given), "first long, second long, distance double")
+        found = blocks.mapInArrow(PairsOf(*asked), "first long, second long, distance double")
         note("pairs", lambda: cluster.run(found))
-        flags = blocks.mapInArrow(AtRisk(*given), "id long")
+        flags = blocks.mapInArrow(AtRisk(*asked), "id long")
         note("at_risk", lambda: cluster.run(flags))
     for name, seconds in taken.items():
         row[name + "_s"] = statistics.median(seconds)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import math
 import statistics
 from pathlib import Path
 from typing import Any
 
 import cost
 import ways
+from beespace.spark._sample import CellSize
 
 _BEGIN = "<!-- made by scripts/compare-spark: what follows -->"
 _END = "<!-- made by scripts/compare-spark: until here -->"
@@ -160,7 +162,10 @@ def _on_paper(parts: dict[str, cost.Part], bytes_sent: float, plane_s: float) ->
     halo = cost.halo_of(points, neighbours, points / cell)
     tasks = points / cell
     in_parts = cost.predicted(parts, points, halo, points * neighbours / 2)
-    sample = 4096 * points * 32 / (128 << 20)
+    size = CellSize(round(cell), machines * cores)
+    partitions = math.ceil(points * 32 / (128 << 20))
+    each = round(points / partitions)
+    sample = sum(each * size.share(at, each) for at in range(partitions))
     driver = sample * plane_s * 17
     sent = points * halo * bytes_sent
     network = sent / machines / 1.25e9
@@ -174,7 +179,7 @@ def _on_paper(parts: dict[str, cost.Part], bytes_sent: float, plane_s: float) ->
         f"- processors: {in_parts:,.0f} s, on 1,600 cores **{in_parts / machines / cores / 60:.0f} min**;",
         f"- the shuffle: {sent / 1e12:.1f} TB, {sent / machines / 1e9:.0f} GB a machine: {network / 60:.1f} min on the network, {disk / 60:.1f} min on the disks, partly beside",
         "  the processors;",
-        f"- the driver: a sample of {sample / 1e6:.0f} million points ({sample * 32 / 1e9:.1f} GB, above Spark's usual `spark.driver.maxResultSize` of 1 GB),",
+        f"- the driver: a sample of {sample / 1e6:.0f} million points ({sample * 32 / 1e9:.1f} GB; Spark's usual `spark.driver.maxResultSize` is 1 GB),",
         f"  cut in {driver / 60:.1f} min by one core, while the cluster waits.",
         "",
         "What such a sum leaves out: stragglers, failed machines, other people's jobs, the input's own reading from afar.",

@@ -160,7 +160,7 @@ def test_no_task_has_much_more_than_the_others(session, count):
     from beespace.spark._search import look, places_of, prepare
 
     places = places_of("id", "x", "y", "z", None, None, None)
-    blocks = prepare(frame, places, look(frame, places, True), [2.0] * 3, 3_000, 6).blocks
+    blocks = prepare(frame, places, look(frame, places, True, 3_000, 6), [2.0] * 3, 3_000, 6).blocks
     rows = blocks.selectExpr("spark_partition_id() AS at", "length(points) / 32 AS n")
     loads = [row["sum(n)"] for row in rows.groupBy("at").sum("n").collect()]
     assert len(loads) == 6

@@ -108,7 +108,7 @@ def nearest(
     if not 0 < number < 2**31:
         raise invalid("this is at least one neighbour, and at most 2**31 - 1", "k")
     most = max(check_limits(cell_points, tasks) * _LIKE_A_POINT // (_LIKE_A_POINT + number), 1)
-    found = look(df, places, check_ids)
+    found = look(df, places, check_ids, most, tasks)
     reach = _reach_of_nearest(found, number, places.columns, most)
     prepared = prepare(df, places, found, [reach] * places.columns.searched, most, tasks)
     buckets = max(len(prepared.keys), math.ceil(found.rows * (1 + number) / _OPEN_IN_BUCKET / 16))
@@ -221,10 +221,10 @@ def closest_pair(
     """
     places = places_of(id, x, y, z, lon, lat, height)
     most = check_limits(cell_points, tasks)
-    found = look(df, places, check_ids)
+    found = look(df, places, check_ids, most, tasks)
     if found.rows < 2:
         return None
-    closest = _once.closest_pair(np.column_stack(found.sample))
+    closest = _once.closest_pair(np.column_stack(found.sample)) if found.sample else None
     # No two that are closest are farther apart than those of the sample, whose distance is rounded a few times.
     reach = max(_SMALLEST_REACH, closest.distance * (1 + 2.0**-40)) if closest else np.inf
     prepared = prepare(df, places, found, [reach] * places.columns.searched, most, tasks)

@@ -226,7 +226,7 @@ def facts(
     places = places_of(id, x, y, z, lon, lat, height, height_unit, vertical)
     reach = reach_of(Level(threshold, vertical, False), places.columns)
     most = check_limits(cell_points, tasks)
-    return prepare(df, places, look(df, places, True), reach, most, tasks).facts
+    return prepare(df, places, look(df, places, True, most, tasks), reach, most, tasks).facts
 
 
 class _Search(NamedTuple):
@@ -244,7 +244,7 @@ class _Search(NamedTuple):
         reach = reach_of(self.level, columns)
         asked = question(columns, self.places.id, self.places.unit, arguments_of(self.level))
         most = check_limits(self.cell_points, self.tasks)
-        found = look(df, self.places, self.check_ids)
+        found = look(df, self.places, self.check_ids, most, self.tasks)
         prepared = prepare(df, self.places, found, reach, most, self.tasks)
         return prepared.blocks.mapInArrow(asked, schema)
 

@@ -10,6 +10,7 @@ from typing import Any
 from beespace._calls import seconds, whole
 from beespace._checks import gap_of
 from beespace._errors import BeespaceError, invalid
+from beespace.spark._check_workers import check_workers, processors_of
 from beespace.spark._parts import keys_of_parts, pack
 from beespace.spark._search import (
     DataFrame,
@@ -17,9 +18,7 @@ from beespace.spark._search import (
     Places,
     arguments_of,
     check_columns,
-    check_workers,
     places_of,
-    processors_of,
     quoted,
     reach_of,
 )

@@ -12,11 +12,12 @@ import numpy as np
 
 from beespace._calls import length, number_of, whole
 from beespace._errors import BeespaceError, invalid
-from beespace._library import version
 from beespace._units import METRES
 from beespace.spark._blocks import BLOCK_SCHEMA, Columns, Distribution, points_in_block
+from beespace.spark._check_workers import check_workers, processors_of
 from beespace.spark._cut import Cut
 from beespace.spark._parts import keys_of_parts, pack
+from beespace.spark._sample import TASKS_A_PROCESSOR, CellSize
 from beespace.spark._survey import (
     IDS_SCHEMA,
     SURVEY_SCHEMA,
@@ -33,13 +34,7 @@ DataFrame = Any  # of pyspark.sql, which is imported when a function is called, 
 _log = logging.getLogger("beespace.spark")
 _WHOLE = ("byte", "short", "integer", "long")
 _REAL = (*_WHOLE, "float", "double")
-# Tasks for each of the processors, so that a slow one does not keep the others waiting for long.
-_TASKS_A_PROCESSOR = 3
-# A cell is not cut for the sake of other processors below this.
-_WORTH_A_CELL = 200_000
 _IDS_IN_BUCKET = 2_000_000
-# Applications of Spark whose workers were found to have the package.
-_checked: set[str] = set()
 
 
 class CutFacts(NamedTuple):
@@ -182,64 +177,10 @@ def quoted(name: str) -> str:
     return "`" + name.replace("`", "``") + "`"
 
 
-def check_workers(session: Any) -> None:
-    """A tiny job, once for each application of Spark: do workers have the package, and is it this one?"""
-    expected = version()
-    application = application_of(session)
-    if application in _checked:
-        return
-
-    # Defined here, it is sent as it is: workers without the package can run it.
-    def probe(batches: Any) -> Any:
-        import importlib
-        import socket
-
-        for _ in batches:
-            pass
-        try:
-            importlib.import_module("beespace.spark._questions")
-            there = importlib.import_module("beespace").__version__
-        except ImportError as error:
-            told = f"{error}"
-        else:
-            told = "" if there == expected else f"its version is {there}"
-        batch: Any = importlib.import_module("pyarrow").RecordBatch
-        yield batch.from_arrays([[socket.gethostname()], [told]], ["host", "told"])
-
-    tasks = processors_of(session)
-    rows = session.range(0, tasks, 1, tasks).mapInArrow(probe, "host string, told string").collect()
-    wrong = sorted({(row["host"], row["told"]) for row in rows if row["told"]})
-    if wrong:
-        host, told = wrong[0]
-        raise BeespaceError(
-            f"the workers of Spark do not have beespace {expected}, as this program has: on {host}: {told}. "
-            "Install it there for the Python of spark.pyspark.python, or ship it with --archives",
-            "invalid_argument",
-        )
-    if application:
-        _checked.add(application)
-
-
-def application_of(session: Any) -> str | None:
-    """What Spark calls this application, where it says so."""
-    try:
-        return str(session.sparkContext.applicationId)
-    except Exception:  # Spark Connect has no context, and says so in ways of its own
-        return None
-
-
-def processors_of(session: Any) -> int:
-    """How many tasks run at a time, about."""
-    try:
-        return max(int(session.sparkContext.defaultParallelism), 1)
-    except Exception:  # Spark Connect has no context, and says so in ways of its own
-        return max(int(session.conf.get("spark.sql.shuffle.partitions")), 1)
-
-
-def survey(df: DataFrame, places: Places, check_ids: bool) -> Survey:
+def survey(df: DataFrame, places: Places, check_ids: bool, size: CellSize) -> Survey:
     """Looks at all rows once."""
     selected = select(df, places)
-    rows = selected.mapInArrow(Surveyor(places.columns), SURVEY_SCHEMA).collect()
+    rows = selected.mapInArrow(Surveyor(places.columns, size), SURVEY_SCHEMA).collect()
     found = survey_of(rows, places.columns, [places.id, *places.names])
     if check_ids and not found.in_order:
         _check_ids(selected, found.rows, places.id)
@@ -247,7 +188,7 @@ def survey(df: DataFrame, places: Places, check_ids: bool) -> Survey:
 
 
 def _check_ids(selected: DataFrame, rows: int, name: str) -> None:
-    tasks = processors_of(selected.sparkSession) * _TASKS_A_PROCESSOR
+    tasks = processors_of(selected.sparkSession) * TASKS_A_PROCESSOR
     buckets = max(tasks, math.ceil(rows / _IDS_IN_BUCKET))
     keys = keys_of_parts(tasks)
     parts = [keys[bucket % tasks] for bucket in range(buckets)]
@@ -277,8 +218,8 @@ def select(df: DataFrame, places: Places) -> DataFrame:
     return df.select(*columns)
 
 
-def look(df: DataFrame, places: Places, check_ids: bool) -> Survey:
-    """Checks columns, workers, and all rows."""
+def look(df: DataFrame, places: Places, check_ids: bool, most: int, tasks: int | None) -> Survey:
+    """Checks columns, workers, and all rows; takes a sample for cells of so many points."""
     check_columns(
         df,
         [
@@ -287,7 +228,8 @@ def look(df: DataFrame, places: Places, check_ids: bool) -> Survey:
         ],
     )
     check_workers(df.sparkSession)
-    return survey(df, places, check_ids)
+    size = CellSize(most, tasks or processors_of(df.sparkSession))
+    return survey(df, places, check_ids, size)
 
 
 def check_limits(cell_points: Any, tasks: Any) -> int:
@@ -311,11 +253,11 @@ def prepare(
     """Cuts space, and says how blocks come together by cell."""
     session = df.sparkSession
     at_once = processors_of(session)
-    wanted = _wanted(found, most, tasks, at_once)
+    wanted = CellSize(most, tasks or at_once).wanted(found.rows)
     cut = cut_space(found, reach, most, wanted)
     sizes = [(home + copy) / max(found.rate, 1e-30) for home, copy in zip(cut.homes, cut.copies)]
     in_all = sum(sizes)
-    number = tasks or min(cut.cells, max(_TASKS_A_PROCESSOR * at_once, math.ceil(in_all / most)))
+    number = tasks or min(cut.cells, max(TASKS_A_PROCESSOR * at_once, math.ceil(in_all / most)))
     number = max(min(number, cut.cells), 1)
     keys = keys_of_parts(number)
     parts = [keys[part] for part in pack(sizes, number)]
@@ -325,7 +267,7 @@ def prepare(
         number,
         round(max(sizes)),
         sum(size > 1.25 * most for size in sizes),
-        in_all / found.rows if found.rows else 1.0,
+        in_all / found.rows if in_all else 1.0,
     )
     _tell(facts, most, wanted)
     records = int(session.conf.get("spark.sql.execution.arrow.maxRecordsPerBatch"))
@@ -338,11 +280,6 @@ def prepare(
         .sortWithinPartitions("cell", "first")
     )
     return Prepared(blocks, facts, cut, parts, keys, block)
-
-
-def _wanted(found: Survey, most: int, tasks: int | None, at_once: int) -> float:
-    """How many points a cell is to have, so that all processors have work."""
-    return min(most, max(found.rows / (_TASKS_A_PROCESSOR * (tasks or at_once)), _WORTH_A_CELL))
 
 
 def cut_space(found: Survey, reach: list[float], most: float, wanted: float) -> Cut:

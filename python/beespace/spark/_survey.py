@@ -10,17 +10,16 @@ from numpy.typing import NDArray
 
 from beespace._errors import BeespaceError
 from beespace.spark._blocks import Columns, in_metres, integers, reals
+from beespace.spark._sample import CellSize, Sampler
 from beespace.spark._workers import arrow, partition_of_task
 
 SURVEY_SCHEMA = (
     "part int, rows long, bad long, bad_row long, bad_id long, bad_column string, bad_value string, "
-    "runs binary, keys binary, sample binary"
+    "runs binary, below binary, keys binary, sample binary"
 )
 IDS_SCHEMA = "part int, bucket int, ids binary"
 TWICE_SCHEMA = "twice long, id long"
 
-# The most points of the sample that a partition gives.
-_SAMPLE = 4096
 # A partition tells of at most so many stretches in which ids ascend: Spark puts small files together.
 _RUNS = 256
 # Positions that can be searched: metres, and degrees with heights.
@@ -49,8 +48,9 @@ def mixed(ids: NDArray[np.int64]) -> NDArray[np.uint64]:
 class Surveyor:
     """A row for each partition: a function for `mapInArrow`, which goes to workers."""
 
-    def __init__(self, columns: Columns) -> None:
+    def __init__(self, columns: Columns, size: CellSize) -> None:
         self.columns = columns
+        self.size = size
 
     def __call__(self, batches: Iterator[Any]) -> Iterator[Any]:
         pyarrow = arrow()
@@ -58,8 +58,7 @@ class Surveyor:
         rows = bad = 0
         first_bad: tuple[int, int | None, str, str] | None = None
         runs: NDArray[np.int64] | None = np.empty((0, 2), np.int64)
-        keys = np.empty(0, np.uint64)
-        sample = np.empty((0, len(self.columns.names)))
+        sampler = Sampler(self.size, partition_of_task(), len(self.columns.names))
         for batch in batches:
             if not batch.num_rows:
                 continue
@@ -78,16 +77,13 @@ class Surveyor:
             given = np.column_stack(
                 [reals(batch.column(1 + at), name) for at, name in enumerate(self.columns.names)]
             )
-            keys = np.concatenate([keys, mixed(ids)])
-            sample = np.concatenate([sample, given])
-            if len(keys) > 2 * _SAMPLE:
-                keys, sample = _lowest(keys, sample)
-        keys, sample = _lowest(keys, sample)
+            sampler.add(mixed(ids), given)
+        keys, sample = sampler.take()
         row, id, column, value = first_bad or (None, None, None, None)
         facts: list[Any] = [partition_of_task(), rows, bad, row, id, column, value]
-        facts += [None if runs is None else runs.tobytes(), keys.tobytes()]
-        facts += [np.ascontiguousarray(sample).tobytes()]
-        types = ["int32", *["int64"] * 4, "string", "string", "binary", "binary", "binary"]
+        facts += [None if runs is None else runs.tobytes(), np.uint64(sampler.below).tobytes()]
+        facts += [keys.tobytes(), np.ascontiguousarray(sample).tobytes()]
+        types = ["int32", *["int64"] * 4, "string", "string", *["binary"] * 4]
         arrays = [pyarrow.array([each], type=kind) for each, kind in zip(facts, types)]
         names = [each.split()[0] for each in SURVEY_SCHEMA.split(", ")]
         yield pyarrow.RecordBatch.from_arrays(arrays, names)
@@ -129,15 +125,6 @@ def _with_runs(runs: NDArray[np.int64], ids: NDArray[np.int64]) -> NDArray[np.in
     return np.concatenate([runs, new])
 
 
-def _lowest(
-    keys: NDArray[np.uint64], sample: NDArray[np.float64]
-) -> tuple[NDArray[np.uint64], NDArray[np.float64]]:
-    if len(keys) <= _SAMPLE:
-        return keys, sample
-    some = np.argpartition(keys, _SAMPLE)[:_SAMPLE]
-    return keys[some], sample[some]
-
-
 def survey_of(rows: list[Any], columns: Columns, names: list[str]) -> Survey:
     """What the rows of all partitions say together. Raises what is wrong with the data."""
     rows = sorted(rows, key=lambda row: row["part"])
@@ -163,11 +150,9 @@ def survey_of(rows: list[Any], columns: Columns, names: list[str]) -> Survey:
     keys = [np.frombuffer(row["keys"], np.uint64) for row in full]
     width = len(columns.names)
     samples = [np.frombuffer(row["sample"]).reshape(-1, width) for row in full]
-    # A partition that gives all its points does not limit the others.
-    below = min(
-        (int(key.max()) for key, row in zip(keys, full) if row["rows"] > len(key)), default=2**64 - 1
-    )
-    kept = [sample[key <= np.uint64(below)] for key, sample in zip(keys, samples)]
+    # The lowest share that a partition gave is that of all.
+    below = min((np.frombuffer(row["below"], np.uint64)[0] for row in full), default=np.uint64(0))
+    kept = [sample[key <= below] for key, sample in zip(keys, samples)]
     points = np.concatenate(kept) if kept else np.empty((0, width))
     axes = in_metres([np.ascontiguousarray(axis) for axis in points.T], columns) if len(points) else []
     return Survey(count, len(rows), in_order, len(points) / max(count, 1), axes[: columns.searched])

@@ -12,10 +12,13 @@
 #include "out_of_core/recorded/stored_fixes.hpp"
 #include "out_of_core/recorded/window_search.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace beespace {
 
@@ -93,6 +96,32 @@ class __attribute__((visibility("hidden"))) RecordingOutOfCore::State {
     return done;
   }
 
+  Status visit_fixes(const LargeFixVisitor& visit) {
+    facts_ = {};
+    if (auto status = settle(); !status) return status;
+    RepeatedFixes repeated{repeats_allowed_, 0, {}};
+    std::vector<LargeFix> told;
+    told.reserve(kFixesAtOnce);
+    std::uint64_t read = 0;
+    bool stopped = false;
+    auto status = fixes_->for_each(repeated, [&](const StoredFix& fix) {
+      told.push_back({fix.agent, fix.fix, fix.height_m});
+      if (told.size() == kFixesAtOnce) {
+        visit(told);
+        told.clear();
+      }
+      stopped = ++read % kFixesBetweenStops == 0 && options_.stop.stop_requested();
+      return !stopped;
+    });
+    if (!status) return status;
+    if (stopped) return core::stopped_error();
+    if (!told.empty()) visit(told);
+    facts_.repeated = repeated.count;
+    facts_.clash = repeated.clash;
+    if (repeated.clash) return clash_error(*repeated.clash);
+    return std::monostate{};
+  }
+
   Status find_conflicts(const ConflictOptions& options, const LargeConflictVisitor& conflicts,
                         const LargeGapVisitor& gaps) {
     facts_ = {};
@@ -107,6 +136,7 @@ class __attribute__((visibility("hidden"))) RecordingOutOfCore::State {
 
  private:
   static constexpr std::uint64_t kFixesBetweenStops = std::uint64_t{1} << 14U;
+  static constexpr std::size_t kFixesAtOnce = 1024;
 
   Crew& crew() { return crew_.of(options_.threads, std::numeric_limits<std::size_t>::max()); }
 
@@ -187,6 +217,10 @@ void RecordingOutOfCore::allow_repeated(bool allowed) {
 
 Status RecordingOutOfCore::visit_agents(const LargeAgentVisitor& visit) {
   return state_->visit_agents(visit);
+}
+
+Status RecordingOutOfCore::visit_fixes(const LargeFixVisitor& visit) {
+  return state_->visit_fixes(visit);
 }
 
 Status RecordingOutOfCore::find_conflicts(const ConflictOptions& options,

@@ -80,6 +80,47 @@ TEST(RecordingOutOfCore, AnswersAgainAndTakesMore) {
   EXPECT_EQ(found[0].second, 8U);
 }
 
+TEST(RecordingOutOfCore, FixesComeBackByAgentAndTime) {
+  RecordingOutOfCore recording(enough());
+  const auto fixes_of = [&] {
+    std::vector<LargeFix> found;
+    const auto status = recording.visit_fixes([&](std::span<const LargeFix> some) {
+      EXPECT_FALSE(some.empty());
+      found.insert(found.end(), some.begin(), some.end());
+    });
+    EXPECT_TRUE(status);
+    return found;
+  };
+  EXPECT_TRUE(fixes_of().empty());
+  test::Fixes fixes = meeting();
+  fixes.heights = {1.5, 2.5, 3.5, 4.5};
+  recording.allow_repeated(true);
+  ASSERT_TRUE(add(recording, fixes));
+  ASSERT_TRUE(add(recording, fixes));
+  const std::vector<LargeFix> expected = {{7, {0.0, {0, 0, 0}}, 1.5},
+                                          {7, {10.0, {100, 0, 0}}, 3.5},
+                                          {9, {0.0, {100, 3, 0}}, 2.5},
+                                          {9, {10.0, {0, 3, 0}}, 4.5}};
+  EXPECT_EQ(fixes_of(), expected);
+  EXPECT_EQ(recording.facts().repeated, 4U);
+  // More than come in one call, and backwards.
+  for (int at = 5000; at > 0; --at) {
+    ASSERT_TRUE(recording.add(std::vector<AgentId>{8}, std::vector<double>{at * 0.5},
+                              PointsView(std::vector<Point>{{1.0 * at, 2, 3}})
+                                  .with_heights(std::vector<double>{at * 0.25})));
+  }
+  const auto found = fixes_of();
+  ASSERT_EQ(found.size(), 5004U);
+  for (int at = 1; at <= 5000; ++at) {
+    const LargeFix wanted{8, {at * 0.5, {1.0 * at, 2, 3}}, at * 0.25};
+    ASSERT_EQ(found[static_cast<std::size_t>(at) + 1], wanted);
+  }
+  recording.allow_repeated(false);
+  const auto twice = recording.visit_fixes([](std::span<const LargeFix> /*some*/) {});
+  ASSERT_FALSE(twice);
+  EXPECT_EQ(twice.error().code, ErrorCode::kTimeOrder);
+}
+
 TEST(RecordingOutOfCore, OptionsThatMakeNoSense) {
   RecordingOutOfCore good(enough());
   ASSERT_TRUE(add(good, meeting()));
