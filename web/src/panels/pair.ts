@@ -29,9 +29,11 @@ function aroundOf(swarm: Recording, place: number | null): number {
 
 function limitFacts(shown: Shown, apart: { distance_m: number; horizontal_m: number; height_m: number }): Fact[] {
   const { head } = shown.swarm;
+  const inAll: Fact = ['Apart', formatBelow(apart.distance_m, head.threshold_m), apart.distance_m < head.threshold_m];
+  if (head.flat) return [inAll];
   if (head.vertical_m === undefined) {
     return [
-      ['Apart', formatBelow(apart.distance_m, head.threshold_m), apart.distance_m < head.threshold_m],
+      inAll,
       ['Horizontally', formatHorizontal(apart.horizontal_m, head)],
       ['In height', formatVertical(apart.height_m, head)],
     ];
