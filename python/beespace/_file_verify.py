@@ -105,13 +105,13 @@ def _verdict_of(handle: ctypes.c_void_p, ids: NDArray[Any]) -> FlightVerdict:
     verdict.limits = {name: facts.most[k] for k, name in enumerate(names) if facts.limits >> k & 1}
     verdict.declared = tuple(name for k, name in enumerate(names) if facts.declared >> k & 1)
     verdict.greatest = {
-        name: Peak(facts.greatest[k], ids[facts.greatest_agent[k]], facts.greatest_s[k])
+        name: Peak(facts.greatest[k], str(ids[facts.greatest_agent[k]]), facts.greatest_s[k])
         for k, name in enumerate(names)
         if facts.greatest_agent[k] >= 0
     }
     verdict.closest = verdict.closest_distance = verdict.closest_at = None
     if facts.closest_first >= 0:
-        verdict.closest = ids[facts.closest_first], ids[facts.closest_second]
+        verdict.closest = str(ids[facts.closest_first]), str(ids[facts.closest_second])
         verdict.closest_distance, verdict.closest_at = facts.closest_m, facts.closest_s
     verdict.gap_count, verdict.missing_count = facts.gaps, facts.missing
     limits = [*facts.most, math.nan, math.nan]

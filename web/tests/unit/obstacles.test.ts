@@ -49,6 +49,6 @@ test('what is near the swarm is seen with it, and what is far away makes it no d
 
 test('a value beyond its limit never reads as the limit', () => {
   assert.equal(formatLimited(2.4000000001, 2.4, 'm'), '2.4000000001\u202fm');
-  assert.equal(formatLimited(2.3999999, 2.4, 'm'), '2.4\u202fm');
-  assert.equal(formatLimited(2.5, 2.4, 'm'), '2.5\u202fm');
+  assert.equal(formatLimited(2.3999999, 2.4, 'm'), '2.400\u202fm');
+  assert.equal(formatLimited(2.5, 2.4, 'm'), '2.500\u202fm');
 });
