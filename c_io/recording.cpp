@@ -91,7 +91,7 @@ void settle_velocities(beespace_io_recording& recording) {
 io::RecordedBee last_fixes(const io::RecordedBee& bee) {
   io::RecordedBee last;
   last.id = bee.id;
-  if (bee.path) last.path.emplace();  // that there is one
+  last.path = bee.path;
   const auto from =
       static_cast<std::ptrdiff_t>(bee.fixes.size() - std::min<std::size_t>(bee.fixes.size(), 2));
   last.fixes.assign(bee.fixes.begin() + from, bee.fixes.end());
@@ -107,6 +107,9 @@ Result<std::unique_ptr<beespace_io_recording>> columns_of(const io::Recording& l
   auto recording = std::make_unique<beespace_io_recording>();
   recording->since_1970 = loaded.since_1970;
   recording->last.frame = loaded.frame;
+  recording->last.show = loaded.show;
+  recording->last.declared_threshold_m = loaded.declared_threshold_m;
+  recording->last.missing = loaded.missing;
   recording->missing = static_cast<std::int64_t>(loaded.missing.count);
   recording->facts = facts_of(loaded);
   const std::string missing = analysis::missing_text(loaded.missing);

@@ -23,6 +23,7 @@ struct beespace_io_recording {
   bool since_1970 = false;
   std::int64_t missing = 0;
   // Of each agent the last two fixes, as the input has them: they tell how fast it flies now.
+  // Curves of shows are here as a whole.
   beespace::io::Recording last;
   beespace_io_facts facts;
 };

@@ -368,6 +368,147 @@ BEESPACE_C_API int64_t beespace_io_obstacles_count(const beespace_io_obstacles* 
 BEESPACE_C_API const beespace_obstacle* beespace_io_obstacles_list(
     const beespace_io_obstacles* obstacles);
 
+/* ---- Verification --------------------------------------------------------------------------- */
+
+/// @brief What a flight may have limits of, and what was found of it: the index of
+/// beespace_io_verify_options::most and the kind of a finding. Kinds are named as the command names
+/// them: beespace_io_finding_name().
+enum {
+  BEESPACE_IO_SPEED = 0,         ///< The speed, in metres per second.
+  BEESPACE_IO_HORIZONTAL = 1,    ///< The speed in x and y, in metres per second.
+  BEESPACE_IO_CLIMB = 2,         ///< The speed upwards, in metres per second.
+  BEESPACE_IO_DESCENT = 3,       ///< The speed downwards, in metres per second.
+  BEESPACE_IO_ACCELERATION = 4,  ///< The acceleration, in metres per second squared.
+  BEESPACE_IO_HEIGHT = 5,        ///< z, in metres.
+  BEESPACE_IO_LOSS = 6,          ///< Two agents closer than the threshold. No limit.
+  BEESPACE_IO_CLEARANCE = 7      ///< An agent closer to an obstacle than the clearance. No limit.
+};
+
+/// @brief The flags of beespace_io_verify_options::flags.
+enum {
+  BEESPACE_IO_STRAIGHT = 1  ///< Agents fly in straight lines between fixes, whatever velocities
+                            ///< they have. Drones of a show, which has curves, do not.
+};
+
+/// @brief What a verification needs to know; NULL is as good as one of zeros.
+typedef struct beespace_io_verify_options {
+  size_t struct_size;  ///< sizeof(beespace_io_verify_options)
+  uint32_t flags;      ///< BEESPACE_IO_STRAIGHT, or 0.
+  uint32_t limits;     ///< 1 << BEESPACE_IO_SPEED | ...: which of `most` are given. Of the others
+                       ///< those count that a show declares.
+  uint64_t reserved;   ///< Zero.
+  double most[6];      ///< The greatest values, by BEESPACE_IO_SPEED, ...; zero where not given.
+  double threshold_m;  ///< The threshold in metres; 0: what the recording declares, else 2 m of a
+                       ///< show. Other recordings have no default.
+  double max_gap_s;    ///< As beespace_io_page_options::max_gap_s. Shows have no gaps.
+  const beespace_obstacle* obstacles;  ///< Static obstacles; or NULL. They are copied.
+  int64_t obstacle_count;              ///< How many.
+  double clearance_m;       ///< With obstacles: how close to one is too close, in metres.
+  const beespace_run* run;  ///< Threads, and what ends the call early; or NULL.
+} beespace_io_verify_options;
+
+/// @brief What a verification found.
+typedef struct beespace_io_verdict beespace_io_verdict;
+
+/// @brief Did the agents of a recording keep apart, clear of obstacles and within their limits,
+/// each with times of its own? As `beespace verify` of a show: along its curves themselves, and not
+/// along beespace_io_recording_xyz(). Of other recordings along the curves that have the velocities
+/// of their fixes, or in straight lines where not all fixes have one.
+/// @param recording The recording, in metres; each agent has a curve, or two fixes or more.
+/// @param options What it needs to know; or NULL.
+/// @param[out] verdict What was found, to be freed by beespace_io_verdict_free(); NULL after an
+///   error.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error: BEESPACE_INVALID_ARGUMENT;
+///   BEESPACE_INVALID_THRESHOLD, also where there is none; BEESPACE_UNKNOWN_FRAME of a recording in
+///   degrees; BEESPACE_MISSING_COLUMN where an acceleration is limited and velocities are missing;
+///   BEESPACE_UNSUPPORTED_FORMAT of an agent with a single fix; BEESPACE_STOPPED.
+BEESPACE_C_API beespace_code beespace_io_verify(const beespace_io_recording* recording,
+                                                const beespace_io_verify_options* options,
+                                                beespace_io_verdict** verdict,
+                                                beespace_io_error* error);
+/// @brief Frees a verdict.
+/// @param verdict The verdict; NULL does nothing.
+BEESPACE_C_API void beespace_io_verdict_free(beespace_io_verdict* verdict);
+
+/// @brief How agents flew between fixes: beespace_io_verdict_facts::motion.
+enum {
+  BEESPACE_IO_ALONG_SHOW = 0,        ///< Along the curves of the show.
+  BEESPACE_IO_WITH_VELOCITIES = 1,   ///< Along curves with the velocities of both fixes.
+  BEESPACE_IO_IN_STRAIGHT_LINES = 2  ///< In straight lines.
+};
+
+/// @brief What was found, in numbers.
+typedef struct beespace_io_verdict_facts {
+  size_t struct_size;    ///< sizeof(beespace_io_verdict_facts), set by the caller.
+  int32_t holds;         ///< 1 where nothing was found, there is no gap and nothing is missing.
+  int32_t motion;        ///< BEESPACE_IO_ALONG_SHOW, ...
+  uint32_t limits;       ///< 1 << BEESPACE_IO_SPEED | ...: which limits were checked.
+  uint32_t declared;     ///< Those of them that the show declares.
+  double most[6];        ///< The limits; infinite where there is none.
+  double greatest[6];    ///< The greatest values: never less than they are, and a billionth more at
+                         ///< most. Of climb and descent zero or more.
+  double greatest_s[6];  ///< When each is reached, in seconds.
+  int64_t greatest_agent[6];  ///< By whom; -1 where there is no agent.
+  double threshold_m;         ///< The threshold that was taken, in metres.
+  double max_gap_s;           ///< Fixes farther apart in time were taken for a gap; infinite: none.
+  int64_t losses;             ///< How many findings are BEESPACE_IO_LOSS.
+  int64_t clearance_losses;   ///< How many are BEESPACE_IO_CLEARANCE.
+  int64_t breaches;           ///< How many are of limits.
+  int64_t gaps;               ///< In how many gaps it is unknown where an agent was.
+  int64_t missing;            ///< As beespace_io_recording_missing().
+  int64_t closest_first;      ///< One of the closest two; -1 where no two are there at one time.
+  int64_t closest_second;     ///< The other.
+  double closest_m;           ///< How close they come, in metres; NaN where no two are there.
+  double closest_s;           ///< When, in seconds; NaN where no two are there.
+} beespace_io_verdict_facts;
+
+/// @brief Says what was found, in numbers.
+/// @param verdict The verdict.
+/// @param[out] facts The numbers.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK; or BEESPACE_INVALID_ARGUMENT.
+BEESPACE_C_API beespace_code beespace_io_verdict_facts_of(const beespace_io_verdict* verdict,
+                                                          beespace_io_verdict_facts* facts,
+                                                          beespace_io_error* error);
+/// @brief Says how many findings there are: losses, losses of clearance, and breaches by limit, in
+/// this order, as the rows of `beespace verify`.
+/// @param verdict The verdict.
+/// @return Their number; 0 of NULL.
+BEESPACE_C_API int64_t beespace_io_verdict_size(const beespace_io_verdict* verdict);
+/// @brief Gives what was found: BEESPACE_IO_LOSS, ...
+/// @param verdict The verdict.
+/// @return The kinds; NULL where there is none.
+BEESPACE_C_API const int32_t* beespace_io_verdict_kinds(const beespace_io_verdict* verdict);
+/// @brief Gives the agent of each finding; of a loss the one of the smaller index.
+/// @param verdict The verdict.
+/// @return The indices; NULL where there is none.
+BEESPACE_C_API const int64_t* beespace_io_verdict_first(const beespace_io_verdict* verdict);
+/// @brief Gives, of a loss, the other agent; of clearance, the obstacle.
+/// @param verdict The verdict.
+/// @return The indices, -1 of other findings; NULL where there is none.
+BEESPACE_C_API const int64_t* beespace_io_verdict_second(const beespace_io_verdict* verdict);
+/// @brief Gives when each finding begins, in seconds.
+/// @param verdict The verdict.
+/// @return The times; NULL where there is none.
+BEESPACE_C_API const double* beespace_io_verdict_begins_s(const beespace_io_verdict* verdict);
+/// @brief Gives when each finding ends, in seconds.
+/// @param verdict The verdict.
+/// @return The times; NULL where there is none.
+BEESPACE_C_API const double* beespace_io_verdict_ends_s(const beespace_io_verdict* verdict);
+/// @brief Gives how close they came, in metres; or the greatest value of a breach.
+/// @param verdict The verdict.
+/// @return The values; NULL where there is none.
+BEESPACE_C_API const double* beespace_io_verdict_values(const beespace_io_verdict* verdict);
+/// @brief Gives when that was, in seconds.
+/// @param verdict The verdict.
+/// @return The times, NaN of clearance; NULL where there is none.
+BEESPACE_C_API const double* beespace_io_verdict_at_s(const beespace_io_verdict* verdict);
+/// @brief Names a kind of finding, or a limit, as the command does: "loss", "horizontal", ...
+/// @param kind BEESPACE_IO_LOSS, ...
+/// @return Its name; "unknown" for a number that is no kind. Valid for ever.
+BEESPACE_C_API const char* beespace_io_finding_name(int32_t kind);
+
 /* ---- Pages ---------------------------------------------------------------------------------- */
 
 /// @brief What a page shows. There is no default for the threshold. Texts may be NULL.

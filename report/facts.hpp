@@ -10,6 +10,7 @@
 #include <beespace/find_conflicts.hpp>
 #include <beespace/geodesy.hpp>
 #include <beespace/nearest.hpp>
+#include <beespace/obstacle.hpp>
 #include <beespace/pairs.hpp>
 #include <beespace/point.hpp>
 #include <beespace/track.hpp>
@@ -51,7 +52,8 @@ struct SwarmFacts {
   std::optional<double> vertical_m = {};
   bool inclusive = false;
   Names names = {};
-  std::vector<std::string> notes = {};  // what must be said aloud
+  std::vector<std::string> notes = {};   // what must be said aloud
+  std::vector<Obstacle> obstacles = {};  // to look at, in metres as given; none beside an origin
 };
 
 // How far apart two are horizontally and in height: geographic ones brought to height 0, and in
@@ -105,6 +107,24 @@ struct PairWay {
   std::vector<double> heights_m = {};
 };
 
+// A limit that a drone show declares, and the greatest value of it along the curves of all.
+struct DeclaredLimit {
+  std::string name;  // "horizontal", as a finding of `beespace verify`
+  double most = 0.0;
+  double greatest = 0.0;
+  PointId bee = 0;
+  double time_s = 0.0;
+};
+
+// A stretch in which one of them is exceeded.
+struct LimitExcess {
+  std::uint32_t limit = 0;  // its index
+  PointId bee = 0;
+  TimeSpan span;
+  double greatest = 0.0;
+  double time_s = 0.0;
+};
+
 struct RecordingFacts {
   SwarmFacts swarm;
   std::vector<Track> tracks;  // to look at
@@ -124,9 +144,12 @@ struct RecordingFacts {
   // Of the first of `conflicts`, as many as a page can hold; where there is none, of `closest`.
   std::vector<PairWay> pair_ways = {};
   std::vector<Separation> separation = {};
-  io::ShowLimits limits = {};            // of drone shows, as they declare them
-  std::vector<io::ShowCue> cues = {};    // likewise
-  std::optional<FleetFacts> fleet = {};  // what its planner said of it, where that is known
+  io::ShowLimits limits = {};                // of drone shows, as they declare them
+  std::vector<io::ShowCue> cues = {};        // likewise
+  std::vector<DeclaredLimit> declared = {};  // of `limits`, where a drone flies at all
+  std::vector<LimitExcess> excesses = {};    // the greatest first, of each limit
+  std::uint64_t excess_count = 0;            // of all
+  std::optional<FleetFacts> fleet = {};      // what its planner said of it, where that is known
 };
 
 }  // namespace beespace::report

@@ -267,6 +267,25 @@ void write_time(io::JsonWriter& json, const RecordingFacts& facts, const TimeSpa
   json.end();
 }
 
+// How the limits of a drone show are kept.
+void write_limits(io::JsonWriter& json, const RecordingFacts& facts, double begins_s) {
+  json.begin_object("limits_kept").member("count", facts.excess_count);
+  json.begin_array("greatest");
+  for (const DeclaredLimit& limit : facts.declared) {
+    json.begin_object().member("limit", limit.name).member("most", limit.most);
+    json.member("value", limit.greatest).member("bee", limit.bee);
+    json.member("time_s", limit.time_s - begins_s).end();
+  }
+  json.end().begin_array("excesses");
+  for (const LimitExcess& excess : facts.excesses) {
+    json.begin_object().member("limit", excess.limit).member("bee", excess.bee);
+    json.member("begins_s", excess.span.begins_s - begins_s);
+    json.member("ends_s", excess.span.ends_s - begins_s);
+    json.member("value", excess.greatest).member("time_s", excess.time_s - begins_s).end();
+  }
+  json.end().end();
+}
+
 // What a drone show says of itself.
 void write_show(io::JsonWriter& json, const RecordingFacts& facts, double begins_s) {
   const io::ShowLimits& limits = facts.limits;
@@ -278,6 +297,7 @@ void write_show(io::JsonWriter& json, const RecordingFacts& facts, double begins
     if (limits.height_m) json.member("height_m", *limits.height_m);
     json.end();
   }
+  if (!facts.declared.empty()) write_limits(json, facts, begins_s);
   if (facts.cues.empty()) return;
   json.begin_array("cues");
   for (const io::ShowCue& cue : facts.cues) {

@@ -1,5 +1,7 @@
 #include "report/swarm_json.hpp"
 
+#include "report/obstacles_json.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -50,6 +52,7 @@ void write_facts(io::JsonWriter& json, const SwarmFacts& swarm, std::size_t coun
   json.member("inclusive", swarm.inclusive);
   if (!swarm.names.texts.empty()) write_names(json, swarm.names, columns);
   json.member("notes", swarm.notes);
+  write_obstacles(json, swarm.obstacles);
 }
 
 void write_positions(io::JsonWriter& json, const Quantised& positions, Differences differences,

@@ -7,6 +7,7 @@
 #include "analysis/scene/height_words.hpp"
 #include "analysis/scene/pair_ways.hpp"
 #include "analysis/scene/separation.hpp"
+#include "analysis/scene/show_limits.hpp"
 #include "analysis/scene/uprights.hpp"
 #include "analysis/snapshot/worst_pairs.hpp"
 #include "analysis/text/bee_name.hpp"
@@ -198,6 +199,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   if (recording.show) {
     facts.limits = recording.show->limits;
     facts.cues = recording.show->cues;
+    if (Status good = take_show_limits(recording, facts); !good) return good.error();
   }
   if (are_all_there_for_a_moment(*in_space)) {
     swarm.notes.emplace_back(

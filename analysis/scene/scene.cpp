@@ -7,6 +7,10 @@ const report::SwarmFacts& swarm_of(const Scene& scene) {
                     scene);
 }
 
+report::SwarmFacts& swarm_of(Scene& scene) {
+  return std::visit([](auto& facts) -> report::SwarmFacts& { return facts.swarm; }, scene);
+}
+
 bool is_risky(const Scene& scene) {
   const auto* recording = std::get_if<report::RecordingFacts>(&scene);
   if (recording != nullptr && recording->hidden) return true;

@@ -11,6 +11,7 @@ namespace beespace::analysis {
 using Scene = std::variant<report::SnapshotFacts, report::RecordingFacts>;
 
 const report::SwarmFacts& swarm_of(const Scene& scene);
+report::SwarmFacts& swarm_of(Scene& scene);
 
 // Whether a bee is at risk, or may be in a gap.
 bool is_risky(const Scene& scene);

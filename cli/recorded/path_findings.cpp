@@ -33,7 +33,8 @@ double shown_value(const PathPeak& peak, PathLimit limit) {
   return signed_one ? std::max(0.0, peak.value) : peak.value;
 }
 
-std::string peak_text(PathLimit limit, const BeePeak& peak, const io::Recording& recording) {
+std::string peak_text(PathLimit limit, const analysis::BeePeak& peak,
+                      const io::Recording& recording) {
   const PathLimitWords& words = words_of(limit);
   return std::string(words.noun) + " " + io::grouped(shown_value(peak.peak, limit), 3) + " " +
          words.unit + ", " + shown_bee(peak.bee, recording) + when(peak.peak.at_s, recording);
@@ -56,9 +57,9 @@ void append_breaches(std::string& out, const PathFindings& findings) {
   if (breaches.empty()) return append_summary_line(out, "breaches", bold("none"));
   bool first = true;
   for (const PathLimitWords& words : kPathLimitWords) {
-    const PathBreach* worst = nullptr;
+    const analysis::PathBreach* worst = nullptr;
     std::uint64_t count = 0;
-    for (const PathBreach& breach : breaches) {
+    for (const analysis::PathBreach& breach : breaches) {
       if (breach.excess.limit != words.limit) continue;
       ++count;
       if (worst == nullptr || breach.excess.peak.value > worst->excess.peak.value) worst = &breach;
@@ -88,7 +89,7 @@ void append_losses(std::string& out, const PathFindings& findings) {
 }
 
 std::string verdict_text(const PathFindings& findings) {
-  const PathVerdict& verdict = findings.verdict;
+  const analysis::PathVerdict& verdict = findings.verdict;
   if (findings.holds()) return bold("holds");
   if (verdict.holds()) {
     return red("not seen as a whole") + ": holds in the known time; " +
@@ -158,7 +159,7 @@ Rows finding_rows(const PathFindings& findings) {
 
 void write_verdict(io::JsonWriter& json, const PathFindings& findings,
                    const MovingRequest& request) {
-  const PathVerdict& verdict = findings.verdict;
+  const analysis::PathVerdict& verdict = findings.verdict;
   const io::Recording& recording = findings.recording;
   write_head(json, recording, request, findings.question.threshold_m);
   json.member("motion", findings.motion).member("holds", findings.holds());
@@ -201,7 +202,7 @@ void write_verdict(io::JsonWriter& json, const PathFindings& findings,
 
 std::string verify_summary(const PathFindings& findings, const MovingRequest& request) {
   const io::Recording& recording = findings.recording;
-  const PathVerdict& verdict = findings.verdict;
+  const analysis::PathVerdict& verdict = findings.verdict;
   std::string out = input_summary(recording, request);
   append_summary_line(out, "bees", io::grouped(recording.bees.size()));
   const TimeSpan time = time_of_all(recording);

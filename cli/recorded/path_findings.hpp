@@ -2,10 +2,10 @@
 #pragma once
 
 #include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/verify_paths.hpp"
 #include "cli/input/moving_options.hpp"
 #include "cli/output/rows.hpp"
 #include "cli/recorded/path_limits.hpp"
-#include "cli/recorded/verify_paths.hpp"
 #include "io/json/json_writer.hpp"
 #include "io/recording/recording.hpp"
 
@@ -15,9 +15,9 @@ namespace beespace::cli {
 
 struct PathFindings {
   const io::Recording& recording;
-  const PathQuestion& question;
+  const analysis::PathQuestion& question;
   const SettledLimits& limits;
-  const PathVerdict& verdict;
+  const analysis::PathVerdict& verdict;
   const analysis::Coverage& coverage;
   std::string motion;  // along which lines bees fly
   double read_s = 0.0;

@@ -1,38 +1,18 @@
 #include "cli/recorded/path_limits.hpp"
 
+#include "analysis/recorded/verify_paths.hpp"
 #include "io/bytes/number_text.hpp"
 
 #include <cmath>
 
 namespace beespace::cli {
-namespace {
-
-std::optional<double> declared_by(const io::ShowFacts& show, PathLimit limit) {
-  switch (limit) {
-    case PathLimit::kHorizontalSpeed:
-      return show.limits.horizontal_mps;
-    case PathLimit::kClimb:
-      return show.limits.climb_mps;
-    case PathLimit::kDescent:
-      return show.limits.descent_mps;
-    case PathLimit::kHeight:
-      return show.limits.height_m;
-    case PathLimit::kSpeed:
-    case PathLimit::kAcceleration:
-      break;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 SettledLimits settle_limits(const AskedLimits& asked, const std::optional<io::ShowFacts>& show) {
   SettledLimits settled;
   for (const PathLimitWords& words : kPathLimitWords) {
     const auto which = static_cast<std::size_t>(words.limit);
     std::optional<double> most = asked[which];
     if (!most && show) {
-      most = declared_by(*show, words.limit);
+      most = analysis::declared_limit(*show, words.limit);
       settled.declared[which] = most.has_value();
     }
     if (most) settled.limits[words.limit] = *most;

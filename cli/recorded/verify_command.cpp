@@ -3,6 +3,7 @@
 #include "analysis/recorded/common_times.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/gaps.hpp"
+#include "analysis/recorded/verify_paths.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
@@ -12,7 +13,6 @@
 #include "cli/recorded/flight_check.hpp"
 #include "cli/recorded/path_findings.hpp"
 #include "cli/recorded/verify_findings.hpp"
-#include "cli/recorded/verify_paths.hpp"
 #include "cli/recorded/verify_steps.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/load_recording.hpp"
@@ -136,7 +136,7 @@ Result<ExitCode> verify_along_curves(const VerifyRequest& request, const io::Rec
   if (!motion) return motion.error();
   const analysis::MaxGap max_gap = analysis::max_gap_of(recording, request.max_gap_s);
   const SettledLimits limits = settle_limits(request.limits, recording.show);
-  PathQuestion question;
+  analysis::PathQuestion question;
   question.with_velocities = !curves && !check.straight;
   question.threshold_m = moving.threshold_m.value_or(
       analysis::default_threshold(recording, kDefaultVerified_m).metres);
@@ -148,7 +148,8 @@ Result<ExitCode> verify_along_curves(const VerifyRequest& request, const io::Rec
   const double read_s = watch.lap();
 
   progress.enter_stage("checking");
-  const auto verdict = verify_paths(recording, question, progress);
+  const auto verdict = analysis::verify_paths(
+      recording, question, [&progress](double share) { progress.set_share(share); });
   if (!verdict) return verdict.error();
   const analysis::Coverage coverage = analysis::coverage_of(recording, verdict->gaps, max_gap);
   const PathFindings findings{recording, question,           limits, *verdict,

@@ -54,6 +54,7 @@ Result<ExitCode> run_report(const ReportRequest& request) {
   std::vector<std::string> inputs = moving.inputs;
   inputs.push_back(request.compare);
   inputs.push_back(request.fleet_log);
+  inputs.push_back(request.obstacles);
   auto output = open_output(kReport, moving.output, inputs);
   if (!output) return std::move(output).error();
   if (Status html = check_ending(moving.output); !html) return std::move(html).error();

@@ -12,6 +12,7 @@ struct ReportRequest {
   ShowRequest show;
   std::string compare;    // empty: nothing
   std::string fleet_log;  // the same
+  std::string obstacles;  // the same
 };
 
 // What to read, what to compare it with, and what is too close: of `report` and `view`.

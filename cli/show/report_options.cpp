@@ -47,6 +47,9 @@ void add_page_input_options(Command& command, ReportRequest& request) {
   command.option("--fleet-log", "FILE", request.fleet_log,
                  "What a planner said of the bees of FILES, as 'guide'\nand 'simulate --fleet-log' "
                  "write it: where each should\nbe, its tube, its claim and its contract");
+  command.option(
+      "--obstacles", "FILE", request.obstacles,
+      "Draw these, too: JSON, as 'verify' reads it, which says\nwho keeps clear of them");
 }
 
 Command report_command() {

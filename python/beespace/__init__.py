@@ -22,6 +22,7 @@ from beespace._file_movers import FileMovers
 from beespace._file_obstacles import read_obstacles
 from beespace._files import FilePoints, FileRecording, read, read_recording
 from beespace._fleet import FleetFigures, LinkFigures, Tube, tube_of
+from beespace._flight_verdict import FlightBreaches, FlightLosses, FlightVerdict, Peak
 from beespace._follower import Follower
 from beespace._geodesy import to_ecef
 from beespace._guidance import Guidance, JoinAnswer
@@ -90,6 +91,9 @@ __all__ = [
     "FileRecording",
     "Findings",
     "FleetFigures",
+    "FlightBreaches",
+    "FlightLosses",
+    "FlightVerdict",
     "Follower",
     "Gaps",
     "Ground",
@@ -107,6 +111,7 @@ __all__ = [
     "OutOfCore",
     "OutOfCoreFacts",
     "Pairs",
+    "Peak",
     "Prism",
     "RecordedConflicts",
     "Recording",

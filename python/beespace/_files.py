@@ -16,6 +16,9 @@ from beespace._calls import whole
 from beespace._file_columns import array_of, converted, text_of, texts_of
 from beespace._file_facts import Facts
 from beespace._file_movers import FileMovers
+from beespace._file_verify import verify_recording
+from beespace._flight_verdict import FlightVerdict
+from beespace._obstacles import Obstacles
 from beespace._placed_array import placed
 
 PathLike = str | bytes | os.PathLike[str] | os.PathLike[bytes]
@@ -228,6 +231,84 @@ class FileRecording(Facts):
         cora and dora in 0.0 s
         """
         return FileMovers(self._handle, self.ids, self.frame, max_age)
+
+    def verify(
+        self,
+        threshold: float | None = None,
+        *,
+        max_speed: float | None = None,
+        max_horizontal: float | None = None,
+        max_climb: float | None = None,
+        max_descent: float | None = None,
+        max_acceleration: float | None = None,
+        max_height: float | None = None,
+        obstacles: Obstacles | None = None,
+        clearance: float | None = None,
+        max_gap: float | None = None,
+        straight: bool = False,
+        threads: int = 1,
+    ) -> FlightVerdict:
+        """Did all keep apart, clear of obstacles and within their limits, each with times of its own?
+
+        Drones of a show fly along its curves, and these are looked at, not `positions` on them; others
+        on the curves that have the velocities of their fixes, or in straight lines where not all fixes
+        have one. This is what the command `beespace verify` says of shows. The recording is in metres.
+
+        Parameters
+        ----------
+        threshold : float, optional
+            How close is too close, in metres; without it what the show declares, else 2 m. Of what is
+            no show it must be given.
+        max_speed, max_horizontal, max_climb, max_descent : float, optional
+            The limits of each agent, in metres per second; max_climb and max_descent up and down.
+        max_acceleration : float, optional
+            In metres per second squared.
+        max_height : float, optional
+            Of z, in metres. Of limits that are not given those count that the show declares; infinity
+            for none.
+        obstacles, clearance
+            As of `Verifier`.
+        max_gap : float, optional
+            Fixes farther apart in time, in seconds, are a gap: without it those that are five times as
+            far apart as is typical. Shows have none.
+        straight : bool
+            Whether agents fly in straight lines whatever velocities they have.
+        threads : int
+            How many threads may work; 0: one for each processor. The verdict is always the same.
+
+        Returns
+        -------
+        FlightVerdict
+
+        Raises
+        ------
+        BeespaceFileError
+            "unknown_frame" of a recording in degrees; "missing_column" where an acceleration is limited
+            and velocities are missing; "unsupported_format" of an agent with a single fix.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> show = beespace.read_recording("../examples/data/show.skyc")
+        >>> show.verify(0.5, max_speed=100, max_height=1000).holds
+        True
+        """
+        limits = {
+            "max_speed": max_speed,
+            "max_horizontal": max_horizontal,
+            "max_climb": max_climb,
+            "max_descent": max_descent,
+            "max_acceleration": max_acceleration,
+            "max_height": max_height,
+        }
+        return verify_recording(
+            self, threshold, limits, obstacles, clearance, max_gap, straight, threads
+        )
+
+    @property
+    def handle(self) -> ctypes.c_void_p:
+        """For the package's own use."""
+        return self._handle
 
     def __repr__(self) -> str:
         agents, fixes = self._sizes

@@ -19,6 +19,11 @@ from beespace._errors import BeespaceFileError, BeespaceOSError
 
 SKIP_BAD = 1
 GROUNDED = 2
+STRAIGHT = 1
+# Findings beside those of limits, whose numbers are those of the options.
+LIMITS = 6
+LOSS = 6
+CLEARANCE = 7
 # How it is known how fast an agent flies.
 STALE = 1
 ESTIMATED = 3
@@ -71,6 +76,47 @@ class CPageOptions(ctypes.Structure):
     ]
 
 
+class CVerifyOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("flags", c_uint32),
+        ("limits", c_uint32),
+        ("reserved", c_uint64),
+        ("most", c_double * LIMITS),
+        ("threshold_m", c_double),
+        ("max_gap_s", c_double),
+        ("obstacles", c_void_p),
+        ("obstacle_count", c_int64),
+        ("clearance_m", c_double),
+        ("run", POINTER(_library.CRun)),
+    ]
+
+
+class CVerdictFacts(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("holds", c_int32),
+        ("motion", c_int32),
+        ("limits", c_uint32),
+        ("declared", c_uint32),
+        ("most", c_double * LIMITS),
+        ("greatest", c_double * LIMITS),
+        ("greatest_s", c_double * LIMITS),
+        ("greatest_agent", c_int64 * LIMITS),
+        ("threshold_m", c_double),
+        ("max_gap_s", c_double),
+        ("losses", c_int64),
+        ("clearance_losses", c_int64),
+        ("breaches", c_int64),
+        ("gaps", c_int64),
+        ("missing", c_int64),
+        ("closest_first", c_int64),
+        ("closest_second", c_int64),
+        ("closest_m", c_double),
+        ("closest_s", c_double),
+    ]
+
+
 _options, _error = POINTER(COptions), POINTER(CFileError)
 _page_tail = [POINTER(CPageOptions), c_void_p, _error]
 _signatures: dict[str, tuple[object, list[object]]] = {
@@ -111,6 +157,14 @@ _signatures: dict[str, tuple[object, list[object]]] = {
     "read_obstacles": (c_int32, [c_char_p, c_void_p, _error]),
     "obstacles_count": (c_int64, [c_void_p]),
     "obstacles_list": (c_void_p, [c_void_p]),
+    "verify": (c_int32, [c_void_p, POINTER(CVerifyOptions), c_void_p, _error]),
+    "verdict_facts_of": (c_int32, [c_void_p, POINTER(CVerdictFacts), _error]),
+    "verdict_size": (c_int64, [c_void_p]),
+    **{
+        f"verdict_{name}": (c_void_p, [c_void_p])
+        for name in ("kinds", "first", "second", "begins_s", "ends_s", "values", "at_s")
+    },
+    "finding_name": (c_char_p, [c_int32]),
     "page_of_files": (c_int32, [c_void_p, c_int64, _options, *_page_tail]),
     "page_of_read": (c_int32, [c_void_p, *_page_tail]),
     "page_of_points": (c_int32, [POINTER(_library.CPoints), c_void_p, *_page_tail]),
@@ -120,7 +174,7 @@ _signatures: dict[str, tuple[object, list[object]]] = {
     "page_note_count": (c_int64, [c_void_p]),
     "page_note": (c_char_p, [c_void_p, c_int64]),
 }
-_handles = ("points", "recording", "obstacles", "page")
+_handles = ("points", "recording", "obstacles", "verdict", "page")
 
 
 class IoLibrary(NamedTuple):

@@ -161,8 +161,7 @@ class Obstacles:
             self._all = tuple(obstacles)
         except TypeError:
             raise invalid(f"these are obstacles in a list, and not {obstacles!r}", "obstacles") from None
-        structs = (_c.CObstacle * len(self._all))()
-        keep = [_fill(structs[i], obstacle, i) for i, obstacle in enumerate(self._all)]
+        structs, keep = structs_of(self._all)
         self._handle = _c.CObstacles()
         error = _library.new_error()
         code = library.beespace_obstacles_create(
@@ -192,6 +191,15 @@ class Obstacles:
     def handle(self) -> ctypes.c_void_p:
         """For the package's own use."""
         return self._handle
+
+
+def structs_of(
+    obstacles: Sequence[Obstacle],
+) -> tuple[ctypes.Array[_c.CObstacle], list[NDArray[np.float64] | None]]:
+    """As structures of C, and what must stay alive as long as these."""
+    structs = (_c.CObstacle * len(obstacles))()
+    keep = [_fill(structs[i], obstacle, i) for i, obstacle in enumerate(obstacles)]
+    return structs, keep
 
 
 def handle_of_obstacles(obstacles: Any) -> ctypes.c_void_p | None:

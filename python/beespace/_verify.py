@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from beespace._checks import Check, gap_of
 from beespace._errors import BeespaceError, invalid
+from beespace._files import FileRecording
 from beespace._fixes import agents_of, seconds_of
+from beespace._flight_verdict import FlightVerdict
 from beespace._obstacles import Obstacles, check_frame_of_obstacles
 from beespace._points import Points, PointsLike
 from beespace._verdict import Verdict
@@ -137,6 +139,25 @@ class Verifier:
         return self._check.verdict(None)
 
 
+@overload
+def verify(
+    ids: FileRecording,
+    *,
+    threshold: float | None = None,
+    max_speed: float | None = None,
+    max_horizontal: float | None = None,
+    max_climb: float | None = None,
+    max_descent: float | None = None,
+    max_acceleration: float | None = None,
+    max_height: float | None = None,
+    obstacles: Obstacles | None = None,
+    clearance: float | None = None,
+    max_gap: float | None = None,
+    threads: int = 1,
+) -> FlightVerdict: ...
+
+
+@overload
 def verify(
     ids: ArrayLike,
     times: ArrayLike,
@@ -150,7 +171,27 @@ def verify(
     clearance: float | None = None,
     max_gap: float | None = None,
     threads: int = 1,
-) -> Verdict:
+) -> Verdict: ...
+
+
+def verify(
+    ids: Any,
+    times: Any = None,
+    positions: Any = None,
+    threshold: float | None = None,
+    *,
+    velocities: Any = None,
+    max_speed: float | None = None,
+    max_horizontal: float | None = None,
+    max_climb: float | None = None,
+    max_descent: float | None = None,
+    max_acceleration: float | None = None,
+    max_height: float | None = None,
+    obstacles: Obstacles | None = None,
+    clearance: float | None = None,
+    max_gap: float | None = None,
+    threads: int = 1,
+) -> Verdict | FlightVerdict:
     """Did agents that all have fixes at the same times keep apart, and within their limits?
 
     Between two fixes an agent flies on the cubic curve that has its positions and velocities at both,
@@ -160,9 +201,12 @@ def verify(
     tenth of a metre per second squared. Let times begin with the flight.
     For agents with times of their own there is `Recording.conflicts`.
 
+    Given a recording that `read_recording` has read, ``verify(show, threshold=2)``, it is
+    `FileRecording.verify` of that: drone shows along their curves, with the limits that they declare.
+
     Parameters
     ----------
-    ids : array of shape (n,)
+    ids : array of shape (n,), or FileRecording
         The agent of each fix: integers or texts. Rows may stand in any order.
     times : array of shape (n,)
         The time of each fix, in seconds. Each agent must have one at each time.
@@ -174,13 +218,15 @@ def verify(
         The velocity of each fix, in metres per second.
     max_speed, max_acceleration, obstacles, clearance, threads
         As of `Verifier`; `max_acceleration` needs velocities.
+    max_horizontal, max_climb, max_descent, max_height : float, optional
+        Of a `FileRecording` only: as of `FileRecording.verify`.
     max_gap : float, optional
         The longest step that was seen, in seconds; without it all were. What happens in a longer one
         is unknown: the verdict counts it as `unseen`, and does not hold.
 
     Returns
     -------
-    Verdict
+    Verdict, or FlightVerdict of a FileRecording
         Its agents are ids as they were given.
 
     Examples
@@ -198,6 +244,51 @@ def verify(
     >>> verdict.losses.i, verdict.breaches
     (array(['ann'], dtype='<U3'), <Breaches: none>)
     """
+    upright = {
+        "max_horizontal": max_horizontal,
+        "max_climb": max_climb,
+        "max_descent": max_descent,
+        "max_height": max_height,
+    }
+    common: dict[str, Any] = {
+        "max_speed": max_speed,
+        "max_acceleration": max_acceleration,
+        "obstacles": obstacles,
+        "clearance": clearance,
+        "max_gap": max_gap,
+        "threads": threads,
+    }
+    if isinstance(ids, FileRecording):
+        for name, given in (("times", times), ("positions", positions), ("velocities", velocities)):
+            if given is not None:
+                raise invalid(
+                    "a recording of a file has its own: give the threshold as threshold=", name
+                )
+        return ids.verify(threshold, **upright, **common)
+    for name, given in upright.items():
+        if given is not None:
+            raise invalid("this is for recordings that read_recording has read", name)
+    for name, given in (("times", times), ("positions", positions), ("threshold", threshold)):
+        if given is None:
+            raise TypeError(f"verify() needs {name} beside the ids")
+    return _verify_columns(ids, times, positions, threshold, velocities=velocities, **common)
+
+
+def _verify_columns(
+    ids: ArrayLike,
+    times: ArrayLike,
+    positions: PointsLike,
+    threshold: Any,
+    *,
+    velocities: PointsLike | None = None,
+    max_speed: float | None = None,
+    max_acceleration: float | None = None,
+    obstacles: Obstacles | None = None,
+    clearance: float | None = None,
+    max_gap: float | None = None,
+    threads: int = 1,
+) -> Verdict:
+    """As `verify`, of columns."""
     known = Points(positions, "positions")
     places = _rows_of(known)
     speeds = None

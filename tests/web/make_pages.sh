@@ -55,6 +55,15 @@ quietly generate --scene flight --points 1000 --size 400 --duration 1000 --inter
   --output "$data/long.csv"
 page long-recording "$data/long.csv" --threshold 5
 
+# A show that declares limits and cues, between what stands in its way.
+echo '{"obstacles": [{"kind": "cylinder", "center": [0, -6], "radius_m": 1, "high_m": 20},
+  {"kind": "box", "low": [4, 4, 0], "high": [7, 6, 8]}]}' > "$data/obstacles.json"
+page show "$(dirname "$0")/../cli/shows/ring.skyc" --obstacles "$data/obstacles.json"
+# Without heights: the corners of a square, one of which another comes close to.
+awk 'BEGIN {print "id,time_s,x,y"; for (t = 0; t <= 20; ++t)
+  printf "a,%d,0,0\nb,%d,40,0\nc,%d,40,40\nd,%d,%d,37\n", t, t, t, t, 20 + t}' > "$data/flat.csv"
+page flat "$data/flat.csv" --threshold 5
+
 # In a line that was turned and turned back: as wide as a rounding error.
 printf 'x,y,z\n0,10,0.3\n10,9.999999999999998,0.30000000000000004\n' > "$data/line.csv"
 page line "$data/line.csv" --threshold 5

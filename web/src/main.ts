@@ -1,6 +1,7 @@
 // Reads what the page holds, shows the swarms as soon as they can be seen, then the panels.
 import { readPage, type Page } from './data/page';
 import { readGround } from './data/ground';
+import { boxWith } from './data/obstacles';
 import { boxOfBoth } from './data/positions';
 import { completeSwarm, readSwarm, type Company, type Swarm } from './data/swarm';
 import { fail, layout, progress } from './layout';
@@ -27,10 +28,12 @@ const kMany = 250000;
 
 /** Two swarms that are compared have the same axes with the same zero. */
 function frameOf([one, other = one]: Swarm[]): Frame {
-  const box = boxOfBoth(one.box, other.box);
+  const both = boxOfBoth(one.box, other.box);
+  const box = boxWith(both, one.head.obstacles ?? [], one.head.threshold_m);
   const frame = frameAround(box, Math.max(one.head.threshold_m, other.head.threshold_m));
+  frame.flat = [one, other].every(({ head }) => head.flat);
   // Metres of no place on the Earth are drawn as they are, unless the reader wants it otherwise.
-  if (one.head.origin) frame.lift = liftFor(box, one.head.threshold_m, one.head.vertical_m);
+  if (one.head.origin && !frame.flat) frame.lift = liftFor(box, one.head.threshold_m, one.head.vertical_m);
   return frame;
 }
 
@@ -56,7 +59,7 @@ async function show(page: Page): Promise<void> {
 
   const moving = swarms.some(({ kind }) => kind === 'recording');
   const fleet = swarms.some((swarm) => swarm.kind === 'recording' && swarm.fleet !== null);
-  const help = helpDialog({ moving, fleet });
+  const help = helpDialog({ moving, fleet, flat: swarms.every(({ head }) => head.flat) });
   const frame = frameOf(swarms);
   const times = linkTimes(swarms);
   const opening: Opening = { swarms, views: [], choices, times };

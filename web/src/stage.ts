@@ -34,10 +34,11 @@ export function makeStage(
   const subject = {
     label: label ? `The swarm ${label.toLowerCase()}` : 'The swarm',
     count: head.count,
-    axes: head.axes,
+    axes: frame.flat ? head.axes.slice(0, 2) : head.axes,
     inFeet: head.heights?.in_feet ?? false,
     threshold_m: head.threshold_m,
     vertical_m: head.vertical_m ?? null,
+    obstacles: head.obstacles ?? [],
   };
   const view = renderer && new View(scene, frame, subject, renderer);
   if (!view) {

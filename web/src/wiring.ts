@@ -6,6 +6,7 @@ import { contractPanel } from './panels/contracts';
 import { filterControls } from './panels/filter';
 import { histogramPanel } from './panels/histogram';
 import { liftControl } from './panels/lift';
+import { limitsPanel } from './panels/limits';
 import { measuringOn } from './panels/measuring';
 import { notesPanel } from './panels/notes';
 import { pairPanelOf } from './panels/pair';
@@ -65,8 +66,13 @@ export function wirePanels({ shown, choices, times, room, help, version, notes }
   if (line) room.column.append(line.box);
   const histogram = histogramPanel(shown);
   const contracts = contractPanel(shown, actions);
+  const limits = limitsPanel(shown, actions, (of, time_s) => {
+    times.clock.pause();
+    times.clock.go(times.clockTime(of, time_s));
+  });
   room.panels.append(
     summaryPanel(shown, actions),
+    ...(limits ? [limits] : []),
     pairPanelOf(shown, choices, times),
     selectionPanel(shown, choices, now, actions),
     ...(contracts ? [contracts] : []),
@@ -88,7 +94,7 @@ function hoverText({ swarm, view }: Shown, bee: number, within_s: number): { nam
   const place = swarm.kind === 'recording' ? swarm.spans.bees.indexOf(bee) : -1;
   const risky = swarm.kind === 'snapshot' ? swarm.isAtRisk(bee) : place >= 0 && swarm.spans.covers(place, within_s);
   const state = risky ? (swarm.kind === 'snapshot' ? 'at risk' : 'in conflict') : '';
-  const height_m = swarm.head.origin ? view?.placeOf(bee)?.[2] : undefined;
+  const height_m = swarm.head.origin && !swarm.head.flat ? view?.placeOf(bee)?.[2] : undefined;
   const height = height_m === undefined ? '' : formatHeight(height_m, swarm.head.position_error_m, swarm.head.heights);
   return { name: swarm.names.of(bee), more: [state, height].filter((text) => text !== '').join(', ') };
 }
@@ -98,11 +104,16 @@ function viewButtons(shown: Shown[], choices: Choices): HTMLElement {
   const orbit = shown[0].view?.orbit;
   const box = element('div', { class: 'view-buttons', role: 'group', 'aria-label': 'View' });
   if (!orbit) return box;
-  box.append(
-    liftControl(choices),
-    button('Reset view', { title: 'All of the swarm again (r)' }, () => orbit.home()),
+  const reset = button('Reset view', { title: 'All of the swarm again (r)' }, () => orbit.home());
+  const inSpace = [
     button('Top', { title: 'From the top (t)' }, () => orbit.lookFromAbove()),
     button('Side', { title: 'From the side (s)' }, () => orbit.lookFromSide()),
+  ];
+  const { flat } = orbit.frame;
+  box.append(
+    ...(flat ? [] : [liftControl(choices)]),
+    reset,
+    ...(flat ? [] : inSpace),
     measureButton(choices),
     button('PNG', { title: 'Save what is seen as a picture', 'aria-label': 'PNG: save as a picture' }, () => void savePictures(shown)),
   );

@@ -1,6 +1,7 @@
 // The page's own data: one JSON object that says where the columns are.
 import { adler32 } from './checksum';
 import type { ColumnPlace } from './column';
+import type { Triple } from './positions';
 
 export interface Origin {
   longitude_deg: number;
@@ -53,6 +54,29 @@ export type ApartPlaces = Partial<Places<'horizontal_m' | 'height_m'>>;
 export type PairWaysHead = Places<'counts' | 'time_s' | 'x' | 'y' | 'z'> &
   Partial<Places<'ground_x' | 'ground_y' | 'ground_z' | 'height'>>;
 
+/** What stands in the way, in metres of the axes; without heights it has no end there. */
+export type Obstacle =
+  | { kind: 'sphere'; center: Triple; radius_m: number }
+  | { kind: 'box'; low: Triple; high: Triple }
+  | { kind: 'ground'; height_m: number }
+  | { kind: 'cylinder'; center: [number, number]; radius_m: number; low_m?: number; high_m?: number }
+  | { kind: 'prism'; outline: [number, number][]; low_m?: number; high_m?: number };
+
+/** How the limits that a drone show declares are kept along its curves, as the engine has found. */
+export interface LimitsKept {
+  /** Of all excesses; of many the worst are here. */
+  count: number;
+  greatest: { limit: LimitName; most: number; value: number; bee: number; time_s: number }[];
+  /** Of `greatest[limit]`, the worst first. */
+  excesses: { limit: number; bee: number; begins_s: number; ends_s: number; value: number; time_s: number }[];
+}
+export type LimitName = 'horizontal' | 'climb' | 'descent' | 'height';
+
+export interface Cue {
+  time_s: number;
+  name: string;
+}
+
 interface SwarmHead {
   title: string;
   source: string;
@@ -60,12 +84,15 @@ interface SwarmHead {
   axes: [string, string, string];
   origin?: Origin;
   heights?: HeightWords;
+  /** The input has no heights: the third coordinate is 0 and means nothing. */
+  flat?: boolean;
   threshold_m: number;
   vertical_m?: number;
   inclusive: boolean;
   names?: { texts: ColumnPlace; bees?: ColumnPlace };
   position_error_m: number;
   notes: string[];
+  obstacles?: Obstacle[];
 }
 
 export interface SnapshotHead extends SwarmHead {
@@ -112,6 +139,8 @@ export interface RecordingHead extends SwarmHead {
   at_risk: Places<'bee' | 'begins_s' | 'ends_s'>;
   separation: Places<'time_s' | 'distance_m' | 'first' | 'second'> & ApartPlaces;
   fleet?: FleetHead;
+  limits_kept?: LimitsKept;
+  cues?: Cue[];
 }
 
 export type Head = SnapshotHead | RecordingHead;

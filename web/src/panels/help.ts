@@ -55,7 +55,13 @@ function fleetHelp(): HTMLElement {
   );
 }
 
-export function helpDialog({ moving, fleet }: { moving: boolean; fleet: boolean }): HTMLDialogElement {
+/** Without heights there is one view, which does not turn. */
+function keysOf(flat: boolean): [string, string][] {
+  if (!flat) return kKeys;
+  return kKeys.filter(([key]) => key !== 't, s').map(([key, what]) => (key.startsWith('←') ? [key, 'move'] : [key, what]));
+}
+
+export function helpDialog({ moving, fleet, flat }: { moving: boolean; fleet: boolean; flat: boolean }): HTMLDialogElement {
   const dialog = element('dialog', { class: 'help', 'aria-labelledby': 'help-heading' });
   dialog.append(
     element(
@@ -67,13 +73,15 @@ export function helpDialog({ moving, fleet }: { moving: boolean; fleet: boolean 
     element(
       'p',
       {},
-      'Drag to turn, with the right button or two fingers to move, wheel or pinch to zoom. Click a bee to see its numbers. ',
+      flat
+        ? 'Drag to move, wheel or pinch to zoom. The input has no heights: all is seen from above. Click a bee to see its numbers. '
+        : 'Drag to turn, with the right button or two fingers to move, wheel or pinch to zoom. Click a bee to see its numbers. ',
       'Red diamonds are at risk and always drawn on top; lines join those who are too close. ',
-      'The sphere or cylinder around the selected bee is what counts as too close to it.',
+      flat ? 'The circle around the selected bee is what counts as too close to it.' : 'The sphere or cylinder around the selected bee is what counts as too close to it.',
     ),
     ...(fleet ? [fleetHelp()] : []),
     element('h3', {}, 'Keys'),
-    keyTable(kKeys),
+    keyTable(keysOf(flat)),
   );
   if (moving) dialog.append(element('h3', {}, 'Time'), keyTable(kTimeKeys));
   dialog.addEventListener('click', (event) => {

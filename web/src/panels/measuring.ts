@@ -48,9 +48,13 @@ export function measuringOn(shown: Shown & { view: View }, choices: Choices): Me
     const row = (label: string, value: string): HTMLElement => element('div', { class: 'measure-row' }, element('span', {}, label), element('strong', {}, value));
     text.replaceChildren(
       ...names,
-      row('straight', formatMetres(straight_m, 4)),
-      row('horizontally', formatHorizontal(horizontal_m, head)),
-      row('in height', formatVertical(height_m, head)),
+      ...(head.flat
+        ? [row('apart', formatHorizontal(horizontal_m, head))]
+        : [
+            row('straight', formatMetres(straight_m, 4)),
+            row('horizontally', formatHorizontal(horizontal_m, head)),
+            row('in height', formatVertical(height_m, head)),
+          ]),
       element('div', { class: 'quiet' }, `of shown positions: each to within ${formatError(2 * head.position_error_m)}`),
     );
   };

@@ -19,9 +19,10 @@ function factsOf({ swarm }: Shown): [string, Node | string][] {
     ['Too close', tooClose(head)],
     ['Positions', `shown to within ${formatError(head.position_error_m)}; who is at risk was decided on the exact ones`],
   ];
+  if (head.flat) facts.push(['Heights', 'the input has none: distances are those in the plane']);
   if (head.origin) {
     facts.push(['Zero of east and north', originText(head.origin)]);
-    facts.push(['Heights', 'above the WGS84 ellipsoid, or as the notes say; east and north are along the ground']);
+    if (!head.flat) facts.push(['Heights', 'above the WGS84 ellipsoid, or as the notes say; east and north are along the ground']);
   }
   if (head.kind === 'recording') {
     const { begins_s, ends_s, since_1970 } = head.time;

@@ -10,6 +10,8 @@ import type { LinkedTimes } from '../time/linked_times';
 import { pairChart, type PairChart } from '../time/pair_chart';
 import type { Shown } from './shown';
 
+const kStill_mps = 5e-4;
+
 type Fact = [label: string, value: string, risky?: boolean];
 
 /** So long before and after the closest moment one looks: longer for what lasts longer. */
@@ -29,9 +31,11 @@ function aroundOf(swarm: Recording, place: number | null): number {
 
 function limitFacts(shown: Shown, apart: { distance_m: number; horizontal_m: number; height_m: number }): Fact[] {
   const { head } = shown.swarm;
+  const inAll: Fact = ['Apart', formatBelow(apart.distance_m, head.threshold_m), apart.distance_m < head.threshold_m];
+  if (head.flat) return [inAll];
   if (head.vertical_m === undefined) {
     return [
-      ['Apart', formatBelow(apart.distance_m, head.threshold_m), apart.distance_m < head.threshold_m],
+      inAll,
       ['Horizontally', formatHorizontal(apart.horizontal_m, head)],
       ['In height', formatVertical(apart.height_m, head)],
     ];
@@ -69,7 +73,8 @@ function nowFacts(shown: Shown, swarm: Recording, way: number, within_s: number)
   if (!apart) return [['Now', 'beyond the time that is kept of this pair']];
   // In the closest moment, which is told to a tick, it is as close as its row says.
   if (swarm.conflicts.closest_s[way] === within_s) apart.distance_m = swarm.conflicts.distance_m[way];
-  const closing = apart.closing_mps;
+  // What rounding leaves of nothing is nothing.
+  const closing = Math.abs(apart.closing_mps) < kStill_mps ? 0 : apart.closing_mps;
   const speed = `${formatDigits(Math.abs(closing), 3)}\u202fm/s`;
   return [
     ...limitFacts(shown, apart),

@@ -35,7 +35,7 @@ type Fact = [label: string, value: string, kind?: string];
 function positionFacts(shown: Shown, place: [number, number, number] | null): Fact[] {
   const { head } = shown.swarm;
   if (!place) return [['Position', 'not there now']];
-  const facts = head.axes.map((axis, i): Fact => [
+  const facts = head.axes.slice(0, head.flat ? 2 : 3).map((axis, i): Fact => [
     axis,
     i < 2 ? formatCoordinate(place[i], head.position_error_m) : formatHeight(place[i], head.position_error_m, head.heights),
   ]);

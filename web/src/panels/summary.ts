@@ -132,7 +132,13 @@ function single(shown: Shown, actions: Actions): Node[] {
     if (link) fact.append(element('span', { class: 'who' }, link));
     list.append(element('div', {}, element('dt', {}, label), fact));
   }
-  return [headline(shown), element('p', { class: 'rule' }, `Too close: ${tooClose(shown.swarm.head)}.`), list];
+  return [headline(shown), element('p', { class: 'rule' }, `Too close: ${tooClose(shown.swarm.head)}.`), ...flatWord([shown]), list];
+}
+
+/** Where the input has no heights, that is said beside the verdict. */
+function flatWord(all: Shown[]): Node[] {
+  if (!all.every(({ swarm }) => swarm.head.flat)) return [];
+  return [element('p', { class: 'rule flat-word' }, 'In two dimensions: the input has no heights.')];
 }
 
 function beside(both: Shown[], actions: Actions): Node[] {
@@ -152,6 +158,7 @@ function beside(both: Shown[], actions: Actions): Node[] {
     element('div', { class: 'headlines' }, ...both.map((shown) =>
       element('div', {}, element('h3', {}, shown.label), headline(shown)))),
     element('p', { class: 'rule' }, rule.length > 1 ? `Too close before: ${rule[0]}; after: ${rule[1]}.` : `Too close: ${rule[0]}.`),
+    ...flatWord(both),
     element('table', { class: 'beside' }, element('thead', {}, element('tr', {}, ...heads)), element('tbody', {}, ...body)),
     ...both.map((shown) => {
       const link = closestButton(shown, actions);

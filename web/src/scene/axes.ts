@@ -44,7 +44,7 @@ export class Axes {
     const { least, most } = frame.box;
     const grid: number[] = [];
     const box: number[] = [];
-    for (const axis of [0, 1, 2]) {
+    for (const axis of frame.flat ? [0, 1] : [0, 1, 2]) {
       this.#names.push(element('span', { class: 'axis-name' }, axes[axis]));
       for (const { metres, text } of ticksOf(axis, least[axis], most[axis], inFeet)) {
         const label = element('span', { class: 'axis-tick' }, text);

@@ -1,5 +1,5 @@
 // Where we look from: orbit, pan and zoom by mouse, touch and keys, and flights to a place.
-import { PerspectiveCamera, Vector3 } from 'three';
+import { MOUSE, PerspectiveCamera, TOUCH, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Triple } from '../data/positions';
 import type { Frame } from './frame';
@@ -55,7 +55,8 @@ export class Orbit {
   #flight = 0;
   #home: Pose = { position: new Vector3(0, -1, 0), target: new Vector3(), fov_deg: kWide_deg };
   /** From where all of the swarm is seen; null where the reader looks elsewhere. */
-  #whole: Whole | null = kHome;
+  #whole: Whole | null;
+  readonly #usual: Whole;
   #fill = { x: 1, y: 1 };
 
   constructor(
@@ -63,9 +64,11 @@ export class Orbit {
     readonly frame: Frame,
   ) {
     this.camera.up.set(0, 0, 1);
+    this.#whole = this.#usual = frame.flat ? kAbove : kHome;
     this.#controls = new OrbitControls(this.camera, canvas);
     this.#controls.zoomToCursor = true;
     this.#controls.zoomSpeed = 1.4;
+    if (frame.flat) this.#seeAsOnPaper();
     this.#limit();
     this.#controls.addEventListener('start', () => {
       this.#stop();
@@ -102,8 +105,15 @@ export class Orbit {
       y: Math.max(0.55, 1 - (2 * kMargin.above) / height),
     };
     this.camera.updateProjectionMatrix();
-    this.#home = this.#fit(kHome);
+    this.#home = this.#fit(this.#usual);
     if (this.#whole) this.look(this.#fit(this.#whole));
+  }
+
+  /** What has no heights is a sheet of paper: dragging moves it, and it lies as it lay. */
+  #seeAsOnPaper(): void {
+    this.#controls.enableRotate = false;
+    this.#controls.mouseButtons.LEFT = MOUSE.PAN;
+    this.#controls.touches.ONE = TOUCH.PAN;
   }
 
   /** Takes the pose at once. */
@@ -133,13 +143,13 @@ export class Orbit {
   }
 
   home(): void {
-    this.#seeAll(kHome);
+    this.#seeAll(this.#usual);
   }
 
   /** Heights are drawn larger or smaller now: what was in the middle of the view stays there. */
   lifted(by: number): void {
     this.#limit();
-    this.#home = this.#fit(kHome);
+    this.#home = this.#fit(this.#usual);
     if (this.#whole) return this.look(this.#fit(this.#whole));
     const { position, target } = this.pose;
     const rise = (by - 1) * target.z;
@@ -154,7 +164,9 @@ export class Orbit {
     this.#lookFrom(kAbove);
   }
 
+  /** Of what has no heights there is no side view. */
   lookFromSide(): void {
+    if (this.frame.flat) return;
     this.#lookFrom(kSide);
   }
 
@@ -178,11 +190,15 @@ export class Orbit {
     // In a window that is taller than wide, from farther away.
     const reach = Math.max(distance / Math.min(1, this.camera.aspect), this.#controls.minDistance * 2);
     const pose = { position: place.clone().addScaledVector(back, reach), target: place.clone(), fov_deg: kWide_deg };
+    // As wide as the same is seen from near by, but from far above.
+    if (this.frame.flat) Object.assign(pose, { position: place.clone().addScaledVector(kAbove.direction, reachOf(pose) / tangent(kFlat_deg)), fov_deg: kFlat_deg });
     if (atOnce) this.goTo(pose);
     else this.#fly(pose);
   }
 
   turn(aside: number, up: number): void {
+    // Keys that turn elsewhere move the sheet.
+    if (this.frame.flat) return this.shift(0.06 * Math.sign(aside), 0.06 * Math.sign(up));
     const offset = this.camera.position.clone().sub(this.#controls.target);
     const flat = Math.hypot(offset.x, offset.y);
     const azimuth = Math.atan2(offset.y, offset.x) + aside;
@@ -246,7 +262,6 @@ export class Orbit {
       distance = Math.max(0.4 * radius * flatness, distance * Math.min(2, Math.max(0.5, 0.3 + 0.7 * filled)));
     }
     const target = new Vector3().addScaledVector(right, aside).addScaledVector(up, above);
-
     return { position: target.clone().addScaledVector(direction, distance), target, fov_deg };
   }
 

@@ -12,6 +12,8 @@ export class Frame {
   readonly centre: Triple;
   /** How many times larger than they are heights are drawn. */
   lift = 1;
+  /** Where there are no heights: all is seen from above. */
+  flat = false;
 
   constructor(
     readonly box: Box,

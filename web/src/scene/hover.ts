@@ -1,4 +1,4 @@
-// The name of the bee under the cursor.
+// The name of the bee under the cursor, or else of what stands in the way there.
 import { element } from '../text/element';
 import { nameElement } from '../text/names';
 import type { View } from './view';
@@ -24,9 +24,10 @@ export function nameUnderCursor(view: View, tell: (bee: number) => { name: strin
       const { left, top, width } = view.canvas.getBoundingClientRect();
       const [x, y] = [event.clientX - left, event.clientY - top];
       const bee = view.pick(x, y);
-      tag.hidden = bee === null;
-      if (bee === null) return;
-      const { name, more } = tell(bee);
+      const obstacle = bee === null ? view.obstacleAt(x, y) : null;
+      tag.hidden = bee === null && obstacle === null;
+      if (tag.hidden) return;
+      const { name, more } = bee === null ? { name: obstacle ?? '', more: '' } : tell(bee);
       tag.replaceChildren(nameElement(name), ...(more ? [element('div', { class: 'hover-more' }, more)] : []));
       tag.style.transform = `translate(${(x > width - 220 ? x - 12 : x + 12).toFixed(0)}px, ${(y + 14).toFixed(0)}px)${x > width - 220 ? ' translateX(-100%)' : ''}`;
     });

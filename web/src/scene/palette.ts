@@ -23,6 +23,8 @@ export interface Palette {
   box: string;
   /** Land, seen from far above: coasts and borders. */
   coast: string;
+  /** What stands in the way. */
+  obstacle: string;
 }
 
 export const kRampSteps = 8;
@@ -42,6 +44,7 @@ export const kPalettes: Record<Theme, Palette> = {
     grid: '#26313a',
     box: '#3a4853',
     coast: '#56707f',
+    obstacle: '#c9a26b',
   },
   light: {
     ground: '#f4f6f8',
@@ -57,6 +60,7 @@ export const kPalettes: Record<Theme, Palette> = {
     grid: '#dce2e7',
     box: '#b4bfc8',
     coast: '#8296a5',
+    obstacle: '#8a5a1c',
   },
 };
 

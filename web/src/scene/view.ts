@@ -1,6 +1,7 @@
 // One swarm in three dimensions. It draws when something changed, and rests otherwise.
 import { Group, Scene, Vector3 } from 'three';
 import type { Fixes } from '../data/fixes';
+import type { Obstacle } from '../data/page';
 import type { Triple } from '../data/positions';
 import { Axes } from './axes';
 import { Orbit } from './camera';
@@ -12,6 +13,7 @@ import { GroundLines } from './ground_lines';
 import { Guidance, type Guided } from './guidance';
 import { surviveLoss } from './lost_card';
 import { Markers } from './markers';
+import { ObstacleLines } from './obstacle_lines';
 import { Outcasts } from './outcasts';
 import type { Painter } from './painter';
 import { rgb, type Palette } from './palette';
@@ -34,6 +36,7 @@ export interface ViewSubject {
   inFeet: boolean;
   threshold_m: number;
   vertical_m: number | null;
+  obstacles: Obstacle[];
 }
 
 export class View {
@@ -52,6 +55,7 @@ export class View {
   readonly #threshold: ThresholdShape;
   readonly #trails: Trails;
   readonly ground: GroundLines;
+  readonly #obstacles: ObstacleLines;
   readonly #vectors: Vectors;
   readonly #ruler: Ruler;
   readonly #guidance: Guidance;
@@ -81,7 +85,7 @@ export class View {
     this.canvas = renderer.domElement;
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute('role', 'img');
-    this.canvas.setAttribute('aria-label', `${subject.label} in three dimensions. Arrow keys turn, + and − zoom.`);
+    this.canvas.setAttribute('aria-label', `${subject.label} ${frame.flat ? 'from above. Arrow keys move' : 'in three dimensions. Arrow keys turn'}, + and − zoom.`);
     this.orbit = new Orbit(this.canvas, frame);
     this.sight = new Sight(this.orbit, frame);
     this.pace = new Pace(count);
@@ -92,11 +96,12 @@ export class View {
     this.#trails = new Trails(frame);
     this.#trails.hide();
     this.ground = new GroundLines(frame);
+    this.#obstacles = new ObstacleLines(frame, subject.obstacles);
     this.#vectors = new Vectors(frame);
     this.#ruler = new Ruler(frame);
     this.#guidance = new Guidance(frame);
     this.#compass = new Compass(subject.axes);
-    this.#lifted.add(this.#axes.group, this.ground.group, this.#trails.lines, this.#cloud.group, this.#vectors.lines, this.#guidance.group, this.#ruler.group);
+    this.#lifted.add(this.#axes.group, this.ground.group, this.#obstacles.group, this.#trails.lines, this.#cloud.group, this.#vectors.lines, this.#guidance.group, this.#ruler.group);
     this.#scene.add(this.#lifted, this.#threshold.group, this.#outcasts.rings);
     this.#lift = frame.lift;
     this.#setLift();
@@ -112,7 +117,7 @@ export class View {
 
   colour(palette: Palette): void {
     this.#renderer.setClearColor(...rgb(palette.ground));
-    for (const part of [this.#cloud, this.#axes, this.ground, this.#threshold, this.#trails, this.#vectors, this.#ruler, this.#guidance, this.#outcasts]) {
+    for (const part of [this.#cloud, this.#axes, this.ground, this.#obstacles, this.#threshold, this.#trails, this.#vectors, this.#ruler, this.#guidance, this.#outcasts]) {
       part.colour(palette);
     }
     this.invalidate();
@@ -234,13 +239,13 @@ export class View {
     return this.#placement && this.sight.pick(x, y, this.#placement);
   }
 
-  onDrawn(listener: () => void): void {
-    this.#drawn.push(listener);
+  /** What stands in the way there. */
+  obstacleAt(x: number, y: number): string | null {
+    return this.#obstacles.nameAt(x, y, (place) => this.sight.project(place));
   }
 
-  onPlaced(listener: () => void): void {
-    this.#placed.push(listener);
-  }
+  readonly onDrawn = (listener: () => void): number => this.#drawn.push(listener);
+  readonly onPlaced = (listener: () => void): number => this.#placed.push(listener);
 
   invalidate(): void {
     if (this.#due !== 0) return;
@@ -254,8 +259,7 @@ export class View {
   draw(): void {
     cancelAnimationFrame(this.#due);
     this.#due = 0;
-    const { camera, distance } = this.orbit;
-    const { flatness, homeDistance } = this.orbit;
+    const { camera, distance, flatness, homeDistance } = this.orbit;
     this.#cloud.setNearness((homeDistance * flatness) / distance);
     this.#cloud.setSizes(homeDistance * flatness, this.#renderer.getPixelRatio());
     this.#cloud.prepare(this.sight.toScreen(), (homeDistance * flatness) / distance);

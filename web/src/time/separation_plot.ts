@@ -9,6 +9,7 @@ import { decimalsFor, decimalsWithin, formatCount, formatTick, formatTime } from
 import type { LinkedTimes } from './linked_times';
 import { measuresOf, type Measure, type Recorded } from './measures';
 import { conflictColumns, plotScale, type PlotScale } from './plot_scales';
+import { cueMarks, excessColumns } from './show_marks';
 
 const kLeft = 66;
 const kRight = 12;
@@ -27,6 +28,8 @@ export class SeparationPlot {
   readonly #recorded: Recorded[];
   readonly #measures: Measure[];
   readonly #curve_px: number;
+  /** Those that declare limits have a strip of these, too. */
+  readonly #limited: Recorded[];
   #width = 0;
 
   constructor(
@@ -35,6 +38,7 @@ export class SeparationPlot {
   ) {
     this.#recorded = all.filter((shown): shown is Recorded => shown.swarm.kind === 'recording');
     this.#measures = measuresOf(this.#recorded);
+    this.#limited = this.#recorded.filter(({ swarm }) => swarm.head.limits_kept !== undefined);
     this.#curve_px = this.#measures.length > 1 ? kCurve.ofTwo : kCurve.alone;
     const { clock } = times;
     this.box = element(
@@ -130,13 +134,21 @@ export class SeparationPlot {
     if (this.box.clientWidth === this.#width || this.box.clientWidth === 0) return;
     this.#width = this.box.clientWidth;
     const floor = this.#floor(this.#measures.length - 1);
-    const height = floor + kGap + this.#recorded.length * (kStrip + 3) + kBottom;
+    const strips = this.#recorded.length + this.#limited.length;
+    const height = floor + kGap + strips * (kStrip + 3) + kBottom;
     this.#svg.setAttribute('viewBox', `0 0 ${this.#width} ${height}`);
     this.#svg.setAttribute('height', String(height));
     this.#svg.replaceChildren(
       ...this.#measures.flatMap((measure, i) => this.#panel(measure, this.#floor(i))),
       ...this.#moments(height),
       ...this.#recorded.flatMap((shown, row) => this.#strip(shown, row, floor)),
+      ...this.#limited.flatMap((shown, row) => this.#limitStrip(shown, this.#recorded.length + row, floor)),
+      ...cueMarks(this.#recorded, (shown, time_s) => this.#xOf(this.times.clockTime(shown, time_s)), {
+        left: kLeft,
+        right: this.#width - kRight,
+        top: kTop,
+        bottom: height - kBottom,
+      }),
       this.#cursor,
     );
     this.#cursor.setAttribute('y1', String(kTop - 12));
@@ -231,12 +243,25 @@ export class SeparationPlot {
   }
 
   #strip(shown: Recorded, row: number, floor: number): SVGElement[] {
-    const { clock } = this.times;
+    const { begins_s, ends_s } = shown.swarm.spans;
+    const words = shown.label || 'in conflict';
+    return this.#columns(row, floor, words, shown.label ? 'in conflict, ' : '', (columns, duration_s) =>
+      conflictColumns(begins_s, ends_s, this.times.clockTime(shown, 0), duration_s, columns),
+    );
+  }
+
+  #limitStrip(shown: Recorded, row: number, floor: number): SVGElement[] {
+    const words = shown.label || 'over limits';
+    return this.#columns(row, floor, words, shown.label ? 'over limits, ' : '', (columns, duration_s) =>
+      excessColumns(shown, this.times.clockTime(shown, 0), duration_s, columns),
+    );
+  }
+
+  /** How many are so at one moment after the other. */
+  #columns(row: number, floor: number, words: string, what: string, count: (columns: number, duration_s: number) => number[]): SVGElement[] {
     const from = floor + kGap + row * (kStrip + 3);
     const columns = Math.max(1, Math.floor(this.#width - kLeft - kRight));
-    const { begins_s, ends_s } = shown.swarm.spans;
-    const shift = this.times.clockTime(shown, 0);
-    const counts = conflictColumns(begins_s, ends_s, shift, Math.max(1e-9, clock.ends_s), columns);
+    const counts = count(columns, Math.max(1e-9, this.times.clock.ends_s));
     const most = Math.max(1, ...counts);
     let path = '';
     counts.forEach((count, column) => {
@@ -245,12 +270,11 @@ export class SeparationPlot {
       const tall = Math.max(3, (kStrip * count) / most);
       path += `M${kLeft + column} ${from + kStrip}h1v${-tall.toFixed(1)}h-1z`;
     });
-    const words = shown.label || 'in conflict';
     return [
       drawing('rect', { class: 'strip', x: kLeft, y: from, width: columns, height: kStrip }),
       ...(path ? [drawing('path', { class: 'strip-mark', d: path })] : []),
       drawing('text', { class: 'level-text', x: kLeft - 6, y: from + kStrip - 2, 'text-anchor': 'end' }, words.toLowerCase()),
-      drawing('text', { class: 'measure', x: this.#width - kRight - 2, y: from + kStrip - 4, 'text-anchor': 'end' }, `${shown.label ? 'in conflict, ' : ''}up to ${formatCount(Math.max(0, ...counts))} at once`),
+      drawing('text', { class: 'measure', x: this.#width - kRight - 2, y: from + kStrip - 4, 'text-anchor': 'end' }, `${what}up to ${formatCount(Math.max(0, ...counts))} at once`),
     ];
   }
 }

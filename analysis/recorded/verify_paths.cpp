@@ -1,4 +1,4 @@
-#include "cli/recorded/verify_paths.hpp"
+#include "analysis/recorded/verify_paths.hpp"
 
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/recorded/flights.hpp"
@@ -8,10 +8,8 @@
 #include <limits>
 #include <utility>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 namespace {
-
-using analysis::Flight;
 
 // How closely curves are followed where those are searched that may be too close; what that leaves
 // open is decided along the curves.
@@ -23,14 +21,16 @@ class PathVerification {
   PathVerification(const io::Recording& recording, const PathQuestion& question)
       : recording_(recording),
         question_(question),
-        flights_(analysis::flights_of(recording, question.with_velocities, question.max_gap_s)) {}
+        flights_(flights_of(recording, question.with_velocities, question.max_gap_s)) {}
 
-  Result<PathVerdict> operator()(ProgressBar& progress) {
+  Result<PathVerdict> operator()(const std::function<void(double)>& progress) {
     if (auto error = check_pairs()) return *std::move(error);
     for (PointId bee = 0; bee < flights_.size(); ++bee) {
-      if (auto error = check_bee(bee))
-        return analysis::of_bee(*std::move(error), recording_.bees[bee]);
-      progress.set_share(static_cast<double>(bee + 1) / static_cast<double>(flights_.size()));
+      if (question_.stop.stop_requested()) {
+        return Error{ErrorCode::kStopped, "a stop was requested", {}};
+      }
+      if (auto error = check_bee(bee)) return of_bee(*std::move(error), recording_.bees[bee]);
+      if (progress) progress(static_cast<double>(bee + 1) / static_cast<double>(flights_.size()));
     }
     std::stable_sort(
         verdict_.breaches.begin(), verdict_.breaches.end(),
@@ -40,11 +40,12 @@ class PathVerification {
 
  private:
   std::optional<Error> check_pairs() {
-    const auto tracks = analysis::tracks_of(flights_, recording_, kTolerance_m);
+    const auto tracks = tracks_of(flights_, recording_, kTolerance_m);
     if (!tracks) return tracks.error();
     auto found = find_conflicts(*tracks, {.threshold_m = question_.threshold_m,
                                           .max_gap_s = question_.max_gap_s,
-                                          .threads = question_.threads});
+                                          .threads = question_.threads,
+                                          .stop = question_.stop});
     if (!found) return found.error();
     verdict_.gaps = std::move(found->gaps);
     for (Conflict conflict : found->conflicts) {
@@ -52,7 +53,8 @@ class PathVerification {
       if (!closer) return closer.error();
       if (*closer) verdict_.losses.push_back(conflict);
     }
-    auto closest = find_closest_encounter(*tracks, question_.max_gap_s, {question_.threads});
+    auto closest =
+        find_closest_encounter(*tracks, question_.max_gap_s, {question_.threads, question_.stop});
     if (!closest) return closest.error();
     if (!*closest) return std::nullopt;
     const auto settled = settle(**closest, kAlways);
@@ -66,9 +68,9 @@ class PathVerification {
 
   // How close the two come along their curves; returns whether that is too close.
   Result<bool> settle(Conflict& conflict, const TimeSpan& during) const {
-    const auto found = analysis::closest_of(flights_[conflict.first], flights_[conflict.second],
-                                            during, question_.threshold_m);
-    if (!found) return analysis::of_bee(found.error(), recording_.bees[conflict.first]);
+    const auto found = closest_of(flights_[conflict.first], flights_[conflict.second], during,
+                                  question_.threshold_m);
+    if (!found) return of_bee(found.error(), recording_.bees[conflict.first]);
     // Straight lines that were followed exactly say the same.
     if (!*found) return conflict.certain;
     conflict.closest_m = (*found)->closest_m;
@@ -119,9 +121,8 @@ class PathVerification {
     const Point& from = i == 0 ? path.begin : path.pieces[i - 1].end;
     const double scale = (piece.control_count + 1) / (piece.ends_s - begins_s);
     const auto velocity = [scale](const Point& a, const Point& b) {
-      return Velocity{analysis::flushed((b.x - a.x) * scale),
-                      analysis::flushed((b.y - a.y) * scale),
-                      analysis::flushed((b.z - a.z) * scale)};
+      return Velocity{flushed((b.x - a.x) * scale), flushed((b.y - a.y) * scale),
+                      flushed((b.z - a.z) * scale)};
     };
     const bool straight = piece.control_count == 0;
     const Point& behind = straight ? piece.end : piece.controls[0];
@@ -138,9 +139,26 @@ class PathVerification {
 
 }  // namespace
 
+std::optional<double> declared_limit(const io::ShowFacts& show, PathLimit limit) {
+  switch (limit) {
+    case PathLimit::kHorizontalSpeed:
+      return show.limits.horizontal_mps;
+    case PathLimit::kClimb:
+      return show.limits.climb_mps;
+    case PathLimit::kDescent:
+      return show.limits.descent_mps;
+    case PathLimit::kHeight:
+      return show.limits.height_m;
+    case PathLimit::kSpeed:
+    case PathLimit::kAcceleration:
+      break;
+  }
+  return std::nullopt;
+}
+
 Result<PathVerdict> verify_paths(const io::Recording& recording, const PathQuestion& question,
-                                 ProgressBar& progress) {
+                                 const std::function<void(double)>& progress) {
   return PathVerification(recording, question)(progress);
 }
 
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

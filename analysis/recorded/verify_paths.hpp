@@ -1,25 +1,21 @@
-// `beespace verify` along curves: of shows, and of flights whose bees have fixes at times of their
-// own.
+// Whether a recording kept its distance and its limits along curves: of shows, and of flights whose
+// bees have fixes at times of their own.
 #pragma once
 
-#include "analysis/recorded/coverage.hpp"
-#include "cli/console/progress_bar.hpp"
-#include "cli/recorded/path_limits.hpp"
-#include "cli/recorded/verify_command.hpp"
 #include "io/recording/recording.hpp"
+#include "io/recording/show_facts.hpp"
 
 #include <beespace/find_conflicts.hpp>
 #include <beespace/verify.hpp>
 #include <beespace/verify_path.hpp>
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
+#include <functional>
 #include <optional>
-#include <string>
+#include <stop_token>
 #include <vector>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 
 struct PathBreach {
   PointId bee = 0;
@@ -57,10 +53,15 @@ struct PathQuestion {
   double clearance_m = 0.0;
   PathLimits limits = {};
   unsigned threads = 0;
+  std::stop_token stop = {};
 };
 
-// Errors: those of the library, with the bee's id.
-Result<PathVerdict> verify_paths(const io::Recording& recording, const PathQuestion& question,
-                                 ProgressBar& progress);
+// What a show declares; nothing where it does not say.
+std::optional<double> declared_limit(const io::ShowFacts& show, PathLimit limit);
 
-}  // namespace beespace::cli
+// `progress` hears which share of the bees was looked at. Errors: those of the library, with the
+// bee's id.
+Result<PathVerdict> verify_paths(const io::Recording& recording, const PathQuestion& question,
+                                 const std::function<void(double)>& progress = {});
+
+}  // namespace beespace::analysis

@@ -1,0 +1,251 @@
+// Whether the agents of a recording kept their distance and their limits, along the curves of a
+// show or between their fixes: what `beespace verify` says.
+#include "analysis/recorded/common_times.hpp"
+#include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/default_threshold.hpp"
+#include "analysis/recorded/gaps.hpp"
+#include "analysis/recorded/verify_paths.hpp"
+#include "c/door/door.hpp"
+#include "c/door/structs.hpp"
+#include "c/door/watched_call.hpp"
+#include "c/obstacles/obstacles.hpp"
+#include "c_io/door.hpp"
+#include "c_io/recording.hpp"
+#include "c_io/verdict.hpp"
+#include "io/bytes/number_text.hpp"
+
+#include <beespace_io.h>
+#include <beespace/obstacle.hpp>
+#include <beespace/result.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+using namespace beespace::c_io;  // NOLINT(google-build-using-namespace): the functions are of C
+using beespace::Error;
+using beespace::ErrorCode;
+using beespace::kPathLimits;
+using beespace::ObstacleMap;
+using beespace::PathLimit;
+using beespace::Result;
+using beespace::RunOptions;
+using beespace::Status;
+using beespace::c::invalid;
+namespace analysis = beespace::analysis;
+namespace io = beespace::io;
+
+namespace {
+
+constexpr std::uint32_t kAllLimits = (1U << kPathLimits) - 1;
+
+bool is_given(std::uint32_t limits, std::size_t limit) {
+  return (limits >> limit & 1U) != 0;
+}
+
+bool has_curves(const io::Recording& recording) {
+  return std::any_of(recording.bees.begin(), recording.bees.end(),
+                     [](const io::RecordedBee& bee) { return bee.path.has_value(); });
+}
+
+// A recording as it was read, as far as a verification looks at it. It is in metres.
+io::Recording whole(const beespace_io_recording& recording) {
+  io::Recording all = recording.last;
+  all.since_1970 = recording.since_1970;
+  for (std::size_t bee = 0; bee < all.bees.size(); ++bee) {
+    all.bees[bee].id = recording.ids.find(static_cast<std::int64_t>(bee));
+    if (all.bees[bee].path) continue;
+    auto& fixes = all.bees[bee].fixes;
+    auto& velocities = all.bees[bee].velocities;
+    fixes.clear();
+    velocities.clear();
+    for (std::int64_t fix = recording.offsets[bee]; fix < recording.offsets[bee + 1]; ++fix) {
+      const auto at = static_cast<std::size_t>(fix);
+      const double* const p = &recording.xyz[3 * at];
+      fixes.push_back({recording.times_s[at], {p[0], p[1], p[2]}});
+      if (recording.velocities.empty()) continue;
+      const double* const v = &recording.velocities[3 * at];
+      velocities.push_back({v[0], v[1], v[2]});
+    }
+  }
+  return all;
+}
+
+Status check_options(const beespace_io_verify_options& given) {
+  if ((given.flags & ~static_cast<std::uint32_t>(BEESPACE_IO_STRAIGHT)) != 0 ||
+      (given.limits & ~kAllLimits) != 0) {
+    return invalid("flags or limits ask for what a verification cannot do", "options");
+  }
+  for (std::size_t k = 0; k < kPathLimits; ++k) {
+    if (!is_given(given.limits, k) && given.most[k] != 0.0) {
+      return Error{ErrorCode::kInvalidArgument,
+                   std::string("a limit of ") + beespace_io_finding_name(static_cast<int>(k)) +
+                       " is given without its bit in limits",
+                   {.array = "options"}};
+    }
+  }
+  if (std::isnan(given.threshold_m) || given.threshold_m < 0.0) {
+    return Error{ErrorCode::kInvalidThreshold, "the threshold is a length above zero", {}};
+  }
+  if (std::isnan(given.max_gap_s) || given.max_gap_s < 0.0) {
+    return invalid("max_gap_s is below zero; 0 lets the recording say what a gap is", "options");
+  }
+  if (given.obstacles == nullptr && (given.obstacle_count != 0 || given.clearance_m != 0.0)) {
+    return invalid("there is a number of obstacles or a clearance, but there are no obstacles",
+                   "options");
+  }
+  if (given.obstacles != nullptr && !(given.clearance_m > 0.0)) {
+    return invalid("with obstacles goes a clearance above zero", "options");
+  }
+  return std::monostate{};
+}
+
+Status check_recording(const io::Recording& recording, bool straight) {
+  if (recording.frame != io::Frame::kMetres) {
+    return Error{ErrorCode::kUnknownFrame,
+                 "this recording is in degrees: along curves those in metres are verified, with z "
+                 "upwards; ask for its conflicts",
+                 {}};
+  }
+  if (straight && has_curves(recording)) {
+    return invalid("drones of a show fly along their curves; leave straight out", "options");
+  }
+  for (const io::RecordedBee& bee : recording.bees) {
+    if (bee.path || bee.fixes.size() > 1) continue;
+    return Error{ErrorCode::kUnsupportedFormat,
+                 "'" + bee.id + "' has " + (bee.fixes.empty() ? "no fix" : "a single fix") +
+                     ", and so no flight; leave it out",
+                 {}};
+  }
+  return std::monostate{};
+}
+
+// How agents fly between fixes. Of straight lines no acceleration is known, but a show that is one
+// is flown so.
+Result<std::int32_t> motion_of(const io::Recording& recording,
+                               const beespace_io_verify_options& given) {
+  if (has_curves(recording)) return BEESPACE_IO_ALONG_SHOW;
+  const bool asked = is_given(given.limits, BEESPACE_IO_ACCELERATION);
+  if ((given.flags & BEESPACE_IO_STRAIGHT) != 0) {
+    if (!asked) return BEESPACE_IO_IN_STRAIGHT_LINES;
+    return invalid("of straight lines no acceleration is known: leave one of the two out",
+                   "options");
+  }
+  const auto missing = analysis::missing_velocity(recording);
+  if (!missing) return BEESPACE_IO_WITH_VELOCITIES;
+  if (!asked || recording.show) return BEESPACE_IO_IN_STRAIGHT_LINES;
+  const io::RecordedBee& bee = recording.bees[missing->bee];
+  return Error{ErrorCode::kMissingColumn,
+               "a limit of acceleration needs velocities, and '" + bee.id + "' has none at " +
+                   io::exact(bee.fixes[missing->fix].time_s) +
+                   " s; give velocities, or leave the limit out",
+               {}};
+}
+
+Result<double> threshold_of(const io::Recording& recording, double given_m) {
+  if (given_m > 0.0) return given_m;
+  const double m = analysis::default_threshold(recording, 0.0).metres;
+  if (m > 0.0) return m;
+  return Error{ErrorCode::kInvalidThreshold,
+               "give a threshold: this recording declares none, and is no show",
+               {}};
+}
+
+// The limits that are asked for, and of the others those that the show declares.
+void settle_limits(const io::Recording& recording, const beespace_io_verify_options& given,
+                   beespace_io_verdict_facts& facts) {
+  facts.limits = given.limits;
+  for (std::size_t k = 0; k < kPathLimits; ++k) {
+    facts.most[k] =
+        is_given(given.limits, k) ? given.most[k] : std::numeric_limits<double>::infinity();
+    if (is_given(given.limits, k) || !recording.show) continue;
+    const auto declared = analysis::declared_limit(*recording.show, static_cast<PathLimit>(k));
+    if (!declared) continue;
+    facts.most[k] = *declared;
+    facts.limits |= 1U << k;
+    facts.declared |= 1U << k;
+  }
+}
+
+Result<ObstacleMap> obstacles_of(const beespace_io_verify_options& given) {
+  if (given.obstacles == nullptr) return ObstacleMap();
+  return beespace::c::map_of(given.obstacles, given.obstacle_count);
+}
+
+Result<std::unique_ptr<beespace_io_verdict>> verify(const io::Recording& recording,
+                                                    const beespace_io_verify_options& given,
+                                                    const RunOptions& run) {
+  if (Status good = check_recording(recording, (given.flags & BEESPACE_IO_STRAIGHT) != 0); !good) {
+    return good.error();
+  }
+  const auto motion = motion_of(recording, given);
+  if (!motion) return motion.error();
+  const auto threshold_m = threshold_of(recording, given.threshold_m);
+  if (!threshold_m) return threshold_m.error();
+  const auto obstacles = obstacles_of(given);
+  if (!obstacles) return obstacles.error();
+  auto verdict = std::make_unique<beespace_io_verdict>();
+  beespace_io_verdict_facts& facts = verdict->facts;
+  settle_limits(recording, given, facts);
+  const analysis::MaxGap max_gap = analysis::max_gap_of(
+      recording, given.max_gap_s > 0.0 ? std::optional<double>(given.max_gap_s) : std::nullopt);
+
+  analysis::PathQuestion question;
+  question.with_velocities = *motion == BEESPACE_IO_WITH_VELOCITIES;
+  question.threshold_m = *threshold_m;
+  question.max_gap_s = max_gap.seconds;
+  if (given.obstacles != nullptr) question.obstacles = &*obstacles;
+  question.clearance_m = given.clearance_m;
+  std::copy_n(facts.most, kPathLimits, question.limits.most.begin());
+  question.threads = run.threads;
+  question.stop = run.stop;
+  const auto found = analysis::verify_paths(recording, question);
+  if (!found) return found.error();
+
+  const analysis::Coverage coverage = analysis::coverage_of(recording, found->gaps, max_gap);
+  facts.holds = found->holds() && !coverage.may_hide_conflicts() ? 1 : 0;
+  facts.motion = *motion;
+  facts.threshold_m = *threshold_m;
+  facts.max_gap_s = max_gap.seconds;
+  facts.gaps = static_cast<std::int64_t>(coverage.gaps);
+  facts.missing = static_cast<std::int64_t>(coverage.missing.count);
+  write_extremes(*found, facts);
+  write_findings(*found, *verdict);
+  return verdict;
+}
+
+}  // namespace
+
+extern "C" {
+
+beespace_code beespace_io_verify(const beespace_io_recording* recording,
+                                 const beespace_io_verify_options* options,
+                                 beespace_io_verdict** verdict, beespace_io_error* error) {
+  if (verdict != nullptr) *verdict = nullptr;
+  return enter(error, [&]() -> Status {
+    if (recording == nullptr) return invalid("the recording is NULL", "recording");
+    if (verdict == nullptr) return invalid("the pointer to the verdict is NULL", "verdict");
+    beespace_io_verify_options given{};
+    if (options != nullptr) {
+      const auto read = beespace::c::read_struct(options, "options");
+      if (!read) return read.error();
+      given = *read;
+    }
+    if (Status good = check_options(given); !good) return good;
+    const io::Recording all = whole(*recording);
+    return beespace::c::call_watched(given.run, [&](const RunOptions& run) -> Status {
+      auto made = verify(all, given, run);
+      if (!made) return std::move(made).error();
+      *verdict = (*made).release();
+      return std::monostate{};
+    });
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,53 @@
+// What a drone show declares: limits, and how they are kept; cues; and what stands in its way.
+import assert from 'node:assert/strict';
+import { kArtefacts, pageTest, settled } from './opened_page';
+
+const kPlain = (text: string): string => text.replace(/[\u202f\u00a0]/g, ' ');
+
+pageTest('the greatest of each limit stands beside it, with who and when', 'show', {}, async ({ page }) => {
+  const rows = await page.locator('.limits-kept tbody tr').allInnerTexts();
+  const told = rows.map((row) => kPlain(row).split('\t').join(' | '));
+  assert.match(told[0], /^Horizontal speed \| 8 m\/s \| 1\.250 m\/s \| Drone 1 at 15/);
+  assert.match(told[2], /^Descent \| 2\.4 m\/s \| 2\.500 m\/s \| Drone 1 at 23/);
+  assert.match(told[3], /^Height \| 120 m \| 10\.00 m \|/);
+  assert.match(await page.locator('.panel.show .rule').innerText(), /Beyond what the show declares: 1 stretch\./);
+  assert.equal(await page.locator('.limits-kept td.risky').count(), 1);
+});
+
+pageTest('the time line has its cues, and when it is beyond its limits', 'show', {}, async ({ page }) => {
+  assert.ok((await page.locator('.plot .cue').count()) > 0);
+  assert.ok((await page.locator('.plot .cue-name').allTextContents()).some((text) => text.includes('Ring')));
+  assert.ok((await page.locator('.plot').textContent())?.includes('over limits'));
+  assert.equal(await page.locator('.plot .strip').count(), 2);
+  await page.locator('.cues button').first().click();
+  const cues = await page.evaluate(() => JSON.parse(document.getElementById('beespace-page')?.textContent ?? '').swarms[0].cues);
+  assert.equal(Number(await page.evaluate(() => document.documentElement.dataset.timeS)), Math.max(0, cues[0].time_s));
+});
+
+pageTest('one who is beyond a limit is shown when that is', 'show', {}, async ({ page }) => {
+  await page.locator('.panel.show .neighbours button').first().click();
+  const begins_s = await page.evaluate(() => JSON.parse(document.getElementById('beespace-page')?.textContent ?? '').swarms[0].time.begins_s);
+  assert.equal(Number(await page.evaluate(() => document.documentElement.dataset.timeS)), 23 - begins_s);
+  assert.equal(await page.evaluate(() => document.querySelector<HTMLElement>('[data-selected-name]')?.dataset.selectedName), 'Drone 1');
+});
+
+pageTest('what stands in the way is drawn, and named under the cursor', 'show', {}, async ({ page }) => {
+  await page.keyboard.press('r');
+  await page.keyboard.press('t');
+  await settled(page);
+  await page.screenshot({ path: `${kArtefacts}/show.png` });
+  const box = await page.locator('canvas').first().boundingBox();
+  assert.ok(box);
+  const seen = new Set<string>();
+  for (let y = 0.05; y < 1; y += 0.05) {
+    for (let x = 0.05; x < 1; x += 0.04) {
+      await page.mouse.move(box.x + x * box.width, box.y + y * box.height);
+      await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+      const tag = page.locator('.hover-tag');
+      if (await tag.isVisible()) seen.add(await tag.innerText());
+    }
+  }
+  assert.ok(seen.has('obstacles[0], a cylinder'), [...seen].join(' | '));
+  assert.ok(seen.has('obstacles[1], a box'), [...seen].join(' | '));
+  assert.match(await page.locator('.about').innerText(), /obstacles are drawn, and nothing is said of them/);
+});
