@@ -94,7 +94,8 @@ template <bool Weighted>
   }
   Masks of_others[2] = {};
   std::uint32_t any = 0;
-  for (std::uint32_t i = leaves.first; i < leaves.end; ++i) {
+  for (std::uint32_t rows = leaves.rows; rows != 0; rows &= rows - 1) {
+    const auto i = static_cast<std::uint32_t>(__builtin_ctz(rows));
     std::uint32_t near = 0;
     std::uint32_t within = 0;
     for (std::uint32_t half = 0; half < 2; ++half) {

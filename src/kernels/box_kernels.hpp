@@ -42,13 +42,12 @@ struct BoxesAround {
 struct BoxLeaves {
   BoxLanes asked;
   BoxLanes others;
-  std::uint32_t first;  // the lanes of the asked: [first, end)
-  std::uint32_t end;
+  std::uint32_t rows;                  // the lanes of the asked that are compared, a bit each
   const std::uint32_t* asked_weights;  // by lane: how many points there are; both null: one each
   const std::uint32_t* other_weights;
   std::uint32_t* of_asked;   // is added to, by lane
   std::uint32_t* of_others;  // likewise
-  std::uint16_t* unsure;     // by lane of the asked: a bit for each of the others
+  std::uint16_t* unsure;     // is written for these lanes: a bit for each of the others
 };
 
 struct BoxKernels {

@@ -71,22 +71,17 @@ class BoxCounts {
         others_(others),
         both_(&asked == &others),
         closer_(question.closer),
-        limits_{0.0, 0.0},
+        reach_(question.threshold, question.closer),
+        limits_{reach_.surely_near(), reach_.surely_far()},
         kernels_(box_kernels(question.instruction_set)),
-        sums_(sums) {
-    const core::BoxTest test(question.threshold, question.closer);
-    limits_ = {test.surely_near(), test.surely_far()};
-  }
+        sums_(sums) {}
 
   [[nodiscard]] bool is_settled(const BoxNode&, const BoxNode&) const { return false; }
   void open(const BoxNode&) const {}
   void close(const BoxNode&) const {}
 
   void take_near(const BoxNode& a, const BoxNode& b) {
-    const std::size_t asked = asked_.tree.number(a);
-    const std::size_t other = others_.tree.number(b);
-    sums_[asked] += others_.weights.of(other);
-    if (both_) sums_[other] += asked_.weights.of(asked);
+    add(asked(), asked_.tree.number(a), others(), others_.tree.number(b));
   }
   void take_all(const BoxNode& a) {
     sums_[asked_.tree.number(a)] += asked_.weights.of(asked_.tree.number(a));
@@ -94,77 +89,120 @@ class BoxCounts {
 
   // Each pair is seen from both sides, so one side is told.
   void take_within(const BoxNode& a) {
-    const Range all = lanes(asked_.tree, a);
-    std::uint32_t unused[core::kFanOut] = {};
-    compare({asked_, all, unused}, {asked_, all, sums_.data() + all.first_slot});
+    compare({asked_, nullptr}, lanes(asked_.tree, a), {asked_, sums_.data()},
+            lanes(asked_.tree, a));
   }
   void take_leaves(const BoxNode& a, const BoxNode& b) {
-    std::uint32_t unused[core::kFanOut] = {};
-    const Range of_asked = lanes(asked_.tree, a);
-    const Range of_others = lanes(others_.tree, b);
-    const BoxPart asked{asked_, of_asked, sums_.data() + of_asked.first_slot};
-    const BoxPart others{others_, of_others, both_ ? sums_.data() + of_others.first_slot : unused};
     // The kernel looks at all lanes of the second.
     if (b.level == 0) {
-      compare(others, asked);
+      compare(others(), lanes(others_.tree, b), asked(), lanes(asked_.tree, a));
     } else {
-      compare(asked, others);
+      compare(asked(), lanes(asked_.tree, a), others(), lanes(others_.tree, b));
     }
+  }
+  void take_points(const BoxNode& a, const BoxNode& b) {
+    count_points(asked(), lanes(asked_.tree, a), others(), b);
+  }
+  void take_others(const BoxNode& a, const BoxNode& b) {
+    count_points(others(), lanes(others_.tree, b), asked(), a);
   }
 
  private:
-  // A leaf, and those of its lanes that are asked about.
-  struct Range {
-    std::size_t leaf;
-    std::size_t first_slot;  // of the leaf
-    std::uint32_t begin;
-    std::uint32_t end;
-  };
-  struct BoxPart {
+  // One of the two sets, and its sums by the numbers of nodes; null: they are not wanted.
+  struct Part {
     const BoxSide& side;
-    Range range;
-    std::uint32_t* sums;  // by lane
+    std::uint32_t* sums;
+  };
+  // A leaf, and those of its points that are asked about, a bit each.
+  struct Lanes {
+    std::size_t leaf;
+    std::uint32_t rows;
+
+    [[nodiscard]] std::size_t slot(std::uint32_t lane) const { return leaf * core::kFanOut + lane; }
   };
 
-  static Range lanes(const BoxTree& tree, const BoxNode& node) {
-    const std::size_t leaf = node.level == 0 ? node.index / core::kFanOut : node.index;
-    const std::size_t first_slot = leaf * core::kFanOut;
-    return {leaf, first_slot, static_cast<std::uint32_t>(tree.first_slot(node) - first_slot),
-            static_cast<std::uint32_t>(tree.end_slot(node) - first_slot)};
+  [[nodiscard]] Part asked() const { return {asked_, sums_.data()}; }
+  [[nodiscard]] Part others() const { return {others_, both_ ? sums_.data() : nullptr}; }
+
+  static Lanes lanes(const BoxTree& tree, const BoxNode& node) {
+    if (node.level == 0) {
+      return {node.index / core::kFanOut, 1U << (node.index % core::kFanOut)};
+    }
+    const std::size_t count = tree.end_slot(node) - tree.first_slot(node);
+    return {node.index, (1U << count) - 1};
   }
 
-  void compare(const BoxPart& one, const BoxPart& two) {
-    std::uint16_t unsure[core::kFanOut];
-    const Range& range = one.range;
-    const BoxLeaves leaves{one.side.tree.leaf(range.leaf),
-                           two.side.tree.leaf(two.range.leaf),
-                           range.begin,
-                           range.end,
-                           one.side.weights.of_leaf(range.leaf),
-                           two.side.weights.of_leaf(two.range.leaf),
-                           one.sums,
-                           two.sums,
-                           unsure};
-    if (!kernels_.count(leaves, limits_)) return;
-    for (std::uint32_t lane = range.begin; lane < range.end; ++lane) {
-      for (std::uint32_t left = unsure[lane]; left != 0; left &= left - 1) {
-        decide(one, lane, two, static_cast<std::uint32_t>(std::countr_zero(left)));
+  // Each of some points of a leaf with a node that is open to them, sixteen children at a time.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as trees
+  void count_points(const Part& one, const Lanes& points, const Part& two, const BoxNode& node) {
+    if (node.level <= 1) return compare(one, points, two, lanes(two.side.tree, node));
+    if (core::is_stopping()) return;
+    const BoxTree& tree = two.side.tree;
+    const BoxNode first = tree.first_child(node);
+    const BoxRow row{tree.low_corners(node), tree.high_corners(node)};
+    std::uint32_t open[core::kFanOut] = {};  // by child: the points to which it is open
+    std::uint32_t some = 0;
+    for (std::uint32_t left = points.rows; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
+      const std::size_t slot = points.slot(lane);
+      const core::Bounds place = core::box_around(one.side.tree.point(slot));
+      BoxesAround seen = kernels_.look(place.low.data(), place.high.data(), row, limits_);
+      for (std::uint32_t unsure = seen.unsure; unsure != 0; unsure &= unsure - 1) {
+        const auto child = static_cast<std::size_t>(std::countr_zero(unsure));
+        const core::Reach reach = reach_(place, tree.box({first.level, first.index + child}));
+        if (reach == core::Reach::kNear) seen.near |= 1U << child;
+        if (reach == core::Reach::kOpen) seen.open |= 1U << child;
       }
+      for (std::uint32_t near = seen.near; near != 0; near &= near - 1) {
+        const auto child = static_cast<std::size_t>(std::countr_zero(near));
+        add(one, slot, two, tree.number({first.level, first.index + child}));
+      }
+      for (std::uint32_t within = seen.open; within != 0; within &= within - 1) {
+        open[std::countr_zero(within)] |= 1U << lane;
+      }
+      some |= seen.open;
+    }
+    for (; some != 0; some &= some - 1) {
+      const auto child = static_cast<std::size_t>(std::countr_zero(some));
+      count_points(one, {points.leaf, open[child]}, two, {first.level, first.index + child});
     }
   }
 
-  void decide(const BoxPart& one, std::uint32_t lane, const BoxPart& two, std::uint32_t other) {
-    const std::size_t slot = one.range.first_slot + lane;
-    const std::size_t other_slot = two.range.first_slot + other;
-    if (!closer_(one.side.tree.point(slot), two.side.tree.point(other_slot))) return;
-    one.sums[lane] += two.side.weights.of(other_slot);
-    two.sums[other] += one.side.weights.of(slot);
+  // All points of two nodes are near to each other; by their numbers.
+  static void add(const Part& one, std::size_t number, const Part& two, std::size_t other) {
+    if (one.sums != nullptr) one.sums[number] += two.side.weights.of(other);
+    if (two.sums != nullptr) two.sums[other] += one.side.weights.of(number);
+  }
+
+  // Some points of a leaf with all of another.
+  void compare(const Part& one, const Lanes& points, const Part& two, const Lanes& others) {
+    std::uint16_t unsure[core::kFanOut];
+    std::uint32_t unused[2 * core::kFanOut] = {};
+    const BoxLeaves leaves{one.side.tree.leaf(points.leaf),
+                           two.side.tree.leaf(others.leaf),
+                           points.rows,
+                           one.side.weights.of_leaf(points.leaf),
+                           two.side.weights.of_leaf(others.leaf),
+                           one.sums == nullptr ? unused : one.sums + points.slot(0),
+                           two.sums == nullptr ? unused + core::kFanOut : two.sums + others.slot(0),
+                           unsure};
+    if (!kernels_.count(leaves, limits_)) return;
+    for (std::uint32_t rows = points.rows; rows != 0; rows &= rows - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(rows));
+      for (std::uint32_t left = unsure[lane]; left != 0; left &= left - 1) {
+        const std::size_t slot = points.slot(lane);
+        const std::size_t other = others.slot(static_cast<std::uint32_t>(std::countr_zero(left)));
+        if (!closer_(one.side.tree.point(slot), two.side.tree.point(other))) continue;
+        add(one, slot, two, other);
+      }
+    }
   }
 
   const BoxSide& asked_;
   const BoxSide& others_;
   bool both_;
   const core::ProximityTest& closer_;
+  core::BoxTest reach_;
   BoxLimits limits_;
   const BoxKernels& kernels_;
   BoxNumbers& sums_;

@@ -37,9 +37,10 @@ inline std::size_t enough_for(const core::Resources& with) {
 //   is_settled(a, b)   whether the pair need not be looked at
 //   take_near(a, b)    all points of a are near to all points of b
 //   take_all(a)        all points of a are near to each other
-//   kTakesLeaves       whether take_leaves(a, b) and take_within(a) shall decide about the points
-//                      of nodes of level 1 and 0; b may be one point where a is a leaf, and vice
-//                      versa
+//   kTakesLeaves       whether these shall decide about points: take_leaves(a, b) about those of
+//                      nodes of level 1 and 0; take_within(a) about those of one leaf, among
+//                      themselves; take_points(a, b) and take_others(a, b) about each point of the
+//                      leaf a, or b, and the whole other node, which is smaller than the leaf
 //   open(a), close(a)  around a walk through the children of a node of the first tree, or of both
 template <class Task>
 class BoxJoin {
@@ -101,6 +102,9 @@ class BoxJoin {
     }
     // Of two points, nothing is open.
     if (a.level != 0 && (b.level == 0 || longest_side(own) >= longest_side(other))) {
+      if constexpr (Task::kTakesLeaves) {
+        if (a.level == 1) return task_.take_points(a, b);
+      }
       task_.open(a);
       for_each_around(first_, a, other,
                       [&](const BoxNode& child, std::uint32_t bit, const BoxesAround& seen) {
@@ -109,6 +113,9 @@ class BoxJoin {
                       });
       task_.close(a);
     } else {
+      if constexpr (Task::kTakesLeaves) {
+        if (b.level == 1) return task_.take_others(a, b);
+      }
       task_.open(b);
       for_each_around(second_, b, own,
                       [&](const BoxNode& child, std::uint32_t bit, const BoxesAround& seen) {
