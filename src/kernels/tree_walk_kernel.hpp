@@ -176,6 +176,42 @@ template <class Lanes>
 
 constexpr float kProbable = 0.04F;  // NOLINT(misc-definitions-in-headers)
 
+// Below these squares of a radius in the frame of a node, the slack of its floats may hide most of
+// what lies beyond: then doubles are asked.
+constexpr double kVague = 0x1p-14;       // NOLINT(misc-definitions-in-headers)
+constexpr double kVagueAbove = 0x1p+10;  // NOLINT(misc-definitions-in-headers): above level 0
+
+// How far a box is on an axis, rounded as the distance of its border.
+[[gnu::always_inline]] inline double gap_of(double low, double high, double at) {
+  return at < low ? low - at : at > high ? at - high : 0.0;
+}
+
+// Of the nearest place in a box, the squared_distance.
+[[gnu::always_inline]] inline double squared_gap(const core::TreeBox& box, const Point& place) {
+  const double x = gap_of(box.low[0], box.high[0], place.x);
+  const double y = gap_of(box.low[1], box.high[1], place.y);
+  const double z = gap_of(box.low[2], box.high[2], place.z);
+  return x * x + y * y + z * z;
+}
+
+[[gnu::always_inline]] inline double inside(double low, double high, double at) {
+  return at < low ? low : at > high ? high : at;
+}
+
+// Whether a box may hold a point that the list would take, decided exactly: a million of boxes that
+// rounding cannot tell apart from the nearest point cost no more than those that hold a nearer one.
+[[gnu::always_inline]] inline bool may_hold_nearer(const core::TreeBox& box, const Point& place,
+                                                   const core::NearestList& list) {
+  constexpr double kSurely = 1.0 - 0x1p-47;
+  const double squared = squared_gap(box, place);
+  if (squared > list.largest_squared) return false;
+  if (squared < list.largest_squared * kSurely) return true;
+  const Point nearest{inside(box.low[0], box.high[0], place.x),
+                      inside(box.low[1], box.high[1], place.y),
+                      inside(box.low[2], box.high[2], place.z)};
+  return list.would_take(nearest, 0);
+}
+
 // A node on the path from the root to where the walk is, and which of its children are left.
 template <class Lanes>
 struct Visit {
@@ -187,6 +223,7 @@ struct Visit {
   std::size_t index;
   std::uint32_t left;
   bool is_far;
+  bool is_sharp;  // gaps are those of doubles
 
   [[gnu::always_inline]] void enter(const TreeNode* level, std::size_t node_index, bool is_bottom,
                                     const Point& place) {
@@ -194,9 +231,26 @@ struct Visit {
     node = level + node_index;
     squared_scale = node->scale * node->scale;
     left = 0xFFFF;
+    is_sharp = false;
     is_far = far.enter(*node, is_bottom, place);
     local = LocalPlace<Lanes>(*node, place);
     (is_far ? far.least(*node) : local.gaps(*node)).store(gaps);
+  }
+
+  // Whether floats may hide what is beyond reach; then the gaps are made anew.
+  [[gnu::always_inline]] bool is_vague(const TreeView& tree, unsigned level, const Point& place,
+                                       const core::NearestList& list) {
+    if (is_far || is_sharp) return true;
+    if (squared_reach(list) >= (level == 0 ? kVague : kVagueAbove)) return false;
+    is_sharp = true;
+    for (std::uint32_t some = left; some != 0; some &= some - 1) {
+      const unsigned child = first_bit(some);
+      if (!(node->low[0][child] < __builtin_inff())) break;  // there is none any more
+      const double squared = squared_gap(tree.boxes[level][index * kFanOut + child], place);
+      const double in_frame = squared * squared_scale;
+      gaps[child] = static_cast<float>(in_frame < kLargestFar ? in_frame : kLargestFar);
+    }
+    return true;
   }
 
   [[gnu::always_inline]] double squared_reach(const core::NearestList& list) const {
@@ -261,6 +315,7 @@ template <class Lanes>
   path[level].enter(tree.levels[level], 0, level == 0, place);
   for (;;) {
     Visit<Lanes>& visit = path[level];
+    const bool is_vague = visit.is_vague(tree, level, place, list);
     const float far_squared = visit.far_squared(list);
     if (visit.is_far) {
       visit.drop_far_beyond(list);
@@ -274,6 +329,7 @@ template <class Lanes>
     }
     const std::size_t child = visit.index * kFanOut + visit.take_nearest();
     if (!is_worth_it(tree, *visit.node, level, child, list)) continue;
+    if (is_vague && !may_hold_nearer(tree.boxes[level][child], place, list)) continue;
     if (level == 0 && visit.is_far) {
       offer_far_leaf(tree, place, visit.far, visit.squared_reach(list), child, list);
     } else if (level == 0) {

@@ -41,8 +41,8 @@ struct Search {
         return cpu::mark_all(question, with, at_risk);
       }
     }
-    cpu::mark_in_boxes(domain.points(), domain.others(), {options.threshold_m, closer}, with,
-                       at_risk);
+    cpu::mark_in_boxes(domain.points(), domain.others(),
+                       {options.threshold_m, closer, tuning.instruction_set}, with, at_risk);
   }
 
   // Whether points of two sets have so many others around that are not near that trees of boxes are

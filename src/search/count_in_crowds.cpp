@@ -4,7 +4,7 @@
 #include "grid/coincident_points.hpp"
 #include "grid/lattice.hpp"
 #include "search/crowded.hpp"
-#include "sweep/box_questions.hpp"
+#include "sweep/box_counts.hpp"
 #include "sweep/count_crowds.hpp"
 #include "tree/crowd_tree.hpp"
 
@@ -69,8 +69,8 @@ void count_in_crowds(const SearchDomain& domain, const PairOptions& options,
   const auto count = [&](std::uint32_t* of_places) {
     if (cpu::count_crowds(question, with, of_places)) return;
     const cpu::Places around = others ? others->boxes() : asked.boxes();
-    cpu::count_in_boxes(asked.boxes(), others ? &around : nullptr, {options.threshold_m, closer},
-                        with, of_places);
+    cpu::count_in_boxes(asked.boxes(), others ? &around : nullptr,
+                        {options.threshold_m, closer, tuning.instruction_set}, with, of_places);
   };
   const std::size_t size = domain.points().size();
   const std::uint32_t self = domain.has_others() ? 0 : 1;

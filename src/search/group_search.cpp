@@ -66,7 +66,7 @@ void find_roots_in_tree(const PointsView& points, const SearchDomain& domain,
   }
   const core::BoxTree boxes(points, with);
   core::DisjointSets of_boxes(with.memory, static_cast<std::uint32_t>(boxes.size()));
-  cpu::join_in_boxes(boxes, {options.threshold_m, closer}, with, of_boxes);
+  cpu::join_in_boxes(boxes, {options.threshold_m, closer, tuning.instruction_set}, with, of_boxes);
   write_roots(boxes, with, of_boxes, root_of);
 }
 

@@ -26,7 +26,7 @@ struct TuningOverrides {
   Crowds crowds = Crowds::kAutomatic;
   // In crowds: how many pairs that floats leave open are decided one by one, for each point, before
   // boxes of doubles are asked. Ordinary crowds have few.
-  std::uint64_t crowd_decisions = 8;
+  std::uint64_t crowd_decisions = 2;
   Nearest nearest = Nearest::kAutomatic;
   core::CellTable cell_table = core::CellTable::kAutomatic;
   cpu::InstructionSet instruction_set = cpu::best_instruction_set();

@@ -2,12 +2,9 @@
 
 #include "base/buffer.hpp"
 #include "base/dynamic_schedule.hpp"
-#include "tree/box_join.hpp"
-#include "tree/box_test.hpp"
 
 #include <algorithm>
 #include <atomic>
-#include <optional>
 
 namespace beespace::cpu {
 
@@ -15,11 +12,6 @@ namespace {
 
 using core::BoxNode;
 using core::BoxTree;
-
-// Enough nodes for all workers to share, of uneven weight.
-std::size_t enough_for(const core::Resources& with) {
-  return with.crew.size() == 1 ? 1 : 8 * with.crew.size();
-}
 
 template <class Number>
 core::Buffer<Number> zeros(std::size_t size, core::Memory& memory) {
@@ -42,6 +34,8 @@ class BoxMarks {
               std::uint8_t{1});
     marked_[asked_.number(a)] = 1;
   }
+  void take_all(const BoxNode&) const {}
+  static constexpr bool kTakesLeaves = false;
   void open(const BoxNode&) const {}
   void close(const BoxNode& a) {
     bool all = true;
@@ -54,49 +48,6 @@ class BoxMarks {
  private:
   const BoxTree& asked_;
   core::Buffer<std::uint8_t> marked_;  // by the numbers of nodes: whether all of their points are
-};
-
-// Likewise.
-class BoxCounts {
- public:
-  BoxCounts(const BoxTree& asked, const BoxTree& others, const std::uint32_t* weights,
-            core::Memory& memory)
-      : asked_(asked),
-        others_(others),
-        weights_(zeros<std::uint32_t>(others.node_count(), memory)),
-        sums_(zeros<std::uint32_t>(asked.node_count(), memory)) {
-    for (std::size_t slot = 0; slot < others.size(); ++slot) {
-      weights_[slot] = weights == nullptr ? 1 : weights[others.index(slot)];
-    }
-    for (unsigned level = 1; level <= others.root().level; ++level) {
-      for (std::size_t i = 0; i < others.nodes(level); ++i) {
-        others.for_each_child({level, i}, [&](const BoxNode& child) {
-          weights_[others.number({level, i})] += weights_[others.number(child)];
-        });
-      }
-    }
-  }
-
-  [[nodiscard]] bool is_settled(const BoxNode&, const BoxNode&) const { return false; }
-  void take_near(const BoxNode& a, const BoxNode& b) {
-    sums_[asked_.number(a)] += weights_[others_.number(b)];
-  }
-  void open(const BoxNode&) const {}
-  void close(const BoxNode&) const {}
-
-  [[nodiscard]] std::uint32_t of_slot(std::size_t slot) const {
-    std::uint32_t sum = 0;
-    for (unsigned level = 0; level <= asked_.root().level; ++level) {
-      sum += sums_[asked_.number({level, slot >> (4 * level)})];
-    }
-    return sum;
-  }
-
- private:
-  const BoxTree& asked_;
-  const BoxTree& others_;
-  core::Buffer<std::uint32_t> weights_;  // by the numbers of nodes
-  core::Buffer<std::uint32_t> sums_;     // likewise, for all of their points
 };
 
 // What is noted is true of the sets when all work is done, so no worker waits for another's note.
@@ -113,6 +64,8 @@ class BoxGroups {
     unite(b);
     sets_.join(first(a), first(b));
   }
+  void take_all(const BoxNode& a) { unite(a); }
+  static constexpr bool kTakesLeaves = false;
   // What is part of one set is so in each of its parts.
   void open(const BoxNode& a) {
     if (!is_united(a)) return;
@@ -152,23 +105,6 @@ class BoxGroups {
   core::Buffer<std::uint8_t> united_;  // by the numbers of nodes: whether known to be of one set
 };
 
-// Asks for all points of the first tree, and writes answers[id] = task.of_slot(slot).
-template <class Task, class Answer>
-void ask_in_boxes(const BoxTree& asked, const BoxTree& others, const BoxQuery& question, Task& task,
-                  const core::Resources& with, Answer* answers) {
-  const core::BoxTest reach(question.threshold, question.closer);
-  const unsigned level = asked.level_with(enough_for(with));
-  schedule(with.crew, asked.nodes(level), 1, [&](std::size_t begin, std::size_t end, unsigned) {
-    core::BoxJoin join(asked, others, reach, task);
-    for (std::size_t i = begin; i < end; ++i) join.join({level, i}, others.root());
-  });
-  with.crew.split(asked.size(), [&](std::size_t begin, std::size_t end, unsigned) {
-    for (std::size_t slot = begin; slot < end; ++slot) {
-      answers[asked.index(slot)] = task.of_slot(slot);
-    }
-  });
-}
-
 }  // namespace
 
 void mark_in_boxes(const PointsView& points, const PointsView& others, const BoxQuery& question,
@@ -176,30 +112,27 @@ void mark_in_boxes(const PointsView& points, const PointsView& others, const Box
   const BoxTree asked(points, with);
   const BoxTree around(others, with);
   BoxMarks task(asked, with.memory);
-  ask_in_boxes(asked, around, question, task, with, at_risk);
-}
-
-void count_in_boxes(const Places& points, const Places* others, const BoxQuery& question,
-                    const core::Resources& with, std::uint32_t* counts) {
-  const BoxTree asked(points.points, with);
-  std::optional<BoxTree> two;
-  if (others != nullptr) two.emplace(others->points, with);
-  const BoxTree& around = two ? *two : asked;
-  BoxCounts task(asked, around, two ? others->weights : points.weights, with.memory);
-  ask_in_boxes(asked, around, question, task, with, counts);
+  const unsigned level = asked.level_with(enough_for(with));
+  schedule(with.crew, asked.nodes(level), 1, [&](std::size_t begin, std::size_t, unsigned) {
+    BoxJoin(asked, around, question, task).join({level, begin}, around.root());
+  });
+  with.crew.split(asked.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      at_risk[asked.index(slot)] = task.of_slot(slot);
+    }
+  });
 }
 
 void join_in_boxes(const BoxTree& tree, const BoxQuery& question, const core::Resources& with,
                    core::DisjointSets& sets) {
-  const core::BoxTest reach(question.threshold, question.closer);
   BoxGroups task(tree, sets, with.memory);
   const unsigned level = tree.level_with(enough_for(with));
   const std::size_t nodes = tree.nodes(level);
   schedule(with.crew, nodes, 1, [&](std::size_t begin, std::size_t, unsigned) {
-    core::BoxJoin(tree, tree, reach, task).join_within({level, begin});
+    BoxJoin(tree, tree, question, task).join_within({level, begin});
   });
   schedule(with.crew, nodes, 1, [&](std::size_t begin, std::size_t, unsigned) {
-    core::BoxJoin join(tree, tree, reach, task);
+    BoxJoin join(tree, tree, question, task);
     for (std::size_t other = begin + 1; other < nodes; ++other) {
       join.join({level, begin}, {level, other});
     }

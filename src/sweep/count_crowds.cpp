@@ -96,7 +96,7 @@ class Counter {
         of_leaf_lanes_(memory, std::size_t{kCrowdLanes} * kCrowdLanes) {}
 
   // Whether floats left more open than may be decided one by one; then counts are not complete.
-  [[nodiscard]] bool gave_up() const { return decisions_left_ == 0; }
+  [[nodiscard]] bool gave_up() const { return gave_up_; }
 
   // Counts the points that the points of a node are near to; of a set with itself, among themselves
   // and the points behind them, for both.
@@ -165,6 +165,14 @@ class Counter {
     return longest * question_.units_per_m <= kUnits;
   }
 
+  // Takes one from what may be decided one by one.
+  [[nodiscard]] bool may_decide() {
+    if (decisions_left_ == 0) gave_up_ = true;
+    if (gave_up_) return false;
+    --decisions_left_;
+    return true;
+  }
+
   // Each point of the query node with another node.
   void count_points_near(unsigned level, std::size_t node) {
     for (std::size_t slot = asked_.first_slot(0, node_); slot < asked_.end_slot(0, node_); ++slot) {
@@ -172,6 +180,7 @@ class Counter {
     }
   }
   void count_near(std::size_t slot, const Point& place, unsigned level, std::size_t node) {
+    if (!may_decide()) return;
     const std::size_t number = others_.number(level, node);
     switch (boxes_(core::box_around(place), others_.box(level, node))) {
       case Reach::kFar:
@@ -185,7 +194,7 @@ class Counter {
     }
     if (level == 0) {
       for (std::size_t i = others_.first_slot(0, node); i < others_.end_slot(0, node); ++i) {
-        if (question_.closer(place, others_.point(i))) count_pair(slot, i);
+        if (may_decide() && question_.closer(place, others_.point(i))) count_pair(slot, i);
       }
       return;
     }
@@ -198,6 +207,7 @@ class Counter {
   // The query node with each point of another node.
   void count_near_points(std::size_t node) {
     for (std::size_t i = others_.first_slot(0, node); i < others_.end_slot(0, node); ++i) {
+      if (!may_decide()) return;
       const Point place = others_.point(i);
       switch (boxes_(asked_.box(0, node_), core::box_around(place))) {
         case Reach::kFar:
@@ -208,7 +218,7 @@ class Counter {
           break;
         case Reach::kOpen:
           for (std::size_t k = asked_.first_slot(0, node_); k < asked_.end_slot(0, node_); ++k) {
-            if (question_.closer(asked_.point(k), place)) count_pair(k, i);
+            if (may_decide() && question_.closer(asked_.point(k), place)) count_pair(k, i);
           }
       }
     }
@@ -224,6 +234,7 @@ class Counter {
   }
 
   void compare(std::size_t other, bool own) {
+    decisions_left_ += kDecisionsANode;
     const CrowdNode one = crowd_node(question_.asked, asked_weights_, node_);
     const CrowdNode two = crowd_node(question_.others, other_weights_, other);
     const CrowdSums sums{of_slot_lanes_.data(), of_leaf_lanes_.data(),
@@ -250,12 +261,14 @@ class Counter {
 
   static void decide(void* context, std::uint32_t i, std::uint32_t j, bool both) {
     auto& self = *static_cast<Counter*>(context);
-    if (self.gave_up()) return;
-    --self.decisions_left_;
+    if (!self.may_decide()) return;
     if (!self.question_.closer(self.asked_.point(i), self.others_.point(j))) return;
     self.tally_.of_slots[i] += weight(self.question_.others, j);
     if (both) self.tally_.of_slots[j] += weight(self.question_.asked, i);
   }
+
+  // Two nodes are compared by floats in the time that so many decisions take, or more.
+  static constexpr std::uint64_t kDecisionsANode = 8;
 
   const CrowdQuery& question_;
   const CrowdTree& asked_;
@@ -265,6 +278,7 @@ class Counter {
   const Weights& other_weights_;
   core::BoxTest boxes_;
   std::uint64_t decisions_left_;
+  bool gave_up_ = decisions_left_ == 0;
   Limits limits_;
   const CrowdKernels& kernels_;
   unsigned weighted_;

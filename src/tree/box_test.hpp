@@ -43,6 +43,10 @@ class BoxTest {
     return Reach::kOpen;
   }
 
+  // The squares of extreme distances that leave nothing open, below and above.
+  [[nodiscard]] double surely_near() const { return surely_near_; }
+  [[nodiscard]] double surely_far() const { return surely_far_; }
+
  private:
   using Corner = std::array<double, 3>;
 

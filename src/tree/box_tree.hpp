@@ -1,6 +1,7 @@
 // Points in a tree of boxes of doubles, for what must not depend on how far apart they are or how
 // close together. Nodes of level 0 are the points, in the order of their slots; every other node
 // has 16 children, but the last of a level: child c of node i is node 16 i + c of the level below.
+// The children of a node lie side by side, axis by axis, so that they are looked at together.
 #pragma once
 
 #include "base/bounds.hpp"
@@ -35,7 +36,7 @@ inline void extend(Bounds& bounds, const Bounds& other) {
 
 class BoxTree {
  public:
-  // Of at least one point, all in the domain. Memory: 32 bytes a point, and 16 more while it
+  // Of at least one point, all in the domain. Memory: 34 bytes a point, and 16 more while it
   // builds.
   BoxTree(const PointsView& points, const Resources& with);
 
@@ -48,7 +49,7 @@ class BoxTree {
   }
   [[nodiscard]] std::size_t node_count() const { return number(root()) + 1; }
   [[nodiscard]] Bounds box(const BoxNode& node) const {
-    return node.level == 0 ? box_around(points_[node.index]) : boxes_[number(node) - size_];
+    return node.level == 0 ? box_around(point(node.index)) : boxes_[number(node) - size_];
   }
 
   [[nodiscard]] std::size_t first_slot(const BoxNode& node) const {
@@ -58,10 +59,28 @@ class BoxTree {
     return std::min((node.index + 1) << (4 * node.level), size_);
   }
   // Of a level 1 or higher.
+  [[nodiscard]] BoxNode first_child(const BoxNode& node) const {
+    return {node.level - 1, node.index * kFanOut};
+  }
   template <class Visit>
   void for_each_child(const BoxNode& node, Visit&& visit) const {
     const std::size_t end = std::min((node.index + 1) * kFanOut, nodes(node.level - 1));
     for (std::size_t i = node.index * kFanOut; i < end; ++i) visit(BoxNode{node.level - 1, i});
+  }
+
+  // The corners of a node's children, of a level 1 or higher: [axis * kFanOut + child]. Where there
+  // is no child, the low one is infinite; of points, both are the same.
+  [[nodiscard]] const double* low_corners(const BoxNode& node) const {
+    return node.level == 1 ? leaf(node.index) : row(node).low;
+  }
+  [[nodiscard]] const double* high_corners(const BoxNode& node) const {
+    return node.level == 1 ? leaf(node.index) : row(node).high;
+  }
+  // The points of a node of level 1, likewise.
+  [[nodiscard]] const double* leaf(std::size_t index) const { return leaves_[index].at; }
+  [[nodiscard]] Point point(std::size_t slot) const {
+    const double* const at = leaf(slot / kFanOut) + slot % kFanOut;
+    return {at[0], at[kFanOut], at[2 * kFanOut]};
   }
 
   // The nodes of the highest level that has at least so many; of points, if none has.
@@ -75,12 +94,27 @@ class BoxTree {
   [[nodiscard]] std::uint32_t index(std::size_t slot) const { return order_[slot]; }
 
  private:
+  struct Leaf {
+    double at[3 * kFanOut];
+  };
+  struct Row {
+    double low[3 * kFanOut];
+    double high[3 * kFanOut];
+  };
+
+  [[nodiscard]] const Row& row(const BoxNode& node) const {
+    return rows_[number(node) - first_of_level_[2]];
+  }
+  void fill_leaf(const PointsView& points, std::size_t index);
+  void fill_row(const BoxNode& node);
+
   std::size_t size_;
   unsigned top_ = 0;
   std::size_t first_of_level_[kMostLevels + 2] = {};
-  Buffer<Point> points_;  // by slot
+  Buffer<Leaf> leaves_;
   Buffer<std::uint32_t> order_;
-  Buffer<Bounds> boxes_;  // of the levels above
+  Buffer<Bounds> boxes_;  // of the levels above the points
+  Buffer<Row> rows_;      // of the levels above the leaves
 };
 
 }  // namespace beespace::core

@@ -118,10 +118,13 @@ class PointTree::Builder {
     first_[level_count_] = all;
     tree.nodes_ = Buffer<TreeNode>(with.memory, all);
     boxes_ = Buffer<Bounds>(with.memory, all);
+    tree.boxes_ = Buffer<TreeBox>(with.memory, leaf_count_ + all);
     tree.leaves_ = Buffer<TreeLeaf>(with.memory, leaf_count_);
     tree.points_ = Buffer<Point>(with.memory, tree.size_);
     for (unsigned level = 0; level < level_count_; ++level) {
       tree.view_.levels[level] = tree.nodes_.data() + first_[level];
+      tree.view_.boxes[level] =
+          tree.boxes_.data() + (level == 0 ? 0 : leaf_count_ + first_[level - 1]);
     }
     tree.view_.leaves = tree.leaves_.data();
     tree.view_.points = tree.points_.data();
@@ -150,12 +153,19 @@ class PointTree::Builder {
     TreeNode& node = tree_.nodes_[index];
     boxes_[index] = kNoBox;
     for (std::size_t child = 0; child < count; ++child) extend(boxes_[index], children[child]);
+    write_box(leaf_count_ + index, boxes_[index]);
     if (level == 0) {
       set_frame_around(node, boxes_[index]);
     } else {
       set_frame_among(node, children, count);
     }
     set_children(node, children, count);
+  }
+
+  void write_box(std::size_t number, const Bounds& box) {
+    TreeBox& written = tree_.boxes_[number];
+    std::copy(box.low.begin(), box.low.end(), written.low);
+    std::copy(box.high.begin(), box.high.end(), written.high);
   }
 
   // A node of level 0 with its leaves and their points.
@@ -174,6 +184,7 @@ class PointTree::Builder {
         extend(box, box_around(tree_.points_[slot]));
       }
       boxes[leaf] = box;
+      write_box(node * kFanOut + leaf, box);
     }
     set_node(node, 0, boxes.data(), leaves);
     for (std::size_t leaf = 0; leaf < leaves; ++leaf) {

@@ -73,6 +73,19 @@ TEST(CompareExactly, SeesWhatADoubleCannotHold) {
   EXPECT_EQ(compare_exactly({3, 4, 0x1p-300}, {0, 0, 0}, 5.0), 1);
 }
 
+// Below some 2^-98 of the square, two doubles do not tell any more.
+TEST(CompareExactly, AgreesWithRationalsWhereTwoDoublesAreNotEnough) {
+  RandomPoints random(5);
+  for (int i = 0; i < 4000; ++i) {
+    // |p - q|^2 - 25 is about 6 tiny, or exactly 0; the terms of the axes cancel.
+    const double tiny = std::ldexp(random.between(-1, 1), -(40 + i % 90));
+    const Point p = {3.0, 4.0, std::ldexp(random.between(-1, 1), -(20 + i % 37))};
+    const Point q = {i % 5 == 0 ? 0.0 : -tiny, i % 7 == 0 ? 0.0 : 0.75 * tiny,
+                     i % 3 == 0 ? 0.0 : p.z};
+    ASSERT_EQ(compare_exactly(p, q, 5.0), sign_of(squared(p, q) - 25)) << i;
+  }
+}
+
 TEST(CompareExactly, HoldsAtBothEndsOfTheDomain) {
   for (const double unit : {kSmallestCoordinate_m, kLargestCoordinate_m / 16.0}) {
     EXPECT_EQ(compare_exactly({3 * unit, 4 * unit, 12 * unit}, {0, 0, 0}, 13 * unit), 0);

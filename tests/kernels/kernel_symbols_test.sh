@@ -10,7 +10,7 @@ for file in "$(dirname "$0")"/../../src/kernels/sweep_*.cpp; do
   name=${file##*/sweep_}
   sets+=("${name%.cpp}")
 done
-variant="^(sweep|tree_walk|crowd)_($(IFS='|'; echo "${sets[*]}"))[.]cpp"
+variant="^(sweep|tree_walk|crowd|box)_($(IFS='|'; echo "${sets[*]}"))[.]cpp"
 
 symbols=$(nm -C --defined-only "$1" 2>/dev/null)
 kernels=$(grep -cE "$variant" <<<"$symbols" || true)
