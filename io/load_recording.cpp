@@ -25,7 +25,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace beespace::io {
 namespace {
@@ -37,14 +40,31 @@ std::optional<Error> read_table(const Bytes& bytes, const std::string& path, boo
   return read_track_table({bytes.view, stem_of(path), bare_skybrush}, assembly);
 }
 
+// What the system that packed an archive has put beside its files.
+bool is_hidden(std::string_view name) {
+  return name.substr(name.rfind('/') + 1).starts_with('.') || name.starts_with("__MACOSX/");
+}
+
+// Of an archive, what is not read beside what is; lights have no places.
+void say_unread(std::vector<std::string> names, std::string_view what,
+                RecordingAssembly& assembly) {
+  std::erase_if(names, [](const std::string& name) {
+    return is_hidden(name) || name.ends_with("/lights.json");
+  });
+  if (names.empty()) return;
+  const std::string& first = *std::min_element(names.begin(), names.end());
+  const std::string more =
+      names.size() == 1 ? " is" : " and " + std::to_string(names.size() - 1) + " more are";
+  assembly.note("of " + assembly.source_name() + ", an archive, " + std::string(what) +
+                " read: " + excerpt(first) + more + " left out");
+}
+
 // The tables of an archive, by name.
 Result<std::vector<std::string>> tables_of(const ZipArchive& archive, const std::string& source) {
   std::vector<std::string> tables;
   std::string others;
   for (const std::string& name : archive.names()) {
-    const std::string_view last = std::string_view(name).substr(name.rfind('/') + 1);
-    const bool hidden = last.front() == '.' || name.substr(0, 9) == "__MACOSX/";
-    if (is_table_name(name) && !hidden) tables.push_back(name);
+    if (is_table_name(name) && !is_hidden(name)) tables.push_back(name);
     if (others.size() < 100) others.append(others.empty() ? "" : ", ").append(excerpt(name));
   }
   const auto foreign =
@@ -81,10 +101,17 @@ std::optional<Error> read_archive(Bytes bytes, const std::string& source,
   if (format == RecordingFormat::kSkybrushShow || (format == RecordingFormat::kAuto && show)) {
     auto documents = ShowDocuments::from_archive(std::move(archive).value());
     if (!documents) return documents.error();
-    return read_show(*documents, assembly);
+    if (auto error = read_show(*documents, assembly)) return error;
+    say_unread(documents->unread(), "what its show.json leads to is", assembly);
+    return std::nullopt;
   }
   const auto tables = tables_of(*archive, source);
   if (!tables) return tables.error();
+  std::vector<std::string> others = names;
+  std::erase_if(others, [&tables](const std::string& name) {
+    return std::binary_search(tables->begin(), tables->end(), name);
+  });
+  say_unread(std::move(others), "the tables are", assembly);
   if (tables->size() > 1) assembly.expect_several();
   for (const std::string& table : *tables) {
     const std::string place = archive->place_of(table);

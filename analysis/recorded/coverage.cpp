@@ -6,52 +6,73 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace beespace::analysis {
 namespace {
+
+// Where and when a bee is first, and last.
+struct Ends {
+  Fix first;
+  Fix last;
+};
+
+std::optional<Ends> ends_of(const io::RecordedBee& bee) {
+  if (bee.path) {
+    const BezierPath& path = *bee.path;
+    const Fix first{path.begins_s, path.begin};
+    if (path.pieces.empty()) return Ends{first, first};
+    return Ends{first, {path.pieces.back().ends_s, path.pieces.back().end}};
+  }
+  if (bee.fixes.empty()) return std::nullopt;
+  return Ends{bee.fixes.front(), bee.fixes.back()};
+}
+
+// A drone of a show that begins and ends here stands there before and after.
+constexpr double kGroundTolerance_m = 0.1;
+// Shows count heights from the ground: a table of which all begins and ends are higher than this
+// is no whole show.
+constexpr double kHighestGround_m = 1.0;
+
+// Where the ground of a show is: where it says, or the lowest place at which a drone begins or
+// ends.
+double ground_of(const io::Recording& recording) {
+  double lowest_m = recording.show->ground_m.value_or(std::numeric_limits<double>::infinity());
+  for (const io::RecordedBee& bee : recording.bees) {
+    const auto ends = ends_of(bee);
+    if (ends) lowest_m = std::min({lowest_m, ends->first.position.z, ends->last.position.z});
+  }
+  return lowest_m <= kHighestGround_m ? lowest_m : 0.0;
+}
 
 // From the first fix of all to the last one.
 std::pair<double, double> whole_time(const io::Recording& recording) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::pair<double, double> time{kInfinity, -kInfinity};
   for (const io::RecordedBee& bee : recording.bees) {
-    if (bee.fixes.empty()) continue;
-    time.first = std::min(time.first, bee.fixes.front().time_s);
-    time.second = std::max(time.second, bee.fixes.back().time_s);
+    const auto ends = ends_of(bee);
+    if (!ends) continue;
+    time.first = std::min(time.first, ends->first.time_s);
+    time.second = std::max(time.second, ends->last.time_s);
   }
   return time;
-}
-
-// A drone of a show that begins and ends here stands there before and after.
-constexpr double kGroundTolerance_m = 0.1;
-
-// The lowest height at which a bee begins or ends.
-double ground_of(const io::Recording& recording) {
-  double lowest_m = std::numeric_limits<double>::infinity();
-  for (const io::RecordedBee& bee : recording.bees) {
-    if (bee.fixes.empty()) continue;
-    lowest_m = std::min({lowest_m, bee.fixes.front().position.z, bee.fixes.back().position.z});
-  }
-  return lowest_m;
 }
 
 // How long each bee is not known before its first fix and after its last one: a drone of a show not
 // while it stands on the ground.
 std::vector<double> outside_s(const io::Recording& recording) {
   const auto whole = whole_time(recording);
-  const double ground_m = ground_of(recording);
+  const double ground_m = recording.show ? ground_of(recording) : 0.0;
   const auto stands = [&](const Fix& fix) {
     return recording.show && fix.position.z - ground_m <= kGroundTolerance_m;
   };
   std::vector<double> outside;
   for (const io::RecordedBee& bee : recording.bees) {
     double seconds = 0.0;
-    if (!bee.fixes.empty()) {
-      const Fix& first = bee.fixes.front();
-      const Fix& last = bee.fixes.back();
-      if (!stands(first)) seconds += first.time_s - whole.first;
-      if (!stands(last)) seconds += whole.second - last.time_s;
+    if (const auto ends = ends_of(bee)) {
+      if (!stands(ends->first)) seconds += ends->first.time_s - whole.first;
+      if (!stands(ends->last)) seconds += whole.second - ends->last.time_s;
     }
     outside.push_back(seconds);
   }
@@ -87,6 +108,7 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
   for (const double missing_s : outside_s(recording)) {
     coverage.outside_s += missing_s;
     if (missing_s > 0.0) ++coverage.bees_partly;
+    if (missing_s > 0.0 && recording.show) ++coverage.bees_in_the_air;
   }
   coverage.missing = recording.missing;
   return coverage;
@@ -104,7 +126,8 @@ std::string unknown_text(const Coverage& coverage) {
   }
   if (coverage.bees_partly > 0) {
     append(io::counted(coverage.bees_partly, "bee", "bees") +
-           " known for a part of the recording only");
+           " known for a part of the recording only" +
+           (coverage.bees_in_the_air > 0 ? " (beginning or ending in the air)" : ""));
   }
   append(missing_text(coverage.missing));
   return text;

@@ -22,6 +22,7 @@
 #include <beespace/recording_out_of_core.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -32,6 +33,8 @@
 
 namespace beespace::cli {
 namespace {
+
+constexpr Fix kNoFix = {std::numeric_limits<double>::quiet_NaN(), {}};
 
 // What a block of text takes while it is read: the text, and its fixes twice.
 constexpr std::uint64_t kTimesABlock = 8;
@@ -104,10 +107,11 @@ class Replaying {
     std::vector<analysis::BeeInterval> intervals;
     tracks_.resize(recording_.bees.size());
     for (const LargeAgent& agent : agents) {
-      std::vector<Fix> ends = {{agent.begins_s, {}}};
-      if (agent.fixes > 1) ends.push_back({agent.ends_s, {}});
-      tracks_[agent.id].fixes = ends;
-      recording_.bees[agent.id].fixes = std::move(ends);
+      std::vector<Fix> ends = {{agent.begins_s, ends_[agent.id].first.position}};
+      if (agent.fixes > 1) ends.push_back({agent.ends_s, ends_[agent.id].second.position});
+      recording_.bees[agent.id].fixes = ends;
+      for (Fix& end : ends) end.position = {};
+      tracks_[agent.id].fixes = std::move(ends);
       intervals.push_back({agent.fixes, agent.interval_s});
     }
     max_gap_ = analysis::max_gap_of(intervals, request_.max_gap_s);
@@ -134,6 +138,7 @@ class Replaying {
       const auto at =
           analysis::in_metres(each.fix.position, std::nullopt, stream_.frame(), geometry_, stated);
       if (!at) return analysis::of_bee(at.error(), {stream_.id(each.bee), {}});
+      keep_ends(each);
       bees.push_back(each.bee);
       times_s.push_back(each.fix.time_s);
       positions.push_back(at->position);
@@ -142,6 +147,13 @@ class Replaying {
     const PointsView view = std::span<const Point>(positions);
     return fixes_.add(bees, times_s,
                       analysis::heights_apart(geometry_) ? view.with_heights(heights) : view);
+  }
+
+  void keep_ends(const io::StreamedFix& each) {
+    if (each.bee >= ends_.size()) ends_.resize(each.bee + 1, {kNoFix, kNoFix});
+    auto& [first, last] = ends_[each.bee];
+    if (std::isnan(first.time_s) || each.fix.time_s < first.time_s) first = each.fix;
+    if (std::isnan(last.time_s) || each.fix.time_s > last.time_s) last = each.fix;
   }
 
   // An error about two fixes of a bee, with the place that they came from.
@@ -226,8 +238,9 @@ class Replaying {
   io::RecordingStream& stream_;
   RecordingOutOfCore fixes_;
   analysis::Geometry geometry_ = analysis::Geometry::kSpace;
-  io::Recording recording_;    // of each bee the first fix and the last one
-  std::vector<Track> tracks_;  // likewise, without positions
+  io::Recording recording_;                // of each bee the first fix and the last one
+  std::vector<Track> tracks_;              // likewise, without positions
+  std::vector<std::pair<Fix, Fix>> ends_;  // by bee, while it is read
   analysis::MaxGap max_gap_{std::numeric_limits<double>::infinity(), std::nullopt};
   double threshold_m_ = 0.0;
   RecordedConflicts found_;

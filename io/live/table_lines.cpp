@@ -4,6 +4,7 @@
 #include "io/problems/excerpt.hpp"
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/text_check.hpp"
+#include "io/recording/set_names.hpp"
 #include "io/table/fields.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_record.hpp"
@@ -50,6 +51,11 @@ class TableLines final : public LineReader {
     if (!reader_) return facts;
     facts.description += ", " + std::string(delimiter_name(layout_.table.delimiter)) + "-separated";
     facts.notes = layout_.notes;
+    if (set_names_.told_apart() > 0) {
+      facts.notes.push_back(
+          "bees of one name in several studies, trials, videos or days are told apart, as in " +
+          excerpt(set_names_.example()));
+    }
     for (std::string& note : left_out_.notes()) facts.notes.push_back(std::move(note));
     facts.units = layout_.units;
     facts.heights = layout_.table.choice.datum;
@@ -119,6 +125,9 @@ class TableLines final : public LineReader {
       return std::optional<ReportLine>();
     } else {
       Error error = without_advice(std::move(layout).error());
+      // Of a value, not of the header: that of this line.
+      if (error.location.record) error.location.line.reset();
+      error.location.record.reset();
       if (error.location.line) *error.location.line += first_line_ - 1;
       return error;
     }
@@ -136,6 +145,9 @@ class TableLines final : public LineReader {
     if (auto error = reader_->read(line, record_)) {
       if (record_.id.empty()) record_.id = id_of(line);
       return without_advice(*std::move(error));
+    }
+    if (!layout_.sets.empty() && !record_.id.empty()) {
+      record_.id = set_names_.name_of(record_.id, record_.set);
     }
     hides_ = record_.left_out != nullptr && !record_.left_out->harmless;
     if (record_.left_out != nullptr) {
@@ -177,6 +189,7 @@ class TableLines final : public LineReader {
   bool layout_found_ = false;
   bool ended_ = false;
   LeftOut left_out_;
+  SetNames set_names_;
   bool hides_ = false;
   std::optional<TrackRecordReader> reader_;
   TrackRecord record_;

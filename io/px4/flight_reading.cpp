@@ -147,8 +147,10 @@ class FlightReading {
       return Error{
           ErrorCode::kInvalidArgument,
           "this PX4 log has no time of GPS (vehicle_gps_position), only one since the drone "
-          "was switched on, so that it shares no clock with other inputs; read it alone, "
-          "or leave it out",
+          "was switched on, so that it shares no clock with other inputs; read it alone, leave it "
+          "out, or, if you know how far the clocks are apart, make tables with a common time: "
+          "ulog2csv -m vehicle_local_position FILE (pip install pyulog), add that to timestamp; "
+          "docs/recipes/px4-logs.md has the lines",
           {}};
     }
     if (log_.clock->spread_micros <= kMostSpreadMicros) return std::nullopt;

@@ -176,6 +176,13 @@ std::string RecordingAssembly::name_of_source(std::string stem) {
   return source_stem_;
 }
 
+bool RecordingAssembly::goes_back(std::string_view id, double time_s) {
+  double& last_s = times_of_day_s_.try_emplace(std::string(id), time_s).first->second;
+  if (time_s < last_s) return true;
+  last_s = time_s;
+  return false;
+}
+
 void RecordingAssembly::miss(std::uint64_t records, std::string_view id) {
   missing_ += records;
   if (id.empty()) {
@@ -268,6 +275,11 @@ void RecordingAssembly::declare_show(ShowFacts facts) {
   show->cues.insert(show->cues.end(), facts.cues.begin(), facts.cues.end());
 }
 
+void RecordingAssembly::declare_ground(double height_m) {
+  auto& ground_m = recording_.show->ground_m;
+  ground_m = std::min(ground_m.value_or(height_m), height_m);
+}
+
 Error RecordingAssembly::conflict_error(const TimeConflict& conflict) const {
   const ErrorLocation at = location_of(conflict.first);
   const std::string first =
@@ -345,6 +357,11 @@ void RecordingAssembly::note_counts() {
   if (const auto count = tracks_.in_several_sources(); count > 0) {
     note(counted(count, "bee is", "bees are") +
          " in several files under the same id; each is taken for one, merged by time");
+  }
+  if (const auto count = set_names_.told_apart(); count > 0) {
+    note(counted(count, "bee has", "bees have") +
+         " the name of one of another study, trial, video or day; they are told apart, as in " +
+         excerpt(set_names_.example()));
   }
   if (const auto count = tracks_.renamed(); count > 0) {
     note(counted(count, "bee has", "bees have") +

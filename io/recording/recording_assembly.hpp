@@ -9,6 +9,7 @@
 #include "io/problems/left_out.hpp"
 #include "io/recording/recording.hpp"
 #include "io/recording/recording_options.hpp"
+#include "io/recording/set_names.hpp"
 #include "io/recording/track_gathering.hpp"
 #include "io/units/heights.hpp"
 #include "io/units/unit_taken.hpp"
@@ -20,6 +21,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -70,6 +72,14 @@ class RecordingAssembly {
   // or where another source has it already, all of the source's name, numbered if need be.
   std::string name_of_source(std::string stem);
 
+  // What to call a bee whose id is unique within a study, or the like, only.
+  std::string_view name_within_set(std::string_view id, std::string_view set) {
+    return set_names_.name_of(id, set);
+  }
+  // Of times of day without a date: whether one comes before the last one of that bee, so that
+  // another day may have begun.
+  bool goes_back(std::string_view id, double time_s);
+
   // Errors: kUnknownFrame, kMissingColumn, kInvalidArgument for inputs that do not go together:
   // in frame, time, whether there are heights or what these are counted from.
   std::optional<Error> agree(const SourceFacts& facts);
@@ -92,6 +102,8 @@ class RecordingAssembly {
   void declare_threshold(double metres);
   // Of several shows the stricter limits count, and a place only where all have the same.
   void declare_show(ShowFacts facts);
+  // Of a show that was declared: how high its lowest place is.
+  void declare_ground(double height_m);
   void add_bytes(std::uint64_t count) { recording_.bytes += count; }
   TrackGathering& tracks() { return tracks_; }
   // As many records of that bee, or of an unknown one, may hide what it did.
@@ -133,7 +145,9 @@ class RecordingAssembly {
   std::vector<bool> in_records_;           // by source
   std::unordered_set<std::string> stems_;  // those given away by name_of_source()
   std::string source_stem_;                // the last of them
-  std::size_t named_sources_ = 0;          // how many sources were begun when it was given away
+  SetNames set_names_;
+  std::unordered_map<std::string, double> times_of_day_s_;  // by bee: the last one
+  std::size_t named_sources_ = 0;  // how many sources were begun when it was given away
   bool several_ = false;
   bool frame_is_settled_ = false;
   std::optional<SourceFacts> facts_;                     // of all inputs so far

@@ -36,7 +36,8 @@ struct ShowCue {
 struct ShowFacts {
   ShowLimits limits = {};
   std::optional<ShowPlace> place = {};
-  std::vector<ShowCue> cues = {};  // in the order of the show
+  std::vector<ShowCue> cues = {};       // in the order of the show
+  std::optional<double> ground_m = {};  // the height of the lowest place of the show
 };
 
 }  // namespace beespace::io

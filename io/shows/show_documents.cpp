@@ -87,6 +87,7 @@ Result<ShowValue> ShowDocuments::document(const std::string& member) {
   if (known != parts_.end()) return ShowValue{known->second.root(), member};
   const auto bytes = archive_->read(member);
   if (!bytes) return bytes.error();
+  read_.insert(member);
   auto parsed =
       JsonDocument::parse(without_byte_order_mark(bytes->view), archive_->place_of(member));
   if (!parsed) return parsed.error();
@@ -157,6 +158,15 @@ Result<std::optional<ShowValue>> ShowDocuments::member(const ShowValue& object,
   if (!resolved) return resolved.error();
   if (resolved->element.is_null()) return std::optional<ShowValue>();
   return std::optional<ShowValue>(std::move(resolved).value());
+}
+
+std::vector<std::string> ShowDocuments::unread() const {
+  std::vector<std::string> unread;
+  if (!archive_) return unread;
+  for (const std::string& name : archive_->names()) {
+    if (name != kRoot && !read_.contains(name)) unread.push_back(name);
+  }
+  return unread;
 }
 
 void ShowDocuments::forget_parts() {

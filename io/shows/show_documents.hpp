@@ -15,6 +15,8 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
+#include <vector>
 
 namespace beespace::io {
 
@@ -42,6 +44,9 @@ class ShowDocuments {
   // Member `key` of an object, resolved; nothing where there is none, or it is null.
   Result<std::optional<ShowValue>> member(const ShowValue& object, std::string_view key);
 
+  // The files of the archive that nothing led to so far.
+  [[nodiscard]] std::vector<std::string> unread() const;
+
   // Lets go of documents other than the root where they have become many: values in them are
   // invalid then.
   void forget_parts();
@@ -58,6 +63,7 @@ class ShowDocuments {
   std::optional<ZipArchive> archive_;
   std::unordered_map<std::string, JsonDocument> parts_;
   std::size_t parts_bytes_ = 0;
+  std::unordered_set<std::string> read_;  // of the archive
 };
 
 }  // namespace beespace::io

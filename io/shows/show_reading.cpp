@@ -126,6 +126,7 @@ class ShowReading {
     for (const Drone& drone : drones_) {
       ground_m = std::min(ground_m, lowest_of(drone.trajectory, drone.ground));
     }
+    if (!drones_.empty()) assembly_.declare_ground(ground_m);
     const bool all = assembly_.options().grounded;
     for (Drone& drone : drones_) {
       BezierPath& path = drone.trajectory.path;

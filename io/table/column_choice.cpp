@@ -128,7 +128,8 @@ Result<std::optional<std::size_t>> find_third(const Header& header, bool geograp
   }
   for (const std::size_t column : header.columns(Role::kNone)) {
     if (header.source() != nullptr && header.source()->of_animals) break;
-    if (names_other_quantity(table.names[column])) continue;
+    const std::string& name = table.names[column];
+    if (names_other_quantity(name) || names_set(name)) continue;
     const bool nameless = table.names[column].empty() && column + 1 == table.columns;
     const ColumnContent content =
         column < table.contents.size() ? table.contents[column] : ColumnContent::kUnknown;

@@ -381,6 +381,7 @@ Line line_at(std::string_view text, std::size_t offset, char line_end) {
 }
 
 Error at_first_line(Error error, const TableLayout& table) {
+  if (error.location.line) return error;
   if (error.code != ErrorCode::kInvalidArgument || error.location.column) {
     error.location.line = table.lines_before + (table.header.empty() ? 1 : 0);
   }

@@ -94,6 +94,11 @@ constexpr std::string_view kOtherQuantities =
     "score prob probability temperature temp humidity battery voltage satellites sats hdop vdop "
     "pdop dop accuracy area width length count missing error";
 
+// What ids are unique within: whole names. Movebank's individuals and tags are so within a study.
+constexpr std::string_view kSets =
+    "study study_name study_id experiment experiment_name experiment_id trial trial_name trial_id "
+    "trial_number trial_no replicate arena arena_id video video_name video_id video_file";
+
 std::string plain_name(std::string_view name) {
   std::string plain;
   for (const std::string& word : split_words(name)) plain.append(plain.empty() ? "" : "_") += word;
@@ -137,6 +142,10 @@ std::optional<std::size_t> TableSource::first(Role role,
     }
   }
   return std::nullopt;
+}
+
+bool names_set(std::string_view column) {
+  return is_one_of(kSets, plain_name(column));
 }
 
 bool names_other_quantity(std::string_view name) {

@@ -49,6 +49,9 @@ bool speaks_of_aviation(std::string_view name);
 // The first columns that do, at most three: "'icao24' and 'groundspeed'"; empty where none does.
 std::string words_of_aviation(const std::vector<std::string>& names);
 
+// Whether it says which study, trial or video a record is of, within which ids are unique.
+bool names_set(std::string_view column);
+
 // Whether a name speaks of something that is measured beside places and is none: "speed",
 // "likelihood", "temperature".
 bool names_other_quantity(std::string_view name);

@@ -289,6 +289,7 @@ std::optional<Error> read_cells(JsonCells& cells, std::string description, const
   if (!layout) {
     Error error = std::move(layout).error();
     error.location.column.reset();
+    error.location.line.reset();
     return error;
   }
   if (layout->time && layout->time->clock) {

@@ -13,6 +13,7 @@
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_animals.hpp"
 #include "io/tracks/track_columns.hpp"
+#include "io/tracks/track_sets.hpp"
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
 
@@ -250,6 +251,7 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   for (std::size_t i = 0; i < choice.dimensions; ++i) {
     fill(choice.axes[i], TrackSlot::kPosition + i);
   }
+  for (std::size_t i = 0; i < layout.sets.size(); ++i) fill(layout.sets[i], TrackSlot::kSets + i);
   if (layout.visible) fill(*layout.visible, TrackSlot::kVisible);
   if (layout.time && layout.time->date) fill(*layout.time->date, TrackSlot::kDate);
   if (layout.time) fill(layout.time->column, TrackSlot::kTime);
@@ -301,6 +303,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   if (auto error = doubly_used(track_columns(), columns_read(layout))) return *std::move(error);
   settle_aircraft(header, options, layout);
   settle_animals(header, layout);
+  settle_sets(header, layout);
   layout.show = layout.time && layout.frame != Frame::kWgs84 && names_colours(layout.table);
   if (layout.time) {
     layout.notes.push_back(

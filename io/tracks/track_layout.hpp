@@ -84,6 +84,7 @@ struct TrackLayout {
   std::optional<std::size_t> on_ground = {};      // of those that are left out
   bool show = false;                              // of a drone show: a path with colours
   std::optional<std::size_t> axes_name = {};      // of ROS: what x, y, z are counted in ("map")
+  std::vector<std::size_t> sets = {};             // within which ids are unique: studies, days
   bool ids_within_file = false;                   // of ROS: another file may call another bee so
   std::optional<std::size_t> no_height_yet = {};  // of heights that the beginning has none of
   std::vector<UnitTaken> units = {};              // of positions and velocities
@@ -108,7 +109,10 @@ struct TrackSlot {
   static constexpr std::size_t kNanoseconds = 12;
   static constexpr std::size_t kAxesName = 13;
   static constexpr std::size_t kLateHeight = 14;
-  static constexpr std::size_t kNothing = 15;  // where columns go that are not asked for
+  static constexpr std::size_t kSets = 15;  // as many as kMostSets
+  static constexpr std::size_t kMostSets = 6;
+  static constexpr std::size_t kNothing =
+      kSets + kMostSets;  // where columns go that are not asked for
 };
 
 // By column: which slot it fills. An id may be read from a column that is something else too, but

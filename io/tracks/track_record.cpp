@@ -111,6 +111,18 @@ void TrackRecordReader::read_label(TrackRecord& record) {
   record.label = unquoted_label_;
 }
 
+void TrackRecordReader::read_sets(TrackRecord& record) {
+  record.set = {};
+  if (layout_.sets.empty()) return;
+  record.set = without_padding(fields_[TrackSlot::kSets].text);
+  if (layout_.sets.size() == 1) return;
+  joined_sets_ = record.set;
+  for (std::size_t i = 1; i < layout_.sets.size(); ++i) {
+    joined_sets_.append(", ").append(without_padding(fields_[TrackSlot::kSets + i].text));
+  }
+  record.set = joined_sets_;
+}
+
 // Of what aircraft say of themselves: what is not known is no mistake.
 const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
   if (layout_.visible && says_no(fields_[TrackSlot::kVisible].text)) return &kOutlier;
@@ -287,6 +299,7 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   }
   if (auto problem = record_problem(line, layout_.table, count, cursor.problem())) return problem;
   record.left_out = nullptr;
+  read_sets(record);
   if (auto problem = read_id(record)) return problem;
   if (record.left_out != nullptr) return std::nullopt;
   read_label(record);

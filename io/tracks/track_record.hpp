@@ -28,6 +28,7 @@ struct TrackRecord {
   Point position = {};              // metres, or degrees and a height in metres
   double stated_height = 0.0;       // or z, as the input has it
   Velocity velocity = {};           // not-a-number where it is unknown
+  std::string_view set = {};        // study, trial: within which the id is unique; as the line
   std::string_view axes_name = {};  // of ROS: what the position is counted in; as long as the line
   std::string_view late_height = {};  // where there were none before (TrackLayout::no_height_yet)
 };
@@ -44,6 +45,7 @@ class TrackRecordReader {
  private:
   std::optional<Error> read_id(TrackRecord& record);
   void read_label(TrackRecord& record);
+  void read_sets(TrackRecord& record);
   [[nodiscard]] const LeftOutReason* reason_to_leave_out() const;
   std::optional<Error> read_time(TrackRecord& record);
   std::optional<Error> read_stamp(std::string_view text, TrackRecord& record);
@@ -55,6 +57,7 @@ class TrackRecordReader {
   std::array<Field, TrackSlot::kNothing + 1> fields_ = {};
   std::string unquoted_id_;
   std::string unquoted_label_;
+  std::string joined_sets_;
 };
 
 }  // namespace beespace::io

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 namespace beespace::io {
@@ -28,32 +27,11 @@ void place(Error& error, std::uint64_t line, std::uint64_t row, RecordPlace how,
   error.location.column.reset();
 }
 
-// Of times of day without a date, the last one of each bee: where they go far back, a midnight has
-// passed.
-class TimesOfDay {
- public:
-  explicit TimesOfDay(const TrackLayout& layout)
-      : watched_(layout.time && layout.time->clock && !layout.time->clock->dated) {}
-
-  bool is_new_day(const TrackRecord& record) {
-    if (!watched_) return false;
-    constexpr double kHalfDay_s = 43'200.0;
-    double& last_s = last_s_.try_emplace(std::string(record.id), record.time_s).first->second;
-    if (record.time_s < last_s - kHalfDay_s) return true;
-    last_s = record.time_s;
-    return false;
-  }
-
- private:
-  bool watched_;
-  std::unordered_map<std::string, double> last_s_;
-};
-
-Error midnight_passed(const TrackRecord& record, const TimeChoice& time) {
+Error goes_back(const TrackRecord& record, const TimeChoice& time) {
   Error error{ErrorCode::kTimeOrder,
               "the times of day of bee " + excerpt(record.id) +
-                  " go back here by more than half a day, as if midnight had passed; add a column "
-                  "with the date, or the date to the time",
+                  " go back here, as if another day had begun; add a column with the date, or the "
+                  "date to the time, or, if all are of one day, sort the records by time",
               {}};
   error.location.column = time.column + 1;
   return error;
@@ -111,7 +89,7 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
   const bool nameless_rows = !layout.table.choice.id && !layout.time;
   const Unit height_unit = layout.table.choice.height_unit();
   TrackRecordReader reader(layout);
-  TimesOfDay days(layout);
+  const bool times_of_day = layout.time && layout.time->clock && !layout.time->clock->dated;
   TrackRecord record;
   record.id = stem;
   std::string row_id;
@@ -128,7 +106,11 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       progress->done += static_cast<std::uint64_t>(here - reported);
       reported = here;
     }
-    if (layout.table.choice.id) record.id = {};
+    if (layout.table.choice.id) {
+      record.id = {};
+    } else if (!layout.sets.empty()) {
+      record.id = stem;
+    }
     if (nameless_rows) {
       row_id = std::to_string(assembly.nameless() + walk.row());
       record.id = row_id;
@@ -138,6 +120,9 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       Error error = height_after_all(record.late_height, *layout.no_height_yet);
       place(error, line, rows_before + walk.row(), place_of, layout);
       return error;
+    }
+    if (!layout.sets.empty() && !record.id.empty()) {
+      record.id = assembly.name_within_set(record.id, record.set);
     }
     if (layout.ids_within_file && !(problem && record.id.empty())) {
       name_within_file(stem, assembly.has_several(), record, file_id);
@@ -150,11 +135,12 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     if (record.left_out != nullptr) {
       assembly.leave_out(*record.left_out, record.id);
       // Who is nowhere else is known nowhere.
-      if (record.left_out == &kUnknownPlace) assembly.heard_of(kNeverPlaced, record.id);
+      const bool no_place = record.left_out == &kUnknownPlace || record.left_out == &kOutlier;
+      if (no_place) assembly.heard_of(kNeverPlaced, record.id);
       continue;
     }
-    if (days.is_new_day(record)) {
-      Error error = midnight_passed(record, *layout.time);
+    if (times_of_day && assembly.goes_back(record.id, record.time_s)) {
+      Error error = goes_back(record, *layout.time);
       place(error, line, rows_before + walk.row(), place_of, layout);
       if (auto fatal = assembly.bad(std::move(error), record.id)) return fatal;
       continue;

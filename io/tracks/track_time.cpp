@@ -12,32 +12,56 @@
 #include "io/tracks/track_aircraft.hpp"
 #include "io/units/iso_time.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace beespace::io {
 namespace {
 
+struct FirstFields {
+  std::vector<std::string_view> texts = {};
+  ErrorLocation first = {};  // where the first of them is: its line, record and column
+
+  [[nodiscard]] bool empty() const { return texts.empty(); }
+  [[nodiscard]] std::string_view front() const { return texts.front(); }
+};
+
 // The fields of a column in the first records, those that are there.
-std::vector<std::string_view> first_fields(std::string_view text, const TableLayout& table,
-                                           std::size_t column) {
-  constexpr int kLookedAt = 16;
-  std::vector<std::string_view> times;
+FirstFields first_fields(std::string_view text, const TableLayout& table, std::size_t column) {
+  constexpr std::uint64_t kLookedAt = 16;
+  FirstFields found;
+  found.first.column = column + 1;
   std::size_t offset = table.data_offset;
-  for (int i = 0; i < kLookedAt && offset < text.size(); ++i) {
+  std::uint64_t record = 0;
+  for (std::uint64_t i = 0; i < kLookedAt && offset < text.size(); ++i) {
     const Line line = line_at(text, offset, table.line_end);
     offset = line.next;
-    if (line.text.size() > kLongestLine || has_comment_sign(line.text)) continue;
-    const auto time = without_padding(field_at(line.text, table.delimiter, column).text);
-    if (!is_unknown(time)) times.push_back(time);
+    if (has_comment_sign(line.text) || is_blank_line(line.text)) continue;
+    ++record;
+    if (line.text.size() > kLongestLine) continue;
+    const auto field = without_padding(field_at(line.text, table.delimiter, column).text);
+    if (is_unknown(field)) continue;
+    if (found.empty()) {
+      found.first.line = table.lines_before + i + 1;
+      found.first.record = record - 1;
+    }
+    found.texts.push_back(field);
   }
-  return times;
+  return found;
+}
+
+Error not_a_time(const FirstFields& fields, std::string_view what, std::string_view why) {
+  return {ErrorCode::kNotANumber,
+          excerpt(fields.front()) + " is not a " + std::string(what) + ": " + std::string(why),
+          fields.first};
 }
 
 // The unit in which all of them are times since 1970; kUnstated where there is none.
-Unit common_unit(const std::vector<std::string_view>& times) {
+Unit common_unit(const FirstFields& times) {
   Unit common = Unit::kUnstated;
-  for (const std::string_view time : times) {
+  for (const std::string_view time : times.texts) {
     double value = 0.0;
     if (parse_number(time, value) != NumberKind::kNumber) return Unit::kUnstated;
     const Unit unit = unit_since_1970(value);
@@ -132,8 +156,7 @@ bool is_header_stamp(std::string_view name) {
 // A time of aircraft, or of ROS, that counts from 1970 tells its unit by its size; elsewhere
 // microseconds since a boot may look the same.
 Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
-                               const std::vector<std::string_view>& times, const TableLayout& table,
-                               Unit asked) {
+                               const FirstFields& times, const TableLayout& table, Unit asked) {
   time.since_1970 = meaning.since_1970;
   time.unit = asked != Unit::kUnstated ? asked : if_unit_of(meaning.unit, Quantity::kTime);
   if (asked == Unit::kUnstated && !meaning.foreign_unit.empty()) {
@@ -172,30 +195,60 @@ void choose_zone(const Header& header, const RecordingOptions& options, TimeChoi
   }
 }
 
+bool may_say_day(const std::string& name) {
+  const std::vector<std::string> words = split_words(name);
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return is_one_of("date day datum fecha jour dia giorno", word);
+  });
+}
+
+// Beside times of day, the column of the day, if it is not certain which it is or whether it is
+// one.
+std::optional<Error> doubtful_day(std::string_view text, const Header& header,
+                                  const TimeChoice& time) {
+  const TableLayout& table = header.table();
+  for (std::size_t i = 0; i < table.columns; ++i) {
+    if (i == time.column || header.override_of(Role::kId) == i) continue;
+    const bool named =
+        i < header.size() && (header.meaning(i).role == Role::kDate || may_say_day(table.names[i]));
+    const FirstFields fields = first_fields(text, table, i);
+    const bool day = !fields.empty() &&
+                     (looks_like_iso_time(fields.front()) || looks_like_other_date(fields.front()));
+    if (!named && !day) continue;
+    return missing_column(
+        "times of day are read from " + column_text(table, time.column) + ", and " +
+        column_text(table, i) +
+        " may hold their day; say so with --columns date=" + std::to_string(i + 1) +
+        ", or, if it has nothing to do with them, leave it out of the table");
+  }
+  return std::nullopt;
+}
+
 // Of dates and times, or times of day: whether they are instants, or else what they count from.
 std::optional<Error> settle_wall_times(std::string_view text, const TableLayout& table,
-                                       const std::vector<std::string_view>& times,
-                                       TimeChoice& time) {
+                                       const FirstFields& times, TimeChoice& time) {
   WallTime first;
   const bool clock = time.form == TimeForm::kClock;
   const std::string_view problem =
       clock ? parse_clock(times.front(), first) : parse_wall_time(times.front(), first);
   if (!problem.empty()) {
-    return at_column(ErrorCode::kNotANumber,
-                     excerpt(times.front()) + " is not a time: " + std::string(problem),
-                     time.column);
+    return not_a_time(times, "time", problem);
   }
   std::int64_t day_s = first.seconds - (first.seconds % 86'400 + 86'400) % 86'400;
   if (time.date) {
     const auto days = first_fields(text, table, *time.date);
-    const std::string_view what = days.empty() ? "it is empty" : parse_day(days.front(), day_s);
+    if (days.empty()) {
+      return at_column(ErrorCode::kNotANumber,
+                       column_text(table, *time.date) +
+                           ", the day of the times, is empty; fill it in, or leave it out of the "
+                           "table",
+                       *time.date);
+    }
+    const std::string_view what = parse_day(days.front(), day_s);
     if (!what.empty()) {
-      return at_column(
-          ErrorCode::kNotANumber,
-          (days.empty() ? "the day" : excerpt(days.front())) +
-              " is not a date: " + std::string(what) +
-              "; where there is none, say --columns time=" + std::to_string(time.column + 1),
-          *time.date);
+      return not_a_time(
+          days, "date",
+          std::string(what) + "; if it is no day, leave that column out of the table");
     }
   }
   const bool dated = !clock || time.date;
@@ -277,13 +330,19 @@ Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Heade
   if (!column && found.empty()) return std::optional<TimeChoice>();
   time.column = column ? *column : found.front();
   time.other = other;
-  const std::vector<std::string_view> times = first_fields(text, table, time.column);
+  const FirstFields times = first_fields(text, table, time.column);
   if (!times.empty() && looks_like_iso_time(times.front())) {
     time.form = TimeForm::kDatesAndTimes;
   } else if (!times.empty() && looks_like_clock(times.front())) {
     time.form = TimeForm::kClock;
     time.date = header.override_of(Role::kDate) ? header.override_of(Role::kDate)
                                                 : header.only(Role::kDate);
+    if (!time.date) {
+      if (auto error = doubtful_day(text, header, time)) return *std::move(error);
+    }
+  } else if (!times.empty() && looks_like_other_date(times.front())) {
+    WallTime ignored;
+    return not_a_time(times, "time", parse_wall_time(times.front(), ignored));
   }
   if (time.form != TimeForm::kNumbers) {
     choose_zone(header, options, time);

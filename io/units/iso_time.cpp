@@ -13,8 +13,38 @@ constexpr std::int64_t kNanosPerSecond = 1'000'000'000;
 constexpr std::int64_t kSecondsPerDay = 86'400;
 constexpr std::string_view kForm = "write it as 2024-05-01T12:00:00.25Z";
 
+constexpr std::string_view kOtherDate =
+    "which of its numbers is the day and which the month is not said; write dates with the year "
+    "first, as in 2024-05-01 (pandas: pd.to_datetime(column, dayfirst=True))";
+
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
+}
+
+// How many digits the three numbers of a date have; zeros where it is none: "9/10/15".
+using DateDigits = std::array<std::size_t, 3>;
+
+DateDigits date_digits(std::string_view text) {
+  DateDigits digits = {};
+  char between = '\0';
+  for (std::size_t part = 0; part < digits.size(); ++part) {
+    if (part > 0) {
+      const bool one = !text.empty() && std::string_view("./-").find(text.front()) < 3;
+      if (!one || (part == 2 && text.front() != between)) return {};
+      between = text.front();
+      text.remove_prefix(1);
+    }
+    for (; !text.empty() && is_digit(text.front()); text.remove_prefix(1)) ++digits[part];
+  }
+  return digits;
+}
+
+bool is_short(std::size_t digits) {
+  return digits == 1 || digits == 2;
+}
+
+bool has_year_last(const DateDigits& digits) {
+  return is_short(digits[0]) && is_short(digits[1]) && (digits[2] == 2 || digits[2] == 4);
 }
 
 // Takes things off the front of a text.
@@ -117,8 +147,10 @@ std::string_view parse_date(Front& front, std::int64_t& days) {
   int year = 0;
   int month = 0;
   int day = 0;
-  if (!front.number(4, year) || !front.any_of("-") || !front.number(2, month) ||
-      !front.any_of("-") || !front.number(2, day)) {
+  if (!front.number(4, year)) return kForm;
+  const std::string_view between = front.rest().substr(0, 1);
+  if (!front.any_of("-/") || !front.number(2, month) || !front.any_of(between) ||
+      !front.number(2, day)) {
     return kForm;
   }
   const std::chrono::year_month_day date(std::chrono::year(year),
@@ -159,7 +191,13 @@ double nearest_double(std::int64_t whole, std::int64_t nanos) {
 bool looks_like_iso_time(std::string_view text) {
   Front front(text);
   int year = 0;
-  return front.number(4, year) && front.any_of("-");
+  return front.number(4, year) && front.any_of("-/");
+}
+
+bool looks_like_other_date(std::string_view text) {
+  const DateDigits digits = date_digits(text);
+  const bool year_first = digits[0] == 4 && is_short(digits[1]) && is_short(digits[2]);
+  return year_first || has_year_last(digits);
 }
 
 bool looks_like_clock(std::string_view text) {
@@ -177,7 +215,9 @@ bool looks_like_clock(std::string_view text) {
 std::string_view parse_wall_time(std::string_view text, WallTime& time) {
   Front front(text);
   std::int64_t days = 0;
-  if (const auto problem = parse_date(front, days); !problem.empty()) return problem;
+  if (const auto problem = parse_date(front, days); !problem.empty()) {
+    return problem == kForm && has_year_last(date_digits(text)) ? kOtherDate : problem;
+  }
   if (front.rest().empty()) return "it is a day without a time; write it as 2024-05-01T12:00:00Z";
   if (!front.any_of("Tt ")) return kForm;
   Clock clock;
@@ -214,7 +254,9 @@ std::string_view parse_day(std::string_view text, std::int64_t& seconds) {
   Front front(text);
   std::int64_t days = 0;
   const auto problem = parse_date(front, days);
-  if (problem == kForm || !front.rest().empty()) return "write the day as 2024-05-01";
+  if (problem == kForm || !front.rest().empty()) {
+    return has_year_last(date_digits(text)) ? kOtherDate : "write the day as 2024-05-01";
+  }
   seconds = days * kSecondsPerDay;
   return problem;
 }

@@ -1,4 +1,5 @@
-// Times as ISO 8601 writes them: "2024-05-01T12:00:00.25Z", "2024-05-01 14:00:00,25+02:00".
+// Times as ISO 8601 writes them: "2024-05-01T12:00:00.25Z", "2024-05-01 14:00:00,25+02:00"; dates
+// also with slashes, "2024/05/01".
 #pragma once
 
 #include <cstdint>
@@ -9,6 +10,9 @@ namespace beespace::io {
 
 // Whether the text begins as a date does, so that it is no number.
 bool looks_like_iso_time(std::string_view text);
+
+// Whether it begins with a date, written so or not: "10.09.2015 07:00", "9/10/15", "2015.9.10".
+bool looks_like_other_date(std::string_view text);
 
 // Whether it begins as a time of day does, alone: "07:00:00", "7:00:00.5".
 bool looks_like_clock(std::string_view text);

@@ -1,10 +1,13 @@
-// Time zones by name, "UTC" or "Europe/Madrid", from the zone data of the system, and offsets from
-// UTC that do not change, "+01:00".
+// Time zones by name, "UTC" or "Europe/Madrid", from the zone data of the system (the folder that
+// TZDIR names, or /usr/share/zoneinfo), and offsets from UTC that do not change, "+01:00".
 #pragma once
+
+#include "io/units/zone_data.hpp"
 
 #include <beespace/result.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,16 +30,12 @@ class TimeZone {
   [[nodiscard]] std::int64_t offset_at(std::int64_t since_1970_s) const;
 
  private:
-  TimeZone(std::string name, const void* zone, std::int64_t offset_s)
-      : name_(std::move(name)), zone_(zone), offset_s_(offset_s) {}
-
-  // Of a named zone; null where this program has none, or the system none of that name, of which
-  // `why` tells.
-  static const void* find_named(const std::string& name, std::string& why);
+  TimeZone(std::string name, std::shared_ptr<const ZoneData> zone, std::int64_t offset_s)
+      : name_(std::move(name)), zone_(std::move(zone)), offset_s_(offset_s) {}
 
   std::string name_;
-  const void* zone_;       // null: the offset is always the same
-  std::int64_t offset_s_;  // without a zone
+  std::shared_ptr<const ZoneData> zone_;  // null: the offset is always the same
+  std::int64_t offset_s_;                 // without a zone
 };
 
 // "+02:00" of 7,200 s; "Z" of 0.

@@ -74,6 +74,44 @@ TEST(Coverage, DronesOfAShowAreKnownWhileTheyStandOnTheGround) {
   const Coverage coverage = coverage_of(recording, {}, {5.0, 1.0});
   EXPECT_EQ(coverage.bees_partly, 1U);
   EXPECT_EQ(unknown_times_s(recording, {}), (std::vector<double>{0.0, 0.0, 40.0}));
+  EXPECT_EQ(coverage.bees_in_the_air, 1U);
+  EXPECT_TRUE(coverage.may_hide_conflicts());
+  EXPECT_EQ(unknown_text(coverage),
+            "1 bee known for a part of the recording only (beginning or ending in the air)");
+}
+
+io::RecordedBee curve_at(const std::string& id, double ends_s, double first_m, double last_m) {
+  io::RecordedBee bee;
+  bee.id = id;
+  bee.path = BezierPath{0.0, {0.0, 0.0, first_m}, {{ends_s, {0.0, 0.0, last_m}, {}, 0}}};
+  return bee;
+}
+
+TEST(Coverage, CurvesThatEndInTheAirAreKnownForAPart) {
+  io::Recording recording;
+  recording.show = io::ShowFacts();
+  recording.bees = {curve_at("a", 60.0, 0.0, 0.0), curve_at("b", 20.0, 0.0, 10.0),
+                    curve_at("c", 30.0, 0.0, 0.05)};
+  const Coverage coverage = coverage_of(recording, {}, {5.0, 1.0});
+  EXPECT_EQ(coverage.bees_in_the_air, 1U);
+  EXPECT_EQ(unknown_times_s(recording, {}), (std::vector<double>{0.0, 40.0, 0.0}));
+}
+
+// Where all begin and end is the ground only where the show says so, or near z = 0.
+TEST(Coverage, AShowThatIsInTheAirThroughoutHasNoGround) {
+  io::Recording recording;
+  recording.show = io::ShowFacts();
+  recording.bees = {curve_at("a", 60.0, 10.0, 10.0), curve_at("b", 20.0, 10.0, 10.0)};
+  EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_in_the_air, 1U);
+  recording.bees = {curve_at("a", 60.0, 0.3, 0.3), curve_at("b", 20.0, 0.3, 0.3)};
+  EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_in_the_air, 0U);
+  recording.show->ground_m = 0.0;
+  EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_in_the_air, 1U);
+  recording.show->ground_m.reset();
+  recording.show.reset();
+  const Coverage flight = coverage_of(recording, {}, {5.0, 1.0});
+  EXPECT_EQ(flight.bees_partly, 1U);
+  EXPECT_FALSE(flight.may_hide_conflicts());
 }
 
 TEST(Coverage, NamesTheLongestGapsFirst) {

@@ -46,6 +46,44 @@ TEST(Animals, MovebankIsReadAsItComes) {
                               "at 2015-09-10T07:24:43.779Z"});
 }
 
+// Of one name in two studies, and a metre apart: two animals.
+TEST(Animals, AnimalsOfOneNameInTwoStudiesAreTwo) {
+  const std::string table =
+      "event-id,visible,timestamp,location-long,location-lat,individual-local-identifier,"
+      "study-name\n1,true,2015-09-10 07:00:00.000,9.17,47.7,x,S1\n"
+      "2,true,2015-09-10 07:05:00.000,9.17,47.7,x,S1\n"
+      "3,true,2015-09-10 07:01:00.000,9.17001,47.7,x,S2\n"
+      "4,true,2015-09-10 07:06:00.000,9.17001,47.7,x,S2\n";
+  const Finished finished = run({"replay", "--threshold", "5", "--csv", "--fail-on-risk"}, table);
+  EXPECT_EQ(finished.exit_code, 1);
+  expect_closest(finished, "x", "x (S2)", 1441868460.0, 0.750570);
+  // Beyond memory, too.
+  EXPECT_EQ(
+      run({"replay", "--threshold", "5", "--fail-on-risk", "--memory", "17MB", "--threads", "1"},
+          table)
+          .exit_code,
+      1);
+}
+
+// Outliers are no places: where an animal has no other, nothing is known of it.
+TEST(Animals, AnAnimalOfOutliersOnlyIsNoAllClear) {
+  const std::string header =
+      "event-id,visible,timestamp,location-long,location-lat,individual-local-identifier\n";
+  const std::string seen =
+      "1,true,2015-09-10 07:00:00.000,9.17,47.7,b\n2,true,2015-09-10 07:05:00.000,9.17,47.7,b\n"
+      "1,true,2015-09-10 07:00:00.000,9.18,47.7,c\n2,true,2015-09-10 07:05:00.000,9.18,47.7,c\n";
+  const auto replayed = [&](const std::string& more) {
+    return run({"replay", "--threshold", "5", "--fail-on-risk"}, header + seen + more);
+  };
+  const Finished nowhere = replayed("3,FALSE,2015-09-10 07:00:00.000,9.17,47.7,a\n");
+  EXPECT_EQ(nowhere.exit_code, 1);
+  expect_parts(nowhere.err,
+               {"1 record with visible=false (outliers) is left out", "known nowhere: a"});
+  const Finished one = replayed("3,FALSE,2015-09-10 07:02:00.000,9.17,47.7,c\n");
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  expect_parts(one.err, {"1 record with visible=false (outliers) is left out"});
+}
+
 TEST(Animals, TimesAreToldInTheZoneThatIsAskedFor) {
   const Finished finished =
       run({"replay", table("movebank.csv"), "--threshold", "100", "--time-zone", "+02:00"});
@@ -182,7 +220,7 @@ TEST(Animals, TimesOfDayAloneAreOfOneDay) {
   const Finished midnight = run({"replay"}, "time,id,x_m,y_m\n23:59:59,a,0,0\n00:00:01,a,2,0\n");
   EXPECT_EQ(midnight.exit_code, 3);
   expect_parts(midnight.err,
-               {"<stdin>:3:1: ", "as if midnight had passed", "column with the date"});
+               {"<stdin>:3:1: ", "as if another day had begun", "column with the date"});
 }
 
 // An hour that clocks show twice, or never, is not guessed.

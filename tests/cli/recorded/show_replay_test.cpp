@@ -53,6 +53,40 @@ TEST_F(ShowReplay, AShowThatKeepsTheDistanceThatItDeclaresIsFine) {
                 "verdict    keeps its distance\n", "closest    left and right, 3.000 m apart at "});
 }
 
+// Where it is after the end of its path is not known: it may be in the way of the other.
+TEST_F(ShowReplay, ADroneWhosePathEndsInTheAirIsNoAllClear) {
+  const std::string show =
+      R"({"version": 1, "settings": {}, "swarm": {"drones": [)" + flight("left", "0") + "," +
+      drone("right", "[0, [0, 30, 0], []], [2, [0, 30, 10], []], [5, [0, 9, 10], []]") + "]}}";
+  const Finished finished = replay(show, {"--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 1);
+  expect_parts(finished.err,
+               {"verdict    no conflict in the known time; 1 bee known for a part of the recording "
+                "only (beginning or ending in the air)\n",
+                "before the first or after the last fix, for 9 s in all\n"});
+  const Finished verified = run({"verify", folder_.file("show.json", show)});
+  EXPECT_EQ(verified.exit_code, 1);
+  expect_parts(verified.err,
+               {"verdict    not seen as a whole: holds in the known time; 1 bee known "
+                "for a part of the recording only"});
+}
+
+TEST_F(ShowReplay, TablesThatEndInTheAirAreNoAllClearHoweverTheyAreRead) {
+  const std::string header = "Time_msec,x_m,y_m,z_m,Red,Green,Blue\n";
+  const std::string left =
+      folder_.file("left.csv", header + "0,0,0,0,0,0,0\n2000,0,0,10,0,0,0\n4000,0,0,0,0,0,0\n");
+  const auto exit_code = [&](const std::string& height, const Arguments& more) {
+    const std::string right =
+        folder_.file("right.csv", header + "0,0,30,0,0,0,0\n1500,0,30,10,0,0,0\n3000,0,30," +
+                                      height + ",0,0,0\n");
+    return run(Arguments{"replay", left, right, "--fail-on-risk"} + more).exit_code;
+  };
+  for (const Arguments& more : {Arguments{}, Arguments{"--memory", "17MB", "--threads", "1"}}) {
+    EXPECT_EQ(exit_code("0", more), 0);
+    EXPECT_EQ(exit_code("5", more), 1);
+  }
+}
+
 TEST_F(ShowReplay, AShowThatDoesNotKeepItFails) {
   const Finished finished = replay(declaring("3.5"), {"--fail-on-risk"});
   EXPECT_EQ(finished.exit_code, 1);

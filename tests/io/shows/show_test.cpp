@@ -225,5 +225,30 @@ TEST(Show, MayStandBesideTables) {
   EXPECT_EQ(recording.format_description, "several formats");
 }
 
+// A path that no drone has, as where one was left out of the list, is not passed over in silence.
+TEST(Show, WhatNothingLeadsToIsSaid) {
+  const std::string list = show(drone("a", R"({"$ref": "./drones/a/trajectory.json#"})"));
+  const Members members = {{"show.json", list},
+                           {"drones/a/trajectory.json", kTrajectory},
+                           {"drones/a/lights.json", "{}"}};
+  const Recording all = recording_of(load_recording_from_memory(zipped(members), "show.skyc"));
+  EXPECT_FALSE(has_note(all, "an archive"));
+  Members more = members;
+  more.emplace_back("drones/b/trajectory.json", kTrajectory);
+  const Recording some = recording_of(load_recording_from_memory(zipped(more), "show.skyc"));
+  EXPECT_TRUE(has_note(some,
+                       "of show.skyc, an archive, what its show.json leads to is read: "
+                       "'drones/b/trajectory.json' is left out"));
+}
+
+TEST(Show, ItsGroundIsItsLowestPlace) {
+  const auto ground_of = [](const std::string& more) {
+    const auto recording = recording_of(load_show(show(drone("a", kTrajectory, more))));
+    return recording.show ? recording.show->ground_m.value_or(-99.0) : -99.0;
+  };
+  EXPECT_EQ(ground_of(""), 0.0);
+  EXPECT_EQ(ground_of(R"(, "home": [0, 0, -2])"), -2.0);
+}
+
 }  // namespace
 }  // namespace beespace::io

@@ -54,6 +54,50 @@ TEST(BadTrack, TheUnitOfTimeIsNotGuessed) {
                {ErrorCode::kUnsupportedFormat, "bees.csv:1:2", "is in 'min'; convert it first"});
 }
 
+// What is wrong is the first value, not the header.
+TEST(BadTrack, ATimeThatIsWrongInTheFirstRecordIsNamedWithItsLine) {
+  expect_error(record("# a comment\nid,time,x,y,z\n\na,2015-09-10,1,2,3\n"),
+               {ErrorCode::kNotANumber, "bees.csv:4:2",
+                "'2015-09-10' is not a time: it is a day without a time"});
+  expect_error(record("id,date,time,x,y,z\na,yesterday,07:00:00,1,2,3\n"),
+               {ErrorCode::kNotANumber, "bees.csv:2:2", "write the day as 2024-05-01"});
+  expect_error(record("id,time,x,y,z\na,10.09.2015 07:00:00,1,2,3\n"),
+               {ErrorCode::kNotANumber, "bees.csv:2:2",
+                "which of its numbers is the day and which the month is not said; write dates "
+                "with the year first"});
+  expect_error(record("id,date,time,x,y,z\na,9/10/2015,07:00:00,1,2,3\n"),
+               {ErrorCode::kNotANumber, "bees.csv:2:2", "which the month is not said"});
+  EXPECT_EQ(times_of(recording_of(record("id,time,x_m,y_m,z_m\n"
+                                         "a,2015/09/10 07:00:00Z,1,2,3\n"))
+                         .bees[0])[0],
+            1441868400.0);
+}
+
+// The day of a time of day is not left out because its column has a name that is not known.
+TEST(BadTrack, ADayBesideTimesOfDayIsNotIgnored) {
+  const std::string rows = "\na,07:00:00,1,2,3,10.09.2015\na,07:00:00,1,2,3,11.09.2015\n";
+  expect_error(record("id,time,x_m,y_m,z_m,Tag" + rows),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "column 6 'Tag' may hold their day; say so with --columns date=6"});
+  expect_error(record("id,time,x_m,y_m,z_m,obs_date\na,07:00:00,1,2,3,\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1", "column 6 'obs_date' may hold their day"});
+  expect_error(record("id,date,utc_date,time,x_m,y_m,z_m\na,2015-09-10,2015-09-10,07:00:00,1,2,3"),
+               {ErrorCode::kMissingColumn, "bees.csv:1", "may hold their day"});
+}
+
+// Hours later, or a night that was left out.
+TEST(BadTrack, TimesOfDayThatGoBackMayBeOfAnotherDay) {
+  const std::string header = "id,time,x_m,y_m,z_m\n";
+  expect_error(record(header + "a,20:00:00,1,2,3\nb,09:00:00,1,2,3\na,10:00:00,9,2,3\n"),
+               {ErrorCode::kTimeOrder, "bees.csv:4:2",
+                "the times of day of bee 'a' go back here, as if another day had begun"});
+  const TemporaryFolder folder;
+  const std::string first = folder.write("1.csv", header + "a,07:00:00,1,2,3\na,08:00:00,1,2,3\n");
+  const std::string second = folder.write("2.csv", header + "a,07:30:00,1,2,3\na,08:30:00,1,2,3\n");
+  expect_error(load_recording({first, second}),
+               {ErrorCode::kTimeOrder, second + ":2:2", "go back"});
+}
+
 TEST(BadTrack, ATimeInTwoUnitsIsATimeWhoseUnitIsAskedFor) {
   for (const std::string name : {"time_s_ms", "Time [us] [ms]", "timestamp_ms_ns"}) {
     const std::string text = "id," + name + ",x,y,z\na,0,1,2,3\na,1000,1,2,3\n";

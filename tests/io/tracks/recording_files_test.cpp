@@ -108,6 +108,21 @@ TEST(RecordingFiles, FilesMustAgreeOnWhatTimesAre) {
                {ErrorCode::kMissingColumn, snapshot, "there is no time here, but one in"});
 }
 
+TEST(RecordingFiles, WhatOfAnArchiveIsNotReadIsSaid) {
+  const Recording recording =
+      recording_of(load_recording_from_memory(zipped({{"1.csv", std::string(kTwoBees)},
+                                                      {"more/b.json", "{}"},
+                                                      {"__MACOSX/._1.csv", "x"},
+                                                      {"read.me", "x"}}),
+                                              "bees.zip"));
+  EXPECT_TRUE(has_note(recording,
+                       "of bees.zip, an archive, the tables are read: 'more/b.json' and 1 more are "
+                       "left out"));
+  const Recording all = recording_of(
+      load_recording_from_memory(zipped({{"1.csv", std::string(kTwoBees)}}), "bees.zip"));
+  EXPECT_FALSE(has_note(all, "left out"));
+}
+
 TEST(RecordingFiles, AHeightThatOneFileLacksIsNotZero) {
   const TemporaryFolder folder;
   const std::string space = folder.write("1.csv", kTwoBees);

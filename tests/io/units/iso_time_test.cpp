@@ -86,6 +86,27 @@ TEST(IsoTime, OtherFormsAreRefusedAndTheRightOneIsShown) {
   EXPECT_NE(problem_of("2024-05-01").find("a day without a time"), std::string::npos);
 }
 
+TEST(IsoTime, SlashesMayStandBetweenYearMonthAndDay) {
+  EXPECT_EQ(seconds_of("2024/05/01 12:00:00Z"), 1714564800.0);
+  EXPECT_NE(problem_of("2024/05-01 12:00:00Z").find("write it as"), std::string::npos);
+  EXPECT_TRUE(looks_like_iso_time("2024/05/01 12:00:00"));
+}
+
+// 10.09.2015 is a day in September, or one in October.
+TEST(IsoTime, WhereTheYearIsLastDayAndMonthAreNotGuessed) {
+  for (const std::string_view text : {"10.09.2015 07:00:00", "9/10/2015 07:00:00Z", "10-9-15"}) {
+    EXPECT_TRUE(looks_like_other_date(text)) << text;
+    EXPECT_NE(problem_of(text).find("which of its numbers is the day and which the month"),
+              std::string::npos)
+        << text;
+  }
+  EXPECT_TRUE(looks_like_other_date("2015.09.10"));
+  for (const std::string_view text :
+       {"", "1.5", "10.09", "10.09/2015", "123.4.5", "1.2.345", "-1"}) {
+    EXPECT_FALSE(looks_like_other_date(text)) << text;
+  }
+}
+
 TEST(IsoTime, IsDistinguishedFromNumbersByItsYear) {
   EXPECT_TRUE(looks_like_iso_time("2024-05-01T12:00:00Z"));
   EXPECT_TRUE(looks_like_iso_time("2024-"));
