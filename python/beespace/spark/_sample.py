@@ -57,8 +57,8 @@ class Sampler:
         self.partition = partition
         self.rows = 0
         self.below = _ALL_KEYS  # all points whose keys are not above this are there
-        self.keys = [np.empty(0, np.uint64)]
-        self.points = [np.empty((0, width))]
+        self.keys: list[NDArray[np.uint64]] = [np.empty(0, np.uint64)]
+        self.points: list[NDArray[np.float64]] = [np.empty((0, width))]
         self.count = 0
 
     def add(self, keys: NDArray[np.uint64], points: NDArray[np.float64]) -> None:
