@@ -144,9 +144,9 @@ _beespace() {
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
-        --compare | --fleet-log | -o | --output) files=yes ;;
+        --compare | --fleet-log | --obstacles | -o | --output) files=yes ;;
         --columns | --time-zone | --fps | --scale | --units | --tolerance | --threshold | --vertical | --threads) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --output --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --time-zone --fps --scale --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --obstacles --output --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     view)
@@ -156,9 +156,9 @@ _beespace() {
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
-        --compare | --fleet-log) files=yes ;;
+        --compare | --fleet-log | --obstacles) files=yes ;;
         --columns | --time-zone | --fps | --scale | --units | --tolerance | --threshold | --vertical | --threads | --port) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --no-open --port --json --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --time-zone --fps --scale --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --obstacles --no-open --port --json --quiet --help --version' files=yes ;;
       esac
       ;;
     plot)

@@ -127,6 +127,9 @@ TEST_P(CompiledShow, ThePageHasItsLimitsAndCues) {
   EXPECT_EQ(run({"report", show_file(GetParam()), "--output", page}).exit_code, 0);
   expect_parts(folder.read("ring.html"),
                {R"("limits":{"horizontal_mps":8,"climb_mps":3,"descent_mps":2.4,"height_m":120})",
+                R"("limits_kept":{"count":1,"greatest":[{"limit":"horizontal","most":8,)",
+                R"({"limit":"descent","most":2.4,"value":2.5,"bee":0,"time_s":19},)",
+                R"("excesses":[{"limit":2,"bee":0,"begins_s":16,"ends_s":22,"value":2.5,)",
                 R"({"time_s":8,"name":"Ring"})"});
 }
 #endif

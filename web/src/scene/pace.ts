@@ -1,8 +1,8 @@
 // How many of a large crowd are drawn while it moves: as many as this machine draws in time.
 
-/** Frames that take longer do not feel like movement; from frames that take less there is room for more. */
-const kLongest_ms = 80;
-const kShortest_ms = 30;
+/** Frames that take longer do not feel like movement: twenty a second do. From frames that take less there is room for more. */
+const kLongest_ms = 50;
+const kShortest_ms = 20;
 /** Fewer than so many are never drawn for speed. */
 const kFewest = 10000;
 /** So many frames have a say before the share changes. */
