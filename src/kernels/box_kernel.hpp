@@ -123,7 +123,7 @@ template <bool Weighted>
     any |= within & ~near;
   }
   for (std::uint32_t half = 0; half < 2; ++half) {
-    auto& of_half = *reinterpret_cast<LooseNumbers*>(leaves.of_others + half * kHalf);
+    LooseNumbers& of_half = *reinterpret_cast<LooseNumbers*>(leaves.of_others + half * kHalf);
     of_half += __builtin_convertvector(of_others[half], Numbers);
   }
   return any != 0;
@@ -134,8 +134,31 @@ inline bool count_either(const BoxLeaves& leaves, const BoxLimits& limits) {
                                          : count<true>(leaves, limits);
 }
 
+// Lane by lane, which compilers make one instruction of.
+[[gnu::always_inline]] inline Doubles roots(const Doubles& values) {
+  Doubles result;
+  for (std::uint32_t lane = 0; lane < kHalf; ++lane) result[lane] = __builtin_sqrt(values[lane]);
+  return result;
+}
+
+inline void least_squares(const PlaceAroundCentre& place, const core::ShellRow& row,
+                          double* least) {
+  const double squared = place.squared * (1.0 - 0x1p-44);
+  for (std::uint32_t half = 0; half < kBoxLanes; half += kHalf) {
+    const Doubles along = load(row.towards[0] + half) * place.at[0] +
+                          load(row.towards[1] + half) * place.at[1] +
+                          load(row.towards[2] + half) * place.at[2];
+    const Doubles across =
+        larger(Doubles{}, place.squared - along * along) + place.squared * 0x1p-48;
+    const Doubles most = larger(along * load(row.low + half), along * load(row.high + half)) +
+                         roots(across) * load(row.aside + half);
+    const Doubles bound = load(row.least + half) + squared - 2.0 * most;
+    *reinterpret_cast<LooseDoubles*>(least + half) = bound;
+  }
+}
+
 // NOLINTNEXTLINE(misc-definitions-in-headers): in an unnamed namespace, once in each kernel
-constexpr BoxKernels kKernels{look, count_either};
+constexpr BoxKernels kKernels{look, count_either, least_squares};
 
 }  // namespace
 }  // namespace beespace::cpu

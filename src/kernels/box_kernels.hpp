@@ -8,6 +8,7 @@
 #pragma once
 
 #include "kernels/sweep.hpp"
+#include "tree/shell_tree.hpp"
 
 #include <cstdint>
 
@@ -50,11 +51,20 @@ struct BoxLeaves {
   std::uint16_t* unsure;     // is written for these lanes: a bit for each of the others
 };
 
+// A place, seen from the centre of a ShellTree, and the square of its distance from it.
+struct PlaceAroundCentre {
+  double at[3];
+  double squared;
+};
+
 struct BoxKernels {
   BoxesAround (*look)(const double* low, const double* high, const BoxRow& row,
                       const BoxLimits& limits);
   // Returns whether any pair is unsure; such pairs are not counted.
   bool (*count)(const BoxLeaves& leaves, const BoxLimits& limits);
+  // Writes for each child, by lane, what the squared distances of its points from the place are at
+  // least; maybe below zero.
+  void (*least_squares)(const PlaceAroundCentre& place, const core::ShellRow& row, double* least);
 };
 
 const BoxKernels& box_kernels(InstructionSet set);

@@ -330,6 +330,7 @@ template <class Lanes>
     const std::size_t child = visit.index * kFanOut + visit.take_nearest();
     if (!is_worth_it(tree, *visit.node, level, child, list)) continue;
     if (is_vague && !may_hold_nearer(tree.boxes[level][child], place, list)) continue;
+    if (level == 0) ++list.leaves;
     if (level == 0 && visit.is_far) {
       offer_far_leaf(tree, place, visit.far, visit.squared_reach(list), child, list);
     } else if (level == 0) {

@@ -7,12 +7,15 @@
 #include "exact/exact_distance.hpp"
 #include "kernels/tree_walk.hpp"
 #include "search/k_nearest_search.hpp"
+#include "search/shell_walk.hpp"
+#include "tree/middle_of_shell.hpp"
 #include "tree/nearest_list.hpp"
 #include "tree/point_tree.hpp"
 #include "tree/point_tree_order.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace beespace::search {
@@ -33,10 +36,17 @@ class Queries {
     const PointsView places(std::span<const Point>(places_.data(), size_));
     core::Buffer<core::TreeLeaf> leaves(with.memory, (size_ + core::kFanOut - 1) / core::kFanOut);
     core::Buffer<Point> slots(with.memory, size_);
-    order_ = core::point_tree_order(places, *core::measure(places, with), with, leaves, slots);
+    const core::Bounds bounds = *core::measure(places, with);
+    order_ = core::point_tree_order(places, bounds, with, leaves, slots);
+    const auto middle = [&](std::size_t axis) {
+      return bounds.low[axis] + (bounds.high[axis] - bounds.low[axis]) / 2;
+    };
+    middle_ = {middle(0), middle(1), middle(2)};
   }
 
   [[nodiscard]] std::size_t size() const { return size_; }
+  // Of the box around all.
+  [[nodiscard]] const Point& middle() const { return middle_; }
   [[nodiscard]] PointId id(std::size_t slot) const { return id_of(order_[slot]); }
   [[nodiscard]] const Point& place(std::size_t slot) const { return places_[order_[slot]]; }
 
@@ -49,6 +59,7 @@ class Queries {
   std::size_t size_;
   core::Buffer<Point> places_;
   core::Buffer<std::uint32_t> order_;
+  Point middle_;
 };
 
 // Between two sets.
@@ -59,32 +70,76 @@ class TreeSearch {
       : others_(others),
         farthest_(within ? within->threshold_m * kMore : std::numeric_limits<double>::infinity()),
         tree_(others_, *core::measure(others_, with), with),
-        walks_(cpu::tree_walks(tuning.instruction_set)) {}
+        set_(tuning.instruction_set),
+        walks_(cpu::tree_walks(set_)) {}
+
+  // Looks which way to find the others is the shorter one, in the middle of a shell or not, unless
+  // it is chosen.
+  void prepare(const Queries& queries, const core::Resources& with,
+               TuningOverrides::Nearest chosen) {
+    const bool forced = chosen == TuningOverrides::Nearest::kShells;
+    const std::size_t boxes = forced ? 0 : leaves_looked_at(queries, with);
+    if (!forced && boxes <= kManyLeaves * kDrawn) return;
+    const Point middle =
+        core::middle_of_shell(others_, queries.middle()).value_or(queries.middle());
+    shells_.emplace(others_, middle, set_, with);
+    if (!forced && 2 * leaves_looked_at(queries, with) > boxes) shells_.reset();
+  }
 
   void answer(const Queries& queries, std::size_t begin, std::size_t end, core::Memory& memory,
               std::vector<Nearest>& nearest) const {
     core::NearestList list(&memory);
     Nearest found;  // of the query before
     for (std::size_t slot = begin; slot < end && !core::is_stopping(); ++slot) {
-      const Point& place = queries.place(slot);
-      double reach_m = farthest_;
-      if (found.id != Nearest::kNone) {
-        reach_m = std::min(reach_m, distance(place, others_[found.id]) * kMore);
-      }
-      list.start(place, 1, reach_m);
-      walks_.find_nearest(tree_.view(), place, list);
-      if (list.write(&found) == 0) found = {};
+      find(queries.place(slot), list, found);
       nearest[queries.id(slot)] = found;
     }
   }
 
  private:
   static constexpr double kMore = 1.0 + 0x1p-48;  // distances are off by a few 2^-53
+  // Of an even swarm, a query looks at some ten leaves.
+  static constexpr std::size_t kDrawn = 32;
+  static constexpr std::size_t kManyLeaves = 64;
+
+  // Starts from what is near to a place nearby, and becomes what is near to this one.
+  void find(const Point& place, core::NearestList& list, Nearest& found) const {
+    double reach_m = farthest_;
+    if (found.id != Nearest::kNone) {
+      reach_m = std::min(reach_m, distance(place, others_[found.id]) * kMore);
+    }
+    list.start(place, 1, reach_m);
+    if (shells_) {
+      shells_->find_nearest(place, list);
+    } else {
+      walks_.find_nearest(tree_.view(), place, list);
+    }
+    if (list.write(&found) == 0) found = {};
+  }
+
+  // For some of the queries. The first of two is only there for the second to start from.
+  [[nodiscard]] std::size_t leaves_looked_at(const Queries& queries,
+                                             const core::Resources& with) const {
+    if (queries.size() < 4 * kDrawn) return 0;
+    core::NearestList list(&with.memory);
+    std::size_t leaves = 0;
+    for (std::size_t i = 0; i < kDrawn; ++i) {
+      const std::size_t slot = queries.size() * i / kDrawn;
+      Nearest found;
+      find(queries.place(slot), list, found);
+      const std::size_t before = list.leaves;
+      find(queries.place(slot + 1), list, found);
+      leaves += list.leaves - before;
+    }
+    return leaves;
+  }
 
   const PointsView others_;
   double farthest_;
   core::PointTree tree_;
+  cpu::InstructionSet set_;
   cpu::TreeWalks walks_;
+  std::optional<ShellWalk> shells_;
 };
 
 void find_in_one_set(const PointsView& points, const core::Resources& with,
@@ -108,7 +163,8 @@ void find_nearest_in_tree(const SearchDomain& domain, std::span<const PointId> a
   const PointsView others = domain.original_others();
   if (domain.has_others()) {
     const Queries queries(points, asked, with);
-    const TreeSearch search(others, within, with, tuning);
+    TreeSearch search(others, within, with, tuning);
+    search.prepare(queries, with, tuning.nearest);
     cpu::schedule(with.crew, queries.size(), kAtOnce,
                   [&](std::size_t begin, std::size_t end, unsigned worker) {
                     search.answer(queries, begin, end, with.memory.of(worker), nearest);

@@ -54,7 +54,10 @@ class NearestSearch {
     }
     double radius = std::min(domain_.side_with_some() * kFirstRadius, farthest_);
     if (radius == 0.0) radius = std::min(1.0, farthest_);  // all asked and others at one place
-    if (tuning_.nearest == TuningOverrides::Nearest::kTree) return look_in_tree();
+    if (tuning_.nearest == TuningOverrides::Nearest::kTree ||
+        tuning_.nearest == TuningOverrides::Nearest::kShells) {
+      return look_in_tree();
+    }
     for (;;) {
       if (!look_within(radius, all_open)) return look_in_tree();
       settle(radius, all_open);

@@ -19,8 +19,8 @@ struct TuningOverrides {
   enum class Crowds : std::uint8_t { kAutomatic, kNever, kAlways };
 
   // Where the nearest are looked for: in grids of growing cells, in a tree, or in a tree what grids
-  // would be too much work for.
-  enum class Nearest : std::uint8_t { kAutomatic, kGrids, kTree };
+  // would be too much work for; and there, between two sets, as if the others lay on a shell.
+  enum class Nearest : std::uint8_t { kAutomatic, kGrids, kTree, kShells };
 
   Method method = Method::kAutomatic;
   Crowds crowds = Crowds::kAutomatic;

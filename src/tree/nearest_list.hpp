@@ -47,7 +47,8 @@ class NearestList {
   // larger square can be taken any more.
   double largest_squared = 0.0;
   std::size_t most = 0;
-  bool is_full = false;  // whether as many were found
+  bool is_full = false;    // whether as many were found
+  std::size_t leaves = 0;  // how many leaves walks have looked at, from the first list on
 
  private:
   struct Candidate {

@@ -195,6 +195,10 @@ std::vector<Variant> forced_trees() {
                               Question::kCounts,         Question::kCountsBetween,
                               Question::kGroups};
     }
+    tuning.nearest = TuningOverrides::Nearest::kShells;
+    all.push_back(forced(std::string(cpu::name_of(set)) + "Shells", tuning, 2));
+    all.back().questions = {Question::kNearestBetween, Question::kNearestWithinBetween,
+                            Question::kClosestPairBetween};
   }
   return all;
 }
