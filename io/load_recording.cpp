@@ -20,6 +20,7 @@
 #include "io/shows/show_documents.hpp"
 #include "io/shows/show_reading.hpp"
 #include "io/tracks/json_table.hpp"
+#include "io/tracks/pose_table.hpp"
 #include "io/tracks/track_table.hpp"
 #include "io/tracks/wide_table.hpp"
 
@@ -214,6 +215,10 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
         "this is no Skybrush show: neither a zip archive nor a JSON object; name the .skyc "
         "file",
         {}};
+  }
+  if (format == RecordingFormat::kAuto) {
+    const std::string_view text = without_byte_order_mark(content->view);
+    if (is_pose_table(text)) return read_pose_table(text, stem_of(path), assembly);
   }
   if (format == RecordingFormat::kAuto && options_name_no_columns(assembly)) {
     const std::string_view text = without_byte_order_mark(content->view);

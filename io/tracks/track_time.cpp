@@ -9,7 +9,7 @@
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/table/table_sources.hpp"
-#include "io/tracks/track_aircraft.hpp"
+#include "io/tracks/first_fields.hpp"
 #include "io/units/iso_time.hpp"
 
 #include <algorithm>
@@ -19,44 +19,6 @@
 
 namespace beespace::io {
 namespace {
-
-struct FirstFields {
-  std::vector<std::string_view> texts = {};
-  ErrorLocation first = {};  // where the first of them is: its line, record and column
-
-  [[nodiscard]] bool empty() const { return texts.empty(); }
-  [[nodiscard]] std::string_view front() const { return texts.front(); }
-};
-
-// The fields of a column in the first records, those that are there.
-FirstFields first_fields(std::string_view text, const TableLayout& table, std::size_t column) {
-  constexpr std::uint64_t kLookedAt = 16;
-  FirstFields found;
-  found.first.column = column + 1;
-  std::size_t offset = table.data_offset;
-  std::uint64_t record = 0;
-  for (std::uint64_t i = 0; i < kLookedAt && offset < text.size(); ++i) {
-    const Line line = line_at(text, offset, table.line_end);
-    offset = line.next;
-    if (has_comment_sign(line.text) || is_blank_line(line.text)) continue;
-    ++record;
-    if (line.text.size() > kLongestLine) continue;
-    const auto field = without_padding(field_at(line.text, table.delimiter, column).text);
-    if (is_unknown(field)) continue;
-    if (found.empty()) {
-      found.first.line = table.lines_before + i + 1;
-      found.first.record = record - 1;
-    }
-    found.texts.push_back(field);
-  }
-  return found;
-}
-
-Error not_a_time(const FirstFields& fields, std::string_view what, std::string_view why) {
-  return {ErrorCode::kNotANumber,
-          excerpt(fields.front()) + " is not a " + std::string(what) + ": " + std::string(why),
-          fields.first};
-}
 
 // The unit in which all of them are times since 1970; kUnstated where there is none.
 Unit common_unit(const FirstFields& times) {
@@ -232,7 +194,7 @@ std::optional<Error> settle_wall_times(std::string_view text, const TableLayout&
   const std::string_view problem =
       clock ? parse_clock(times.front(), first) : parse_wall_time(times.front(), first);
   if (!problem.empty()) {
-    return not_a_time(times, "time", problem);
+    return not_a("time", times, problem);
   }
   std::int64_t day_s = first.seconds - (first.seconds % 86'400 + 86'400) % 86'400;
   if (time.date) {
@@ -246,9 +208,8 @@ std::optional<Error> settle_wall_times(std::string_view text, const TableLayout&
     }
     const std::string_view what = parse_day(days.front(), day_s);
     if (!what.empty()) {
-      return not_a_time(
-          days, "date",
-          std::string(what) + "; if it is no day, leave that column out of the table");
+      return not_a("date", days,
+                   std::string(what) + "; if it is no day, leave that column out of the table");
     }
   }
   const bool dated = !clock || time.date;
@@ -342,7 +303,7 @@ Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Heade
     }
   } else if (!times.empty() && looks_like_other_date(times.front())) {
     WallTime ignored;
-    return not_a_time(times, "time", parse_wall_time(times.front(), ignored));
+    return not_a("time", times, parse_wall_time(times.front(), ignored));
   }
   if (time.form != TimeForm::kNumbers) {
     choose_zone(header, options, time);
