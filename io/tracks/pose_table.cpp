@@ -288,7 +288,8 @@ std::optional<Error> read_pose_table(std::string_view text, const std::string& s
     return Error{ErrorCode::kNoPoints, "there are rows that name columns and none after them", {}};
   }
   if (options.progress != nullptr) options.progress->total += records.text.size();
-  auto layout = choose_track_layout(layout_of(*pose, dimensions), records.text, options, true);
+  auto layout =
+      choose_track_layout(layout_of(*pose, dimensions), records.text, options, SeenRecords::kWhole);
   if (!layout) {
     Error error = std::move(layout).error();
     error.location.column.reset();
