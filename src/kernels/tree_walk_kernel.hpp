@@ -176,10 +176,9 @@ template <class Lanes>
 
 constexpr float kProbable = 0.04F;  // NOLINT(misc-definitions-in-headers)
 
-// Below these squares of a radius in the frame of a node, the slack of its floats may hide most of
-// what lies beyond: then doubles are asked.
-constexpr double kVague = 0x1p-14;       // NOLINT(misc-definitions-in-headers)
-constexpr double kVagueAbove = 0x1p+10;  // NOLINT(misc-definitions-in-headers): above level 0
+// Below this, relative to how far the place is in the frame of a node, or to 1, the slack of floats
+// may hide much of what lies beyond a radius: then doubles are asked. (A square.)
+constexpr double kVague = 0x1p-30;  // NOLINT(misc-definitions-in-headers)
 
 // How far a box is on an axis, rounded as the distance of its border.
 [[gnu::always_inline]] inline double gap_of(double low, double high, double at) {
@@ -220,6 +219,7 @@ struct Visit {
   FarPlace<Lanes> far;
   const TreeNode* node;
   double squared_scale;
+  double vague_below;  // squares of a radius, in the frame
   std::size_t index;
   std::uint32_t left;
   bool is_far;
@@ -232,6 +232,11 @@ struct Visit {
     squared_scale = node->scale * node->scale;
     left = 0xFFFF;
     is_sharp = false;
+    const double x = place.x - node->origin[0];
+    const double y = place.y - node->origin[1];
+    const double z = place.z - node->origin[2];
+    const double squared = (x * x + y * y + z * z) * squared_scale;
+    vague_below = kVague * (squared > 1.0 ? squared : 1.0);
     is_far = far.enter(*node, is_bottom, place);
     local = LocalPlace<Lanes>(*node, place);
     (is_far ? far.least(*node) : local.gaps(*node)).store(gaps);
@@ -241,7 +246,7 @@ struct Visit {
   [[gnu::always_inline]] bool is_vague(const TreeView& tree, unsigned level, const Point& place,
                                        const core::NearestList& list) {
     if (is_far || is_sharp) return true;
-    if (squared_reach(list) >= (level == 0 ? kVague : kVagueAbove)) return false;
+    if (squared_reach(list) >= vague_below) return false;
     is_sharp = true;
     for (std::uint32_t some = left; some != 0; some &= some - 1) {
       const unsigned child = first_bit(some);

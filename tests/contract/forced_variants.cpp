@@ -195,6 +195,16 @@ std::vector<Variant> forced_trees() {
                               Question::kCounts,         Question::kCountsBetween,
                               Question::kGroups};
     }
+  }
+  return all;
+}
+
+std::vector<Variant> forced_shells() {
+  std::vector<Variant> all;
+  for (const cpu::InstructionSet set : cpu::kInstructionSets) {
+    if (!cpu::is_available(set)) continue;
+    TuningOverrides tuning;
+    tuning.instruction_set = set;
     tuning.nearest = TuningOverrides::Nearest::kShells;
     all.push_back(forced(std::string(cpu::name_of(set)) + "Shells", tuning, 2));
     all.back().questions = {Question::kNearestBetween, Question::kNearestWithinBetween,

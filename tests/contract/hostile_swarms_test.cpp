@@ -125,6 +125,7 @@ std::vector<Inquiry> inquiries_about(const std::vector<Subject>& subjects) {
 
 void expect_answers_of_brute_force(const std::vector<Subject>& subjects) {
   std::vector<Variant> variants = forced_trees();
+  for (Variant& variant : forced_shells()) variants.push_back(std::move(variant));
   for (Variant& variant : forced_crowds()) variants.push_back(std::move(variant));
   variants.push_back(engine_with_threads(1));
   variants.push_back(engine_with_threads(3));

@@ -49,6 +49,8 @@ std::vector<Variant> forced_kernels();
 std::vector<Variant> forced_crowds();
 std::vector<Variant> forced_methods();
 std::vector<Variant> forced_trees();
+// As if the others lay on a shell: slow where many do not.
+std::vector<Variant> forced_shells();
 
 // All variants that are compared with brute force on every inquiry. Here several workers run on one
 // thread: real threads would spend their time waking each other up; they are tested on large
