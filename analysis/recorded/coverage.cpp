@@ -5,6 +5,7 @@
 #include "io/bytes/number_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -23,8 +24,11 @@ std::pair<double, double> whole_time(const io::Recording& recording) {
   return time;
 }
 
-// A drone of a show that begins and ends here stands there before and after.
+// A drone of a show that begins and ends here stands there before and after. Logs are less exact.
 constexpr double kGroundTolerance_m = 0.1;
+constexpr double kLoggedTolerance_m = 1.0;
+// Whoever takes off or lands goes up and down.
+constexpr double kMostAtRest_mps = 0.5;
 
 // The lowest height at which a bee begins or ends.
 double ground_of(const io::Recording& recording) {
@@ -36,24 +40,53 @@ double ground_of(const io::Recording& recording) {
   return lowest_m;
 }
 
-// How long each bee is not known before its first fix and after its last one: a drone of a show not
-// while it stands on the ground.
-std::vector<double> outside_s(const io::Recording& recording) {
+// Drones in metres take off and land where others do. What is seen from afar, or in a plane, comes
+// and goes.
+bool may_be_cut_off(const io::Recording& recording) {
+  if (recording.show) return true;
+  if (recording.frame != io::Frame::kMetres || recording.flat) return false;
+  return std::any_of(recording.bees.begin(), recording.bees.end(), [](const auto& bee) {
+    return !bee.fixes.empty() &&
+           (bee.fixes.front().position.z != 0.0 || bee.fixes.back().position.z != 0.0);
+  });
+}
+
+// Whether it goes nowhere over ground from one fix to the next, or the other way round.
+bool rests(const Fix& from, const Fix& to) {
+  const double apart_m =
+      std::hypot(to.position.x - from.position.x, to.position.y - from.position.y);
+  return apart_m <= kMostAtRest_mps * std::abs(to.time_s - from.time_s);
+}
+
+// How long a bee is not known before its first fix and after its last one, and whether it was in
+// the air then.
+struct Outside {
+  double seconds = 0.0;
+  bool cut_off = false;
+};
+
+// A drone of a show is known while it stands on the ground.
+std::vector<Outside> outside_of(const io::Recording& recording) {
   const auto whole = whole_time(recording);
   const double ground_m = ground_of(recording);
-  const auto stands = [&](const Fix& fix) {
-    return recording.show && fix.position.z - ground_m <= kGroundTolerance_m;
+  const bool flies = may_be_cut_off(recording);
+  std::vector<Outside> outside(recording.bees.size());
+  const auto add = [&](Outside& of, double seconds, const Fix& end, const Fix& beside) {
+    if (!(seconds > 0.0)) return;
+    const double height_m = end.position.z - ground_m;
+    if (recording.show && height_m <= kGroundTolerance_m) return;
+    of.seconds += seconds;
+    const bool stands = height_m <= kLoggedTolerance_m && rests(end, beside);
+    of.cut_off = of.cut_off || recording.show || (flies && !stands);
   };
-  std::vector<double> outside;
-  for (const io::RecordedBee& bee : recording.bees) {
-    double seconds = 0.0;
-    if (!bee.fixes.empty()) {
-      const Fix& first = bee.fixes.front();
-      const Fix& last = bee.fixes.back();
-      if (!stands(first)) seconds += first.time_s - whole.first;
-      if (!stands(last)) seconds += whole.second - last.time_s;
-    }
-    outside.push_back(seconds);
+  for (std::size_t i = 0; i < outside.size(); ++i) {
+    const std::vector<Fix>& fixes = recording.bees[i].fixes;
+    if (fixes.empty()) continue;
+    const std::size_t last = fixes.size() - 1;
+    add(outside[i], fixes.front().time_s - whole.first, fixes.front(),
+        fixes[std::min<std::size_t>(1, last)]);
+    add(outside[i], whole.second - fixes.back().time_s, fixes.back(),
+        fixes[last > 0 ? last - 1 : 0]);
   }
   return outside;
 }
@@ -61,7 +94,8 @@ std::vector<double> outside_s(const io::Recording& recording) {
 }  // namespace
 
 std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps) {
-  std::vector<double> unknown_s = outside_s(recording);
+  std::vector<double> unknown_s;
+  for (const Outside& outside : outside_of(recording)) unknown_s.push_back(outside.seconds);
   for (const Gap& gap : gaps) unknown_s[gap.track] += length_of(gap);
   return unknown_s;
 }
@@ -84,9 +118,10 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
                       return a.track != b.track ? a.track < b.track : a.begins_s < b.begins_s;
                     });
   coverage.longest.erase(named, coverage.longest.end());
-  for (const double missing_s : outside_s(recording)) {
-    coverage.outside_s += missing_s;
-    if (missing_s > 0.0) ++coverage.bees_partly;
+  for (const Outside& outside : outside_of(recording)) {
+    coverage.outside_s += outside.seconds;
+    if (outside.seconds > 0.0) ++coverage.bees_partly;
+    if (outside.cut_off) ++coverage.bees_cut_off;
   }
   coverage.missing = recording.missing;
   return coverage;
@@ -105,6 +140,10 @@ std::string unknown_text(const Coverage& coverage) {
   if (coverage.bees_partly > 0) {
     append(io::counted(coverage.bees_partly, "bee", "bees") +
            " known for a part of the recording only");
+    if (coverage.bees_cut_off > 0) {
+      text += " (" + io::grouped(std::uint64_t{coverage.bees_cut_off}) +
+              " of which begin or end in the air while others fly)";
+    }
   }
   append(missing_text(coverage.missing));
   return text;

@@ -5,7 +5,8 @@
 //
 // A bee is unknown in its gaps (see gaps.hpp), before its first fix and after its last one, from
 // the beginning of the whole recording to its end. A drone of a show is where the plan says, and
-// otherwise on the ground.
+// otherwise on the ground. Of drones in metres, whose fixes begin or end on the ground, one may be
+// cut off in the air; what is in degrees, or in a plane, comes and goes.
 #pragma once
 
 #include "analysis/recorded/gaps.hpp"
@@ -31,8 +32,9 @@ struct Coverage {
   double in_gaps_s = 0.0;    // summed over the bees
   std::vector<Gap> longest;  // of the gaps, at most kMostNamed
   std::size_t bees_partly =
-      0;                   // whose first fix is later, or whose last is earlier, than of others
-  double outside_s = 0.0;  // before the first and after the last fix, summed over the bees
+      0;  // whose first fix is later, or whose last is earlier, than of others
+  std::size_t bees_cut_off = 0;  // of these: in the air then, where drones take off and land
+  double outside_s = 0.0;        // before the first and after the last fix, summed over the bees
   io::MissingRecords missing;
 
   static constexpr std::size_t kMostNamed = 3;
@@ -40,7 +42,9 @@ struct Coverage {
   // Whether it is known all the time where all bees were.
   [[nodiscard]] bool complete() const { return !may_hide_conflicts() && bees_partly == 0; }
   // Whether a bee was there, but it is not known where.
-  [[nodiscard]] bool may_hide_conflicts() const { return gaps > 0 || missing.count > 0; }
+  [[nodiscard]] bool may_hide_conflicts() const {
+    return gaps > 0 || missing.count > 0 || bees_cut_off > 0;
+  }
 };
 
 // `gaps` are those that max_gap makes: in ascending order of (track, begins_s).

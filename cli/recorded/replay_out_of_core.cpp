@@ -5,6 +5,7 @@
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/gaps.hpp"
+#include "analysis/recorded/track_ends.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
@@ -104,8 +105,8 @@ class Replaying {
     for (const LargeAgent& agent : agents) {
       std::vector<Fix> ends = {{agent.begins_s, {}}};
       if (agent.fixes > 1) ends.push_back({agent.ends_s, {}});
-      tracks_[agent.id].fixes = ends;
-      recording_.bees[agent.id].fixes = std::move(ends);
+      tracks_[agent.id].fixes = std::move(ends);
+      recording_.bees[agent.id].fixes = ends_.of(agent.id);
       intervals.push_back({agent.fixes, agent.interval_s});
     }
     max_gap_ = analysis::max_gap_of(intervals, request_.max_gap_s);
@@ -132,6 +133,7 @@ class Replaying {
       const auto at =
           analysis::in_metres(each.fix.position, std::nullopt, stream_.frame(), geometry_, stated);
       if (!at) return analysis::of_bee(at.error(), {stream_.id(each.bee), {}});
+      ends_.add(each.bee, {each.fix.time_s, at->position});
       bees.push_back(each.bee);
       times_s.push_back(each.fix.time_s);
       positions.push_back(at->position);
@@ -209,8 +211,7 @@ class Replaying {
                          {threshold_m_, read_s_, search_s_, request_.memory_bytes, facts.windows},
                          distances));
     }
-    const bool risky = !found_.conflicts.empty() || coverage.may_hide_conflicts();
-    return moving_.fail_on_risk && risky ? ExitCode::kRiskFound : ExitCode::kFine;
+    return moving_.fail_on_risk && findings.is_risky() ? ExitCode::kRiskFound : ExitCode::kFine;
   }
 
   const ReplayRequest& request_;
@@ -220,8 +221,9 @@ class Replaying {
   io::RecordingStream& stream_;
   RecordingOutOfCore fixes_;
   analysis::Geometry geometry_ = analysis::Geometry::kSpace;
-  io::Recording recording_;    // of each bee the first fix and the last one
-  std::vector<Track> tracks_;  // likewise, without positions
+  analysis::TrackEnds ends_;
+  io::Recording recording_;    // of each bee the first fixes and the last ones
+  std::vector<Track> tracks_;  // the first and the last, without positions
   analysis::MaxGap max_gap_{std::numeric_limits<double>::infinity(), std::nullopt};
   double threshold_m_ = 0.0;
   RecordedConflicts found_;
