@@ -82,7 +82,7 @@ TEST(DoubtfulTables, MinimaOfTheIcaoAreOfPressureHeights) {
   EXPECT_EQ(finished.exit_code, 1);
   EXPECT_EQ(rows_of(finished.out).size(), 1u) << finished.err;
   expect_parts(finished.err,
-               {"heights    by pressure",
+               {"heights    pressure altitude\n",
                 "note       heights are by pressure, of column 6 'altitude'; column 10 "
                 "'geoaltitude' is passed over (--heights geometric takes it)\n"});
   const Finished geometric = enroute(table(other_day), {"--heights", "geometric"});

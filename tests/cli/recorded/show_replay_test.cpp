@@ -165,7 +165,8 @@ TEST_F(ShowReplay, ADroneThatStandsIsThereForThoseThatFly) {
   EXPECT_NEAR(std::stod(rows[1][5]), 20.0 + std::sqrt(3.0) * 0.5, 1e-6);
   const Finished verify = run({"verify", folder_.file("show.json", show), "--threshold", "2"});
   EXPECT_EQ(verify.exit_code, 1);
-  expect_parts(verify.err, {"losses     2 conflicts\n", "does not keep its distance"});
+  expect_parts(verify.err, {"losses     2 conflicts, 2 with a drone on the ground\n",
+                            "does not keep its distance"});
   const Finished apart = replay(show, {"--threshold", "0.99", "--fail-on-risk"});
   EXPECT_EQ(apart.exit_code, 0) << apart.out << apart.err;
 }
