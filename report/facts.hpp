@@ -46,7 +46,8 @@ struct SwarmFacts {
   // Where positions in metres lie, where the input says so.
   std::optional<Placement> own_place = {};
   HeightWords heights = {};
-  bool flat = false;  // the input has no heights: those of positions are 0, and are not shown
+  bool aviation = false;  // figures tell distances in nautical miles and feet
+  bool flat = false;      // the input has no heights: those of positions are 0, and are not shown
   double threshold_m = 0.0;
   std::string threshold_words = {};  // where it comes from, behind it: ", as the input declares"
   std::optional<double> vertical_m = {};

@@ -5,6 +5,7 @@
 #include "io/bytes/number_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -12,9 +13,12 @@
 namespace beespace::analysis {
 namespace {
 
-// Where and when a bee is first, and last.
+// Where and when a bee is first and last, and the fixes beside these: the same ones of a bee that
+// has no more, and of a curve.
 struct Ends {
   Fix first;
+  Fix second;
+  Fix last_but_one;
   Fix last;
 };
 
@@ -22,28 +26,52 @@ std::optional<Ends> ends_of(const io::RecordedBee& bee) {
   if (bee.path) {
     const BezierPath& path = *bee.path;
     const Fix first{path.begins_s, path.begin};
-    if (path.pieces.empty()) return Ends{first, first};
-    return Ends{first, {path.pieces.back().ends_s, path.pieces.back().end}};
+    const Fix last =
+        path.pieces.empty() ? first : Fix{path.pieces.back().ends_s, path.pieces.back().end};
+    return Ends{first, first, last, last};
   }
-  if (bee.fixes.empty()) return std::nullopt;
-  return Ends{bee.fixes.front(), bee.fixes.back()};
+  const std::vector<Fix>& fixes = bee.fixes;
+  if (fixes.empty()) return std::nullopt;
+  if (fixes.size() == 1) return Ends{fixes[0], fixes[0], fixes[0], fixes[0]};
+  return Ends{fixes[0], fixes[1], fixes[fixes.size() - 2], fixes.back()};
 }
 
-// A drone of a show that begins and ends here stands there before and after.
+// A drone of a show that begins and ends here stands there before and after. Logs are less exact.
 constexpr double kGroundTolerance_m = 0.1;
+constexpr double kLoggedTolerance_m = 1.0;
 // Shows count heights from the ground: a table of which all begins and ends are higher than this
 // is no whole show.
 constexpr double kHighestGround_m = 1.0;
+// What takes off or lands goes up and down.
+constexpr double kMostAtRest_mps = 0.5;
 
-// Where the ground of a show is: where it says, or the lowest place at which a drone begins or
-// ends.
+// Where the ground is: where a show says, or the lowest place at which a bee begins or ends.
 double ground_of(const io::Recording& recording) {
-  double lowest_m = recording.show->ground_m.value_or(std::numeric_limits<double>::infinity());
+  double lowest_m = std::numeric_limits<double>::infinity();
+  if (recording.show) lowest_m = recording.show->ground_m.value_or(lowest_m);
   for (const io::RecordedBee& bee : recording.bees) {
     const auto ends = ends_of(bee);
     if (ends) lowest_m = std::min({lowest_m, ends->first.position.z, ends->last.position.z});
   }
-  return lowest_m <= kHighestGround_m ? lowest_m : 0.0;
+  return recording.show && lowest_m > kHighestGround_m ? 0.0 : lowest_m;
+}
+
+// Drones in metres take off and land where others do. What is seen from afar, or in a plane, comes
+// and goes.
+bool may_be_cut_off(const io::Recording& recording) {
+  if (recording.show) return true;
+  if (recording.frame != io::Frame::kMetres || recording.flat) return false;
+  return std::any_of(recording.bees.begin(), recording.bees.end(), [](const auto& bee) {
+    return !bee.fixes.empty() &&
+           (bee.fixes.front().position.z != 0.0 || bee.fixes.back().position.z != 0.0);
+  });
+}
+
+// Whether it goes nowhere over ground from one fix to the next, or the other way round.
+bool rests(const Fix& from, const Fix& to) {
+  const double apart_m =
+      std::hypot(to.position.x - from.position.x, to.position.y - from.position.y);
+  return apart_m <= kMostAtRest_mps * std::abs(to.time_s - from.time_s);
 }
 
 // From the first fix of all to the last one.
@@ -59,22 +87,32 @@ std::pair<double, double> whole_time(const io::Recording& recording) {
   return time;
 }
 
-// How long each bee is not known before its first fix and after its last one: a drone of a show not
-// while it stands on the ground.
-std::vector<double> outside_s(const io::Recording& recording) {
+// How long a bee is not known before its first fix and after its last one, and whether it was in
+// the air then.
+struct Outside {
+  double seconds = 0.0;
+  bool cut_off = false;
+};
+
+// A drone of a show is known while it stands on the ground.
+std::vector<Outside> outside_of(const io::Recording& recording) {
   const auto whole = whole_time(recording);
-  const double ground_m = recording.show ? ground_of(recording) : 0.0;
-  const auto stands = [&](const Fix& fix) {
-    return recording.show && fix.position.z - ground_m <= kGroundTolerance_m;
+  const double ground_m = ground_of(recording);
+  const bool flies = may_be_cut_off(recording);
+  std::vector<Outside> outside(recording.bees.size());
+  const auto add = [&](Outside& of, double seconds, const Fix& end, const Fix& beside) {
+    if (!(seconds > 0.0)) return;
+    const double height_m = end.position.z - ground_m;
+    if (recording.show && height_m <= kGroundTolerance_m) return;
+    of.seconds += seconds;
+    const bool stands = height_m <= kLoggedTolerance_m && rests(end, beside);
+    of.cut_off = of.cut_off || recording.show || (flies && !stands);
   };
-  std::vector<double> outside;
-  for (const io::RecordedBee& bee : recording.bees) {
-    double seconds = 0.0;
-    if (const auto ends = ends_of(bee)) {
-      if (!stands(ends->first)) seconds += ends->first.time_s - whole.first;
-      if (!stands(ends->last)) seconds += whole.second - ends->last.time_s;
-    }
-    outside.push_back(seconds);
+  for (std::size_t i = 0; i < outside.size(); ++i) {
+    const auto ends = ends_of(recording.bees[i]);
+    if (!ends) continue;
+    add(outside[i], ends->first.time_s - whole.first, ends->first, ends->second);
+    add(outside[i], whole.second - ends->last.time_s, ends->last, ends->last_but_one);
   }
   return outside;
 }
@@ -82,7 +120,8 @@ std::vector<double> outside_s(const io::Recording& recording) {
 }  // namespace
 
 std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps) {
-  std::vector<double> unknown_s = outside_s(recording);
+  std::vector<double> unknown_s;
+  for (const Outside& outside : outside_of(recording)) unknown_s.push_back(outside.seconds);
   for (const Gap& gap : gaps) unknown_s[gap.track] += length_of(gap);
   return unknown_s;
 }
@@ -105,10 +144,10 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
                       return a.track != b.track ? a.track < b.track : a.begins_s < b.begins_s;
                     });
   coverage.longest.erase(named, coverage.longest.end());
-  for (const double missing_s : outside_s(recording)) {
-    coverage.outside_s += missing_s;
-    if (missing_s > 0.0) ++coverage.bees_partly;
-    if (missing_s > 0.0 && recording.show) ++coverage.bees_in_the_air;
+  for (const Outside& outside : outside_of(recording)) {
+    coverage.outside_s += outside.seconds;
+    if (outside.seconds > 0.0) ++coverage.bees_partly;
+    if (outside.cut_off) ++coverage.bees_cut_off;
   }
   coverage.missing = recording.missing;
   return coverage;
@@ -126,8 +165,11 @@ std::string unknown_text(const Coverage& coverage) {
   }
   if (coverage.bees_partly > 0) {
     append(io::counted(coverage.bees_partly, "bee", "bees") +
-           " known for a part of the recording only" +
-           (coverage.bees_in_the_air > 0 ? " (beginning or ending in the air)" : ""));
+           " known for a part of the recording only");
+    if (coverage.bees_cut_off > 0) {
+      text += " (" + io::grouped(std::uint64_t{coverage.bees_cut_off}) +
+              " of which begin or end in the air while others fly)";
+    }
   }
   append(missing_text(coverage.missing));
   return text;

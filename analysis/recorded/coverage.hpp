@@ -6,7 +6,8 @@
 // A bee is unknown in its gaps (see gaps.hpp), before its first fix and after its last one, from
 // the beginning of the whole recording to its end. A drone of a show is where the plan says, and
 // before and after on the ground, if it begins and ends there: otherwise it is in the air, and it
-// is not known where.
+// is not known where. Of drones in metres, whose fixes begin or end on the ground, one may be cut
+// off in the air, too; what is in degrees, or in a plane, comes and goes.
 #pragma once
 
 #include "analysis/recorded/gaps.hpp"
@@ -33,8 +34,8 @@ struct Coverage {
   std::vector<Gap> longest;  // of the gaps, at most kMostNamed
   std::size_t bees_partly =
       0;  // whose first fix is later, or whose last is earlier, than of others
-  std::size_t bees_in_the_air = 0;  // of these: drones of a show that are in the air meanwhile
-  double outside_s = 0.0;           // before the first and after the last fix, summed over the bees
+  std::size_t bees_cut_off = 0;  // of these: in the air then, where drones take off and land
+  double outside_s = 0.0;        // before the first and after the last fix, summed over the bees
   io::MissingRecords missing;
 
   static constexpr std::size_t kMostNamed = 3;
@@ -43,7 +44,7 @@ struct Coverage {
   [[nodiscard]] bool complete() const { return !may_hide_conflicts() && bees_partly == 0; }
   // Whether a bee was there, but it is not known where.
   [[nodiscard]] bool may_hide_conflicts() const {
-    return gaps > 0 || missing.count > 0 || bees_in_the_air > 0;
+    return gaps > 0 || missing.count > 0 || bees_cut_off > 0;
   }
 };
 

@@ -25,6 +25,13 @@ struct Findings {
   bool has_encounters;  // two bees are there at the same time
   // Of each bee, in conflict or not; empty where that was not looked for.
   std::vector<std::optional<Conflict>> closest_of_each = {};
+
+  std::uint64_t with_standing = 0;  // of the conflicts: with a drone of a show on the ground
+
+  // Whether this is no all-clear: there is a conflict, one may be hidden, or nothing was compared.
+  [[nodiscard]] bool is_risky() const {
+    return !recorded.conflicts.empty() || coverage.may_hide_conflicts() || !has_encounters;
+  }
 };
 
 // When the first bee appears and the last one vanishes; nothing where there is none.

@@ -38,11 +38,11 @@ Flight flight_between_fixes(const io::RecordedBee& bee, bool with_velocities, do
   return flight;
 }
 
-double end_of(const BezierPath& path) {
+}  // namespace
+
+double path_end_s(const BezierPath& path) {
   return path.pieces.empty() ? path.begins_s : path.pieces.back().ends_s;
 }
-
-}  // namespace
 
 std::vector<Flight> flights_of(const io::Recording& recording, bool with_velocities,
                                double max_gap_s) {
@@ -74,7 +74,8 @@ Result<std::optional<PathEncounter>> closest_of(const Flight& first, const Fligh
   std::optional<PathEncounter> closest;
   for (const BezierPath& one : first) {
     for (const BezierPath& other : second) {
-      if (std::max(one.begins_s, other.begins_s) > std::min(end_of(one), end_of(other))) continue;
+      if (std::max(one.begins_s, other.begins_s) > std::min(path_end_s(one), path_end_s(other)))
+        continue;
       auto found = closest_on_paths(one, other, during, threshold_m);
       if (!found) return found;
       if (!*found) continue;

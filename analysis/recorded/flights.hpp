@@ -18,6 +18,9 @@ namespace beespace::analysis {
 // From one gap to the next: none is empty, one without pieces is there for an instant.
 using Flight = std::vector<BezierPath>;
 
+// When a path ends.
+double path_end_s(const BezierPath& path);
+
 // One flight for each bee of a recording in metres: the curve of a show; between fixes straight
 // lines, or where `with_velocities`, which all fixes then have, the curves that have these.
 std::vector<Flight> flights_of(const io::Recording& recording, bool with_velocities,

@@ -2,10 +2,12 @@
 
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/recorded/flights.hpp"
+#include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace beespace::analysis {
@@ -42,26 +44,39 @@ class PathVerification {
   std::optional<Error> check_pairs() {
     const auto tracks = tracks_of(flights_, recording_, kTolerance_m);
     if (!tracks) return tracks.error();
-    auto found = find_conflicts(*tracks, {.threshold_m = question_.threshold_m,
-                                          .max_gap_s = question_.max_gap_s,
-                                          .threads = question_.threads,
-                                          .stop = question_.stop});
+    const ConflictOptions options{.threshold_m = question_.threshold_m,
+                                  .max_gap_s = question_.max_gap_s,
+                                  .threads = question_.threads,
+                                  .stop = question_.stop};
+    auto found = find_conflicts(*tracks, options);
     if (!found) return found.error();
+    const auto standing = conflicts_with_standing(recording_, *tracks, options);
+    if (!standing) return standing.error();
     verdict_.gaps = std::move(found->gaps);
+    verdict_.losses = *standing;
+    verdict_.with_standing = standing->size();
     for (Conflict conflict : found->conflicts) {
       const auto closer = settle(conflict, {conflict.begins_s, conflict.ends_s});
       if (!closer) return closer.error();
       if (*closer) verdict_.losses.push_back(conflict);
     }
+    std::stable_sort(verdict_.losses.begin(), verdict_.losses.end(),
+                     [](const Conflict& a, const Conflict& b) {
+                       return std::tuple(a.first, a.second, a.begins_s) <
+                              std::tuple(b.first, b.second, b.begins_s);
+                     });
     auto closest =
         find_closest_encounter(*tracks, question_.max_gap_s, {question_.threads, question_.stop});
     if (!closest) return closest.error();
-    if (!*closest) return std::nullopt;
-    const auto settled = settle(**closest, kAlways);
-    if (!settled) return settled.error();
-    verdict_.closest = *closest;
+    if (*closest) {
+      const auto settled = settle(**closest, kAlways);
+      if (!settled) return settled.error();
+      verdict_.closest = *closest;
+    }
     for (const Conflict& loss : verdict_.losses) {
-      if (loss.closest_m < verdict_.closest->closest_m) verdict_.closest = loss;
+      if (!verdict_.closest || loss.closest_m < verdict_.closest->closest_m) {
+        verdict_.closest = loss;
+      }
     }
     return std::nullopt;
   }

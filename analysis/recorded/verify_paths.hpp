@@ -33,7 +33,8 @@ struct BeePeak {
 };
 
 struct PathVerdict {
-  std::vector<Conflict> losses;  // each pair as long as it may be closer than the threshold
+  std::vector<Conflict> losses;   // each pair as long as it may be closer than the threshold
+  std::size_t with_standing = 0;  // of the losses: with a drone of a show on the ground
   std::vector<PathClearanceLoss> clearance_losses;
   std::vector<PathBreach> breaches;                       // by limit, then bee, then time
   std::array<std::optional<BeePeak>, kPathLimits> peaks;  // of all bees

@@ -3,6 +3,7 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
+#include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/scene/height_words.hpp"
 #include "analysis/scene/pair_ways.hpp"
@@ -175,6 +176,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   swarm.source = recording.format_description;
   swarm.flat = recording.flat;
   swarm.heights = height_words(recording.height_unit, recording.heights);
+  swarm.aviation = speaks_of_feet(swarm.heights, request.vertical);
   const DefaultThreshold otherwise = default_threshold(recording, kDefaultThreshold_m);
   swarm.threshold_m = request.threshold_m.value_or(otherwise.metres);
   if (!request.threshold_m) swarm.threshold_words = otherwise.words;
@@ -208,15 +210,20 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   }
 
   const MaxGap max_gap = max_gap_of(recording, request.max_gap_s);
-  auto recorded =
-      find_conflicts(tracks, {.threshold_m = swarm.threshold_m,
-                              .vertical_m = vertical_in(geometry, request.vertical),
-                              .inclusive = request.inclusive,
-                              .max_gap_s = max_gap.seconds,
-                              .threads = request.threads,
-                              .height_unit_m = height_unit_m(geometry, recording.height_unit),
-                              .stop = request.stop});
+  const ConflictOptions options{.threshold_m = swarm.threshold_m,
+                                .vertical_m = vertical_in(geometry, request.vertical),
+                                .inclusive = request.inclusive,
+                                .max_gap_s = max_gap.seconds,
+                                .threads = request.threads,
+                                .height_unit_m = height_unit_m(geometry, recording.height_unit),
+                                .stop = request.stop};
+  auto recorded = find_conflicts(tracks, options);
   if (!recorded) return std::move(recorded).error();
+  auto settled = settled_conflicts(recording, options, std::move(recorded->conflicts));
+  if (!settled) return std::move(settled).error();
+  recorded->conflicts = *std::move(settled);
+  const auto standing = conflicts_with_standing(recording, tracks, options);
+  if (!standing) return standing.error();
   const auto closest = closest_of(*recorded, *in_space, max_gap.seconds, request);
   if (!closest) return closest.error();
   facts.closest = *closest;
@@ -228,7 +235,13 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
       {recording, tracks, *in_space, *recorded, *closest, coverage, closest->has_value()},
       *uprights, swarm);
   facts.unknown = unknown_text(coverage);
-  facts.hidden = coverage.may_hide_conflicts();
+  facts.hidden = coverage.may_hide_conflicts() || !standing->empty();
+  if (!standing->empty()) {
+    facts.unknown += (facts.unknown.empty() ? "" : ", ") +
+                     io::counted(standing->size(), "conflict", "conflicts") +
+                     " with a drone that stands on the ground, not drawn (beespace replay lists " +
+                     (standing->size() == 1 ? "it)" : "them)");
+  }
   if (!coverage.complete()) {
     swarm.notes.push_back("what is said of conflicts is of the known time: " + facts.unknown);
   }

@@ -161,6 +161,7 @@ Status settle(DetectRequest& request) {
       !status) {
     return status;
   }
+  take_heights_of(request.separation, request.load.heights);
   PairOptions& search = request.search;
   search.threshold_m = request.threshold ? request.threshold->metric : kDefaultThreshold_m;
   search.max_results = request.max_results.value_or(search.max_results);

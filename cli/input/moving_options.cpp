@@ -146,6 +146,7 @@ Status settle(MovingRequest& request, const char* command) {
       !settled) {
     return settled;
   }
+  take_heights_of(request.separation, request.load.heights);
   if (request.threshold) request.threshold_m = request.threshold->metric;
   if (request.vertical) request.vertical_m = request.vertical->metric;
   return std::monostate{};

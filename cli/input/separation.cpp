@@ -13,10 +13,10 @@ namespace {
 // in 5.3.2. ASTM F3442: the volume in which a small unmanned aircraft is not well clear. RTCA
 // DO-365: the near mid-air collision, as studies of TCAS and ACAS count it.
 constexpr std::array<UsualSeparation, 4> kUsual = {{
-    {"enroute", 5, io::Unit::kNauticalMile, 1000, "ICAO Doc 4444"},
-    {"terminal", 3, io::Unit::kNauticalMile, 1000, "ICAO Doc 4444"},
-    {"well-clear-suas", 2000, io::Unit::kFoot, 250, "ASTM F3442"},
-    {"nmac", 500, io::Unit::kFoot, 100, "RTCA DO-365"},
+    {"enroute", 5, io::Unit::kNauticalMile, 1000, "ICAO Doc 4444", true},
+    {"terminal", 3, io::Unit::kNauticalMile, 1000, "ICAO Doc 4444", true},
+    {"well-clear-suas", 2000, io::Unit::kFoot, 250, "ASTM F3442", false},
+    {"nmac", 500, io::Unit::kFoot, 100, "RTCA DO-365", true},
 }};
 
 io::StatedLength stated(double value, io::Unit unit) {
@@ -55,6 +55,11 @@ Status settle_separation(const char* command, const UsualSeparation* usual,
   threshold = across;
   vertical = up;
   return std::monostate{};
+}
+
+void take_heights_of(const UsualSeparation* usual, io::HeightSource& heights) {
+  if (usual == nullptr || !usual->by_pressure || heights != io::HeightSource::kAuto) return;
+  heights = io::HeightSource::kRatherPressure;
 }
 
 bool in_aviation(io::UnitConvention said, io::Unit height_unit,

@@ -2,6 +2,7 @@
 // --vertical 1000ft.
 #pragma once
 
+#include "io/units/heights.hpp"
 #include "io/units/stated_length.hpp"
 #include "io/units/unit_overrides.hpp"
 
@@ -22,6 +23,7 @@ struct UsualSeparation {
   io::Unit threshold_unit;
   double vertical_ft;
   const char* source;  // the document that says so
+  bool by_pressure;    // its heights are those of altimeters
 };
 
 std::span<const UsualSeparation> usual_separations();
@@ -34,6 +36,10 @@ void add_usual_separation_option(Command& command, const UsualSeparation*& into)
 Status settle_separation(const char* command, const UsualSeparation* usual,
                          std::optional<io::StatedLength>& threshold,
                          std::optional<io::StatedLength>& vertical);
+
+// Heights by pressure, where the input has them, for minima that are of these; whoever says which
+// heights to take gets them.
+void take_heights_of(const UsualSeparation* usual, io::HeightSource& heights);
 
 // Whether distances are told in nautical miles and feet too: where the thresholds or the heights of
 // the input are, or --units says so.

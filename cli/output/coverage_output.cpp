@@ -25,10 +25,14 @@ void append_coverage(std::string& out, const analysis::Coverage& coverage,
     append_summary_line(out, "", "and shorter ones");
   }
   if (coverage.bees_partly > 0) {
-    append_summary_line(out, coverage.gaps > 0 ? "" : "unknown",
-                        io::counted(coverage.bees_partly, "bee", "bees") +
-                            " before the first or after the last fix, for " +
-                            io::time_span(coverage.outside_s) + " in all");
+    append_summary_line(
+        out, coverage.gaps > 0 ? "" : "unknown",
+        io::counted(coverage.bees_partly, "bee", "bees") +
+            " before the first or after the last fix, for " + io::time_span(coverage.outside_s) +
+            " in all" +
+            (coverage.bees_cut_off == 0
+                 ? ""
+                 : "; " + red(io::grouped(coverage.bees_cut_off)) + " of them in the air then"));
   }
   append_missing(out, coverage.missing);
 }
@@ -40,6 +44,7 @@ void write_coverage(io::JsonWriter& json, const analysis::Coverage& coverage,
   json.member("typical_interval_s", coverage.max_gap.typical_s);
   json.member("gap_count", coverage.gaps).member("bees_with_gaps", coverage.bees_with_gaps);
   json.member("in_gaps_s", coverage.in_gaps_s).member("bees_partly_known", coverage.bees_partly);
+  json.member("bees_cut_off_in_the_air", coverage.bees_cut_off);
   json.member("before_first_and_after_last_s", coverage.outside_s);
   json.new_line();
   write_missing(json, coverage.missing);

@@ -82,7 +82,12 @@ void append_losses(std::string& out, const PathFindings& findings) {
   if (losses.empty()) return append_summary_line(out, "losses", bold("none"));
   std::stable_sort(losses.begin(), losses.end(),
                    [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });
-  append_summary_line(out, "losses", red(io::counted(losses.size(), "conflict", "conflicts")));
+  append_summary_line(out, "losses",
+                      red(io::counted(losses.size(), "conflict", "conflicts")) +
+                          (findings.verdict.with_standing == 0
+                               ? ""
+                               : ", " + io::grouped(findings.verdict.with_standing) +
+                                     " with a drone on the ground"));
   for (std::size_t i = 0; i < std::min(kMost, losses.size()); ++i) {
     append_summary_line(out, "", encounter_text(losses[i], findings.recording, {}));
   }
@@ -90,7 +95,13 @@ void append_losses(std::string& out, const PathFindings& findings) {
 
 std::string verdict_text(const PathFindings& findings) {
   const analysis::PathVerdict& verdict = findings.verdict;
+  if (findings.holds() && !findings.coverage.complete()) {
+    return bold("holds in the known time") + "; " + analysis::unknown_text(findings.coverage);
+  }
   if (findings.holds()) return bold("holds");
+  if (verdict.holds() && !findings.compares()) {
+    return red("nothing to compare") + ": no two bees are there at the same time; the limits hold";
+  }
   if (verdict.holds()) {
     return red("not seen as a whole") + ": holds in the known time; " +
            analysis::unknown_text(findings.coverage);
@@ -210,7 +221,7 @@ std::string verify_summary(const PathFindings& findings, const MovingRequest& re
                       analysis::moment_text(time.begins_s, recording) + " to " +
                           analysis::moment_text(time.ends_s, recording) + " (" +
                           io::grouped(time.ends_s - time.begins_s, 2) + " s)");
-  if (!recording.show || findings.coverage.may_hide_conflicts()) {
+  if (!recording.show || !findings.coverage.complete()) {
     append_coverage(out, findings.coverage, recording);
   }
   append_summary_line(out, "motion", findings.motion);

@@ -23,8 +23,14 @@ struct PathFindings {
   double read_s = 0.0;
   double check_s = 0.0;
 
+  // Of several, some two are there at the same time; drones of a show may fly one after the other.
+  [[nodiscard]] bool compares() const {
+    return verdict.closest || recording.show || recording.bees.size() < 2;
+  }
   // What was not seen is not certified.
-  [[nodiscard]] bool holds() const { return verdict.holds() && !coverage.may_hide_conflicts(); }
+  [[nodiscard]] bool holds() const {
+    return verdict.holds() && !coverage.may_hide_conflicts() && compares();
+  }
 };
 
 // finding, first, second, begins_s, ends_s, value, limit, at_s.

@@ -5,6 +5,7 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
+#include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "cli/command_line/option_values.hpp"
@@ -93,9 +94,12 @@ Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
 }
 
 // Whether some two are there at the same time.
-bool has_encounters(const std::optional<Conflict>& closest, const std::vector<Track>& tracks,
-                    double max_gap_s, const ReplayRequest& request) {
-  if (closest || !request.moving.vertical_m) return closest.has_value();
+bool has_encounters(const std::optional<Conflict>& closest, const io::Recording& recording,
+                    const std::vector<Track>& tracks, double max_gap_s,
+                    const ReplayRequest& request) {
+  // Drones of a show that fly one after the other stand meanwhile.
+  if (closest || (recording.show && tracks.size() > 1)) return true;
+  if (!request.moving.vertical_m) return false;
   const auto any = find_closest_encounter(tracks, max_gap_s, request.moving.threads);
   return any && any->has_value();
 }
@@ -136,15 +140,19 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   const double threshold_m = moving.threshold_m.value_or(
       analysis::default_threshold(*recording, kDefaultThreshold_m).metres);
   const analysis::MaxGap max_gap = max_gap_for(request, *recording);
-  const auto recorded =
-      find_conflicts(*tracks, {.threshold_m = threshold_m,
-                               .vertical_m = vertical_in(geometry, moving.vertical),
-                               .inclusive = moving.inclusive,
-                               .max_gap_s = max_gap.seconds,
-                               .threads = moving.threads,
-                               .max_results = moving.max_results,
-                               .height_unit_m = height_unit_m(geometry, recording->height_unit)});
+  const ConflictOptions options{.threshold_m = threshold_m,
+                                .vertical_m = vertical_in(geometry, moving.vertical),
+                                .inclusive = moving.inclusive,
+                                .max_gap_s = max_gap.seconds,
+                                .threads = moving.threads,
+                                .max_results = moving.max_results,
+                                .height_unit_m = height_unit_m(geometry, recording->height_unit)};
+  auto recorded = find_conflicts(*tracks, options);
   if (!recorded) return in_words_of_the_command(recorded.error(), moving);
+  auto of_show =
+      analysis::conflicts_of_show(*recording, *tracks, options, std::move(recorded->conflicts));
+  if (!of_show) return in_words_of_the_command(of_show.error(), moving);
+  recorded->conflicts = std::move(of_show->conflicts);
   const auto closest = closest_of(*recorded, *tracks, max_gap.seconds, request);
   if (!closest) return closest.error();
   const double search_s = watch.lap();
@@ -154,13 +162,15 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
       apart ? tracks_of(*recording, analysis::Geometry::kSpace, request.tolerance_m) : tracks;
   if (!in_space) return in_space.error();
   const analysis::Coverage coverage = analysis::coverage_of(*recording, recorded->gaps, max_gap);
-  analysis::Findings findings{*recording,
-                              *tracks,
-                              *in_space,
-                              *recorded,
-                              *closest,
-                              coverage,
-                              has_encounters(*closest, *in_space, max_gap.seconds, request)};
+  analysis::Findings findings{
+      *recording,
+      *tracks,
+      *in_space,
+      *recorded,
+      *closest,
+      coverage,
+      has_encounters(*closest, *recording, *in_space, max_gap.seconds, request)};
+  findings.with_standing = of_show->with_standing;
   if (request.report == "bees" && recording->show && !moving.vertical) {
     auto each = analysis::closest_of_each(*tracks, threshold_m, max_gap.seconds, moving.threads);
     if (!each) return each.error();
@@ -188,8 +198,7 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   if (!moving.quiet) {
     say(replay_summary(findings, moving, {threshold_m, read_s, search_s}, distances));
   }
-  const bool risky = !recorded->conflicts.empty() || coverage.may_hide_conflicts();
-  const bool risk = moving.fail_on_risk && risky;
+  const bool risk = moving.fail_on_risk && findings.is_risky();
   return risk ? ExitCode::kRiskFound : ExitCode::kFine;
 }
 

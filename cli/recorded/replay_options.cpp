@@ -99,6 +99,8 @@ Status check_memory(const ReplayRequest& request) {
 Status settle(const Command& command, ReplayRequest& request) {
   if (Status fit = check_fit(command, request); !fit) return fit;
   if (Status fit = check_memory(request); !fit) return fit;
+  // Bees fly straight from fix to fix; only events predict where they go.
+  request.moving.load.velocities_needed = request.report == "events";
   // Events are lines of JSON.
   if (request.report == "events")
     return settle_answer(request.moving, "replay", {"jsonl", "ndjson"});

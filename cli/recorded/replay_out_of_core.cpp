@@ -5,6 +5,7 @@
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/gaps.hpp"
+#include "analysis/recorded/track_ends.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
@@ -33,8 +34,6 @@
 
 namespace beespace::cli {
 namespace {
-
-constexpr Fix kNoFix = {std::numeric_limits<double>::quiet_NaN(), {}};
 
 // What a block of text takes while it is read: the text, and its fixes twice.
 constexpr std::uint64_t kTimesABlock = 8;
@@ -107,11 +106,10 @@ class Replaying {
     std::vector<analysis::BeeInterval> intervals;
     tracks_.resize(recording_.bees.size());
     for (const LargeAgent& agent : agents) {
-      std::vector<Fix> ends = {{agent.begins_s, ends_[agent.id].first.position}};
-      if (agent.fixes > 1) ends.push_back({agent.ends_s, ends_[agent.id].second.position});
-      recording_.bees[agent.id].fixes = ends;
-      for (Fix& end : ends) end.position = {};
+      std::vector<Fix> ends = {{agent.begins_s, {}}};
+      if (agent.fixes > 1) ends.push_back({agent.ends_s, {}});
       tracks_[agent.id].fixes = std::move(ends);
+      recording_.bees[agent.id].fixes = ends_.of(agent.id);
       intervals.push_back({agent.fixes, agent.interval_s});
     }
     max_gap_ = analysis::max_gap_of(intervals, request_.max_gap_s);
@@ -138,7 +136,7 @@ class Replaying {
       const auto at =
           analysis::in_metres(each.fix.position, std::nullopt, stream_.frame(), geometry_, stated);
       if (!at) return analysis::of_bee(at.error(), {stream_.id(each.bee), {}});
-      keep_ends(each);
+      ends_.add(each.bee, {each.fix.time_s, at->position});
       bees.push_back(each.bee);
       times_s.push_back(each.fix.time_s);
       positions.push_back(at->position);
@@ -147,13 +145,6 @@ class Replaying {
     const PointsView view = std::span<const Point>(positions);
     return fixes_.add(bees, times_s,
                       analysis::heights_apart(geometry_) ? view.with_heights(heights) : view);
-  }
-
-  void keep_ends(const io::StreamedFix& each) {
-    if (each.bee >= ends_.size()) ends_.resize(each.bee + 1, {kNoFix, kNoFix});
-    auto& [first, last] = ends_[each.bee];
-    if (std::isnan(first.time_s) || each.fix.time_s < first.time_s) first = each.fix;
-    if (std::isnan(last.time_s) || each.fix.time_s > last.time_s) last = each.fix;
   }
 
   // An error about two fixes of a bee, with the place that they came from.
@@ -227,8 +218,7 @@ class Replaying {
                          {threshold_m_, read_s_, search_s_, request_.memory_bytes, facts_.windows},
                          distances_));
     }
-    const bool risky = !found_.conflicts.empty() || coverage.may_hide_conflicts();
-    return moving_.fail_on_risk && risky ? ExitCode::kRiskFound : ExitCode::kFine;
+    return moving_.fail_on_risk && findings.is_risky() ? ExitCode::kRiskFound : ExitCode::kFine;
   }
 
   const ReplayRequest& request_;
@@ -238,9 +228,9 @@ class Replaying {
   io::RecordingStream& stream_;
   RecordingOutOfCore fixes_;
   analysis::Geometry geometry_ = analysis::Geometry::kSpace;
-  io::Recording recording_;                // of each bee the first fix and the last one
-  std::vector<Track> tracks_;              // likewise, without positions
-  std::vector<std::pair<Fix, Fix>> ends_;  // by bee, while it is read
+  analysis::TrackEnds ends_;
+  io::Recording recording_;    // of each bee the first fixes and the last ones
+  std::vector<Track> tracks_;  // the first and the last, without positions
   analysis::MaxGap max_gap_{std::numeric_limits<double>::infinity(), std::nullopt};
   double threshold_m_ = 0.0;
   RecordedConflicts found_;

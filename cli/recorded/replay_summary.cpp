@@ -35,6 +35,9 @@ std::string verdict(const analysis::Findings& findings,
   return red(certain ? "does not keep its distance" : "may not keep its distance") + ": " +
          plural(conflicts.size(), "conflict", "conflicts") + " of " +
          plural(pairs.size(), "pair", "pairs") +
+         (findings.with_standing == 0
+              ? ""
+              : ", " + io::grouped(findings.with_standing) + " with a drone on the ground") +
          (findings.coverage.complete() ? "" : "; " + analysis::unknown_text(findings.coverage));
 }
 

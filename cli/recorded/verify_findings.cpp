@@ -61,6 +61,9 @@ std::string verdict_text(const Verdict& verdict, const analysis::Coverage& cover
     return red("not seen as a whole") + ": holds in the known time; " +
            analysis::unknown_text(coverage);
   }
+  if (verdict.holds() && !coverage.complete()) {
+    return bold("holds in the known time") + "; " + analysis::unknown_text(coverage);
+  }
   if (verdict.holds()) return bold("holds");
   std::string text;
   const auto append = [&text](const char* what) {

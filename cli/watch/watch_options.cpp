@@ -198,6 +198,7 @@ Status settle(const Command& command, Asked& asked) {
       !settled) {
     return settled;
   }
+  take_heights_of(request.separation, request.lines.heights);
   if (request.threshold) swarm.threshold_m = request.threshold->metric;
   if (request.vertical) swarm.vertical_m = request.vertical->metric;
   swarm.leave_factor = asked.live.leave_factor;

@@ -35,6 +35,17 @@ Velocity velocity_of(const AircraftReport& report, double climb_mps) {
   return velocity;
 }
 
+// Of who says that it is on the ground; what is not known is not beyond anything.
+bool flies(const AircraftReport& report) {
+  const auto high = [&report](double height) {
+    return in_metric(height, report.height_unit) > kHighestGround_m;
+  };
+  return high(report.pressure_height) || high(report.ellipsoid_height) ||
+         report.ground_speed_mps > kFastestOnGround_mps ||
+         std::abs(report.pressure_climb_mps) > kMostClimbOnGround_mps ||
+         std::abs(report.geometric_climb_mps) > kMostClimbOnGround_mps;
+}
+
 }  // namespace
 
 std::string normal_address(std::string_view address) {
@@ -51,7 +62,9 @@ Result<std::optional<AircraftFix>> AircraftChoice::choose(const AircraftReport& 
     left_out.add(reason);
     return std::optional<AircraftFix>();
   };
-  if (report.on_ground && !grounded_) return leave_out(kOnGround);
+  if (report.on_ground && !grounded_) {
+    return leave_out(flies(report) ? kOnGroundInFlight : kOnGround);
+  }
   if (std::isnan(report.longitude_deg) || std::isnan(report.latitude_deg)) {
     return leave_out(kNoPosition);
   }

@@ -67,7 +67,9 @@ class AircraftChoice {
   static std::vector<UnitTaken> units(Unit height_unit, std::string_view format);
 
  private:
-  [[nodiscard]] bool by_pressure() const { return heights_ == HeightSource::kPressure; }
+  [[nodiscard]] bool by_pressure() const {
+    return heights_ == HeightSource::kPressure || heights_ == HeightSource::kRatherPressure;
+  }
 
   HeightSource heights_;  // kAuto: geometric
   bool grounded_;

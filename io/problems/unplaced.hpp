@@ -19,6 +19,20 @@ inline constexpr LeftOutReason kNoAnimal = {"of tags that are on no animal", {},
 inline constexpr LeftOutReason kNoTime = {"without the time of the position"};
 inline constexpr LeftOutReason kOnGround = {"of aircraft on the ground",
                                             "--grounded keeps those that tell a height", true};
+// No airport lies higher than 4,411 m (Daocheng Yading), and no aircraft on the ground rolls faster
+// than it lands or takes off, or climbs there. Higher, faster or steeper, it flies.
+inline constexpr double kHighestGround_m = 4'600.0;
+inline constexpr double kFastestOnGround_mps = 110.0;
+inline constexpr double kMostClimbOnGround_mps = 5.0;
+inline constexpr LeftOutReason kOnGroundInFlight = {
+    "of aircraft that say that they are on the ground, but are as high or as fast as none there",
+    "--grounded keeps them"};
+// At flight levels the two differ by hundreds of metres at most, on days far from the standard
+// ones.
+inline constexpr double kMostHeightsDiffer_m = 1'500.0;
+inline constexpr LeftOutReason kHeightsContradict = {
+    "whose heights by pressure and above the ellipsoid are more than 1,500 m apart",
+    "correct them, or name one column with --columns"};
 inline constexpr LeftOutReason kNoHeight = {"without a height"};
 inline constexpr LeftOutReason kNoEllipsoidHeight = {
     "without a height above the ellipsoid",

@@ -2,6 +2,7 @@
 
 #include "io/problems/excerpt.hpp"
 #include "io/problems/skipped_records.hpp"
+#include "io/recording/swapped_degrees.hpp"
 #include "io/recording/time_doubts.hpp"
 
 #include <algorithm>
@@ -354,6 +355,11 @@ void RecordingAssembly::note_counts() {
          "first is taken");
   }
   for (std::string& text : left_out_.notes()) note(std::move(text));
+  if (kept_in_flight_ > 0) {
+    note(counted(kept_in_flight_, "record says", "records say") +
+         " that an aircraft is on the ground, but it is higher than any airport, or faster or "
+         "steeper than it could be there: taken for flying, and kept");
+  }
   if (const auto count = tracks_.in_several_sources(); count > 0) {
     note(counted(count, "bee is", "bees are") +
          " in several files under the same id; each is taken for one, merged by time");
@@ -415,6 +421,7 @@ Result<Recording> RecordingAssembly::finish() {
     for (RecordedBee& bee : recording_.bees) bee.stated_heights.clear();
   }
   note_counts();
+  if (auto swapped = swapped_degrees_note(recording_)) note(*std::move(swapped));
   return std::move(recording_);
 }
 

@@ -110,6 +110,8 @@ class RecordingAssembly {
   void miss(std::uint64_t records, std::string_view id);
   // A record of that bee is left out without being a mistake.
   void leave_out(const LeftOutReason& reason, std::string_view id);
+  // A record says that the bee is on the ground, but not how it could be; it is kept.
+  void keep_in_flight() { ++kept_in_flight_; }
   // It was heard of, though not its place: if no place comes from anywhere, a record is left out
   // for that reason.
   void heard_of(const LeftOutReason& reason, std::string_view id);
@@ -136,6 +138,7 @@ class RecordingAssembly {
   Recording recording_;
   TrackGathering tracks_;
   LeftOut left_out_;
+  std::uint64_t kept_in_flight_ = 0;
   std::uint64_t missing_ = 0;  // records
   std::uint64_t missing_without_id_ = 0;
   std::vector<std::string> missing_ids_;  // of the others, each once, in the order of the input

@@ -287,7 +287,8 @@ ColumnMeaning Header::meaning_of(std::size_t column) const {
 // Where a coordinate comes several times, the one that can be read is meant, the one without "uav"
 // before its name, the height of the wanted kind, and the one in metres.
 void Header::prefer_plain_coordinates() {
-  const bool pressure_wanted = options_.heights == HeightSource::kPressure;
+  const bool pressure_wanted = options_.heights == HeightSource::kPressure ||
+                               options_.heights == HeightSource::kRatherPressure;
   const auto leave_out = [this](std::vector<std::size_t>& columns, const auto& worse) {
     const auto is_worse = [this, &worse](std::size_t column) { return worse(meanings_[column]); };
     if (std::all_of(columns.begin(), columns.end(), is_worse)) return;

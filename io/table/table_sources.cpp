@@ -22,8 +22,8 @@ KnownColumn perhaps(std::string_view name, Role role, Unit unit = Unit::kUnstate
 // movebank-attribute-dictionary); packages of R write dots for its hyphens. Times are UTC.
 // TRex: https://trex.run/docs/formats.html; a file an individual. Of several places of a body that
 // of the weighted centroid is taken; where it was not seen they are infinite.
-const std::array<TableSource, 4>& known_sources() {
-  static const std::array<TableSource, 4> sources = {
+const std::array<TableSource, 5>& known_sources() {
+  static const std::array<TableSource, 5> sources = {
       TableSource{"traffic",
                   "velocity vertrate baroaltitude",
                   {{"icao24"},
@@ -32,6 +32,18 @@ const std::array<TableSource, 4>& known_sources() {
                    {"vertical_rate", Role::kClimb, Unit::kFootPerMinute},
                    {"altitude", Role::kHeight, Unit::kFoot, HeightDatum::kPressure},
                    {"geoaltitude", Role::kHeight, Unit::kFoot, HeightDatum::kEllipsoid}}},
+      TableSource{
+          "traffic",  // without heights above the ellipsoid: all these together are no other's
+          "velocity vertrate baroaltitude",
+          {{"timestamp"},
+           {"icao24"},
+           {"callsign"},
+           {"latitude"},
+           {"longitude"},
+           {"groundspeed", Role::kGroundSpeed, Unit::kKnot},
+           {"track", Role::kTrack},
+           {"vertical_rate", Role::kClimb, Unit::kFootPerMinute},
+           {"altitude", Role::kHeight, Unit::kFoot, HeightDatum::kPressure}}},
       TableSource{"OpenSky",
                   "groundspeed vertical_rate altitude",
                   {{"icao24"},

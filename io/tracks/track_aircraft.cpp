@@ -36,6 +36,30 @@ const LeftOutReason* reason_without_height(const Header& header, HeightDatum dat
   return &kNoHeight;
 }
 
+// Of a known source, which says the unit of both; and what is said of it.
+void settle_other_height(const Header& header, TrackLayout& layout) {
+  const ColumnChoice& choice = layout.table.choice;
+  if (choice.dimensions != 3) return;
+  const bool pressure = choice.datum == HeightDatum::kPressure;
+  if (!pressure && choice.datum != HeightDatum::kEllipsoid) return;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    const ColumnMeaning& meaning = header.meaning(i);
+    const bool other =
+        meaning.role == Role::kHeight && i != choice.axes[2] &&
+        meaning.datum == (pressure ? HeightDatum::kEllipsoid : HeightDatum::kPressure);
+    if (!other) continue;
+    layout.notes.push_back(
+        "heights are " + std::string(pressure ? "by pressure" : "above the ellipsoid") + ", of " +
+        column_text(layout.table, choice.axes[2]) + "; " + column_text(layout.table, i) +
+        " is passed over (--heights " + (pressure ? "geometric" : "pressure") + " takes it)");
+    if (header.source() == nullptr || layout.other_height) continue;
+    const KnownColumn* const known = header.source()->find(layout.table.names[i]);
+    if (known == nullptr || known->unit == Unit::kUnstated) continue;
+    layout.other_height = i;
+    layout.other_height_unit = known->unit;
+  }
+}
+
 }  // namespace
 
 bool is_unknown(std::string_view text) {
@@ -73,6 +97,7 @@ void settle_aircraft(const Header& header, const RecordingOptions& options, Trac
   } else {
     layout.label.reset();
   }
+  settle_other_height(header, layout);
   if (!options.grounded) layout.on_ground = choose_on_ground(header);
 }
 

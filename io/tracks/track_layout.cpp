@@ -242,6 +242,7 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   };
   const ColumnChoice& choice = layout.table.choice;
   if (layout.label) fill(*layout.label, TrackSlot::kLabel);
+  if (layout.other_height) fill(*layout.other_height, TrackSlot::kOtherHeight);
   if (layout.on_ground) fill(*layout.on_ground, TrackSlot::kOnGround);
   if (layout.axes_name) fill(*layout.axes_name, TrackSlot::kAxesName);
   if (layout.no_height_yet) fill(*layout.no_height_yet, TrackSlot::kLateHeight);
@@ -290,8 +291,8 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   }
   layout.units = choice.units_taken;
   UnitChoice units(layout.table.names, options.units);
-  auto velocity =
-      choose_velocity({header, choice, layout.frame, units}, layout.notes, layout.units);
+  auto velocity = choose_velocity({header, choice, layout.frame, units, options.velocities_needed},
+                                  layout.notes, layout.units);
   if (!velocity) return velocity.error();
   layout.velocity = *velocity;
   if (!layout.time && !layout.velocity) return missing(no_time(header));

@@ -77,8 +77,12 @@ struct TrackLayout {
   // it is as good as none.
   bool places_may_be_unknown = false;
   bool infinite_is_unknown = false;
-  bool ids_may_be_empty = false;                  // of who is none of the animals
-  std::optional<std::size_t> visible = {};        // who says no there is an outlier
+  bool ids_may_be_empty = false;            // of who is none of the animals
+  std::optional<std::size_t> visible = {};  // who says no there is an outlier
+  // Of aircraft with two kinds of heights, that which is not taken, and its unit: where it
+  // contradicts the other one, neither is believed.
+  std::optional<std::size_t> other_height = {};
+  Unit other_height_unit = Unit::kMetre;
   const LeftOutReason* no_height = nullptr;       // what to say of such a record
   std::optional<std::size_t> label = {};          // what each is called beside its id: the flight
   std::optional<std::size_t> on_ground = {};      // of those that are left out
@@ -109,7 +113,8 @@ struct TrackSlot {
   static constexpr std::size_t kNanoseconds = 12;
   static constexpr std::size_t kAxesName = 13;
   static constexpr std::size_t kLateHeight = 14;
-  static constexpr std::size_t kSets = 15;  // as many as kMostSets
+  static constexpr std::size_t kOtherHeight = 15;
+  static constexpr std::size_t kSets = 16;  // as many as kMostSets
   static constexpr std::size_t kMostSets = 6;
   static constexpr std::size_t kNothing =
       kSets + kMostSets;  // where columns go that are not asked for

@@ -131,7 +131,9 @@ const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
     const std::string_view text = without_padding(fields_[slot].text);
     return is_unknown(text) || (layout_.infinite_is_unknown && (text == "inf" || text == "-inf"));
   };
-  if (layout_.on_ground && says_yes(fields_[TrackSlot::kOnGround].text)) return &kOnGround;
+  if (layout_.on_ground && says_yes(fields_[TrackSlot::kOnGround].text) && !flies()) {
+    return &kOnGround;
+  }
   const bool no_first = unknown(TrackSlot::kPosition);
   const bool no_second = unknown(TrackSlot::kPosition + 1);
   if (layout_.of_aircraft && (no_first || no_second)) return &kNoPosition;
@@ -144,7 +146,42 @@ const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
   }
   if (layout_.time && unknown(TrackSlot::kTime)) return &kNoTime;
   const bool height = layout_.table.choice.dimensions == 3;
-  return height && unknown(TrackSlot::kPosition + 2) ? layout_.no_height : nullptr;
+  if (height && unknown(TrackSlot::kPosition + 2)) return layout_.no_height;
+  return height && layout_.other_height && heights_contradict() ? &kHeightsContradict : nullptr;
+}
+
+// Of an aircraft that tells both; what is no number is judged where it is read. A height of 0 that
+// is not taken is what decoders write for none.
+bool TrackRecordReader::heights_contradict() const {
+  double taken = 0.0;
+  double other = 0.0;
+  const auto reads = [this](std::size_t slot, double& value) {
+    return read_number(without_padding(fields_[slot].text), value) == NumberKind::kNumber;
+  };
+  return reads(TrackSlot::kPosition + 2, taken) && reads(TrackSlot::kOtherHeight, other) &&
+         other != 0.0 &&
+         std::abs(in_metric(taken, layout_.table.choice.units[2]) -
+                  in_metric(other, layout_.other_height_unit)) > kMostHeightsDiffer_m;
+}
+
+// Of whoever says that it is on the ground: whether it is higher, faster or climbs more than any
+// aircraft there.
+bool TrackRecordReader::flies() const {
+  const auto beyond = [this](std::size_t slot, Unit unit, double most) {
+    double value = 0.0;
+    return read_number(without_padding(fields_[slot].text), value) == NumberKind::kNumber &&
+           std::abs(in_metric(value, unit)) > most;
+  };
+  const ColumnChoice& choice = layout_.table.choice;
+  if (choice.dimensions == 3 &&
+      beyond(TrackSlot::kPosition + 2, choice.units[2], kHighestGround_m)) {
+    return true;
+  }
+  if (!layout_.velocity || !layout_.velocity->over_ground) return false;
+  const VelocityChoice& velocity = *layout_.velocity;
+  return beyond(TrackSlot::kVelocity, velocity.units[0], kFastestOnGround_mps) ||
+         (velocity.dimensions == 3 &&
+          beyond(TrackSlot::kVelocity + 2, velocity.units[2], kMostClimbOnGround_mps));
 }
 
 std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
@@ -305,6 +342,8 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   read_label(record);
   if (layout_.axes_name) record.axes_name = without_padding(fields_[TrackSlot::kAxesName].text);
   record.left_out = reason_to_leave_out();
+  record.flies_on_ground = record.left_out == nullptr && layout_.on_ground &&
+                           says_yes(fields_[TrackSlot::kOnGround].text);
   if (record.left_out != nullptr) return std::nullopt;
   if (auto problem = read_time(record)) return problem;
   if (auto problem = read_position(record)) return problem;

@@ -22,6 +22,7 @@ namespace beespace::io {
 struct TrackRecord {
   // Why the record of an aircraft is left out, and read no further; or nothing.
   const LeftOutReason* left_out = nullptr;
+  bool flies_on_ground = false;     // says that it is on the ground, but flies; it is kept
   std::string_view label = {};      // what it is called beside its id; as long as that
   std::string_view id = {};         // as long as the line and the reader live
   double time_s = 0.0;              // 0 where there is no time
@@ -47,6 +48,8 @@ class TrackRecordReader {
   void read_label(TrackRecord& record);
   void read_sets(TrackRecord& record);
   [[nodiscard]] const LeftOutReason* reason_to_leave_out() const;
+  [[nodiscard]] bool flies() const;
+  [[nodiscard]] bool heights_contradict() const;
   std::optional<Error> read_time(TrackRecord& record);
   std::optional<Error> read_stamp(std::string_view text, TrackRecord& record);
   std::optional<Error> read_position(TrackRecord& record);

@@ -151,6 +151,7 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
         return error;
       }
     }
+    if (record.flies_on_ground) assembly.keep_in_flight();
     Origin origin;
     origin.source = assembly.source() & 0xFF'FFFFu;
     origin.line = line & 0xFF'FFFF'FFFFu;

@@ -168,9 +168,17 @@ std::optional<Error> settle_units(const VelocityQuestion& question, VelocityChoi
 Result<std::optional<VelocityChoice>> choose_velocity(const VelocityQuestion& question,
                                                       std::vector<std::string>& notes,
                                                       std::vector<UnitTaken>& taken) {
+  const std::size_t said = notes.size();
   auto choice = choose_columns_of(question, notes);
   if (!choice) return choice;
-  if (auto error = settle_units(question, *choice, taken)) return *std::move(error);
+  if (auto error = settle_units(question, *choice, taken)) {
+    if (question.needed) return *std::move(error);
+    notes.resize(said);
+    notes.push_back(
+        "velocities are not read, and not needed here: in which unit they are is not "
+        "said (--units)");
+    return std::optional<VelocityChoice>();
+  }
   return choice;
 }
 

@@ -20,6 +20,7 @@ struct VelocityQuestion {
   const ColumnChoice& position;
   Frame frame;
   UnitChoice& units;
+  bool needed = true;  // otherwise those whose unit would have to be said are left out
 };
 
 // Velocities are read where they are along the axes of the position: x, y, z in metres; east,

@@ -17,9 +17,10 @@ enum class HeightDatum : std::uint8_t {
 // Of those who tell several heights, such as aircraft: never some of one kind and some of the
 // other.
 enum class HeightSource : std::uint8_t {
-  kAuto,       // geometric where the format has it, otherwise by pressure
-  kGeometric,  // by satellites, above the WGS84 ellipsoid
-  kPressure,   // of the standard atmosphere
+  kAuto,            // geometric where the format has it, otherwise by pressure
+  kGeometric,       // by satellites, above the WGS84 ellipsoid
+  kPressure,        // of the standard atmosphere
+  kRatherPressure,  // by pressure where the format has it, otherwise as kAuto: minima are of these
 };
 
 }  // namespace beespace::io

@@ -3,6 +3,7 @@
 #include "report/figure/nearest_histogram.hpp"
 #include "report/figure/recording_view.hpp"
 #include "report/figure/separation_chart.hpp"
+#include "report/figure/separation_words.hpp"
 #include "report/figure/sheet.hpp"
 #include "report/figure/snapshot_view.hpp"
 #include "report/figure/style.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,31 +67,35 @@ Listing closest_pairs(const SnapshotFacts& facts) {
   Listing listing{"Closest pairs", {}, facts.pair_count};
   for (std::size_t i = 0; i < std::min(kMostRows, facts.pairs.size()); ++i) {
     const auto& [first, second] = facts.pairs[i];
-    listing.rows.push_back({name_of(facts.swarm.names, first, second),
-                            listed_length_below(facts.swarm.threshold_m, facts.distances_m[i])});
+    listing.rows.push_back(
+        {name_of(facts.swarm.names, first, second),
+         listed_apart(facts.swarm, facts.distances_m[i],
+                      i < facts.apart.size() ? std::optional(facts.apart[i]) : std::nullopt)});
   }
   if (facts.pairs.empty() && facts.closest) {
     listing.heading = "Closest pair, not too close";
-    listing.rows.push_back({name_of(facts.swarm.names, facts.closest->first, facts.closest->second),
-                            listed_length(facts.closest->distance_m)});
+    listing.rows.push_back(
+        {name_of(facts.swarm.names, facts.closest->first, facts.closest->second),
+         listed_apart(facts.swarm, facts.closest->distance_m, facts.closest_apart)});
   }
   return listing;
 }
 
 Listing closest_conflicts(const RecordingFacts& facts) {
   Listing listing{"Closest conflicts", {}, facts.conflict_count};
-  const auto add = [&](const Conflict& conflict) {
+  const auto add = [&](const Conflict& conflict, const std::optional<Apart>& apart) {
     listing.rows.push_back({name_of(facts.swarm.names, conflict.first, conflict.second),
-                            listed_length_below(facts.swarm.threshold_m, conflict.closest_m) +
-                                " at " + moment_label(conflict.closest_s, facts.since_1970) +
+                            listed_apart(facts.swarm, conflict.closest_m, apart) + " at " +
+                                moment_label(conflict.closest_s, facts.since_1970) +
                                 (conflict.certain ? "" : ", possible")});
   };
   for (std::size_t i = 0; i < std::min(kMostRows, facts.conflicts.size()); ++i) {
-    add(facts.conflicts[i]);
+    const bool known = i < facts.conflicts_apart.size();
+    add(facts.conflicts[i], known ? std::optional(facts.conflicts_apart[i]) : std::nullopt);
   }
   if (facts.conflicts.empty() && facts.closest) {
     listing.heading = "Closest encounter, not too close";
-    add(*facts.closest);
+    add(*facts.closest, facts.closest_apart);
   }
   return listing;
 }

@@ -4,6 +4,7 @@
 #include "report/figure/style.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace beespace::report {
@@ -83,7 +84,21 @@ std::ptrdiff_t spots_within(const Lines& lines, Spot at, double width) {
            spot.y < at.y + 4.0;
   };
   std::ptrdiff_t count = 0;
-  for (const auto& run : lines.runs) count += std::count_if(run.begin(), run.end(), covered);
+  // Between spots that are far apart the line is in the way too.
+  constexpr double kStep = 3.0;
+  for (const auto& run : lines.runs) {
+    for (std::size_t i = 0; i < run.size(); ++i) {
+      const Spot from = run[i];
+      const Spot to = run[std::min(i + 1, run.size() - 1)];
+      const double size = std::hypot(to.x - from.x, to.y - from.y);
+      const auto steps = static_cast<int>(std::clamp(size / kStep, 1.0, 1'000.0));
+      for (int k = 0; k < steps; ++k) {
+        const double share = static_cast<double>(k) / steps;
+        count +=
+            covered({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)}) ? 1 : 0;
+      }
+    }
+  }
   return count;
 }
 

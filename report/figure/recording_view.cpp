@@ -1,6 +1,7 @@
 #include "report/figure/recording_view.hpp"
 
 #include "report/figure/density.hpp"
+#include "report/figure/separation_words.hpp"
 #include "report/figure/style.hpp"
 #include "report/number_label.hpp"
 #include "report/shown_fixes.hpp"
@@ -151,7 +152,7 @@ void draw_closest(const RecordingFacts& facts, const View& view, Drawing& drawin
   draw_ring(view.panel.box, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)},
             view.from == View::From::kAbove
                 ? (facts.at_risk.empty() ? "closest, not too close: " : "closest: ") +
-                      length_label_below(facts.swarm.threshold_m, closest.closest_m)
+                      apart_words(facts.swarm, closest.closest_m, facts.closest_apart)
                 : std::string(),
             drawing);
 }

@@ -1,5 +1,6 @@
 #include "report/figure/separation_chart.hpp"
 
+#include "report/figure/separation_words.hpp"
 #include "report/figure/sheet.hpp"
 #include "report/figure/style.hpp"
 #include "report/number_label.hpp"
@@ -29,6 +30,21 @@ TimeSpan time_of(const RecordingFacts& facts) {
   return {time.begins_s, std::max(time.ends_s, time.begins_s + least_s)};
 }
 
+// As tables tell them: month and day where a day begins, otherwise the time of day.
+std::vector<Tick> utc_ticks(const Range& range, std::size_t most) {
+  const double zero = std::floor(range.low / kDay_s) * kDay_s;
+  std::vector<Tick> ticks = clock_ticks(range, most, zero);
+  const double step = ticks.size() > 1 ? ticks[1].value - ticks[0].value : kDay_s;
+  for (Tick& tick : ticks) {
+    const double day = std::floor(tick.value / kDay_s) * kDay_s;
+    if (day > zero) {
+      tick.label =
+          tick.value == day ? date_label(day).substr(5) : clock_label(tick.value - day, step);
+    }
+  }
+  return ticks;
+}
+
 Axis time_axis(const RecordingFacts& facts, const Box& box) {
   constexpr double kFewSeconds = 1'800.0;
   constexpr double kManySeconds = 360'000.0;  // 100 hours
@@ -40,7 +56,8 @@ Axis time_axis(const RecordingFacts& facts, const Box& box) {
                           [&](std::size_t most) { return clock_ticks(range, most, zero); });
   };
   if (facts.since_1970 && !date_label(time.begins_s).empty()) {
-    return {scale, clock_from(std::floor(time.begins_s / kDay_s) * kDay_s),
+    return {scale,
+            as_many_as_fit(box.width, [&](std::size_t most) { return utc_ticks(range, most); }),
             "Time (UTC, from " + date_label(time.begins_s) + ")"};
   }
   if (range.size() > kFewSeconds && range.low >= 0.0 && range.high < kManySeconds) {
@@ -57,10 +74,13 @@ struct Measure {
   std::string title;
   std::string limit_name;
   double limit_m;
+  AxisUnit unit;
   double (*of)(const Separation&);
 };
 
 Axis distance_axis(const RecordingFacts& facts, const Measure& measure, const Box& box) {
+  constexpr double kNameHeight = 24.0;
+  const std::string title = measure.title + " (" + measure.unit.name + ")";
   double least_m = measure.limit_m;
   double most_m = measure.limit_m;
   for (const Separation& at : facts.separation) {
@@ -71,11 +91,17 @@ Axis distance_axis(const RecordingFacts& facts, const Measure& measure, const Bo
   if (most_m > kWideSpreadOverTime * measure.limit_m) {
     const double lowest_m = std::max(least_m, 1e-3 * measure.limit_m);
     const Range range{0.8 * lowest_m, 1.25 * most_m};
-    return {Scale(range, box.bottom(), box.top, Scale::Kind::kLogarithmic),
-            logarithmic_ticks(range, ticks + 1), measure.title + ", by powers of ten"};
+    auto powers = logarithmic_ticks(
+        {range.low / measure.unit.metres, range.high / measure.unit.metres}, ticks + 1);
+    for (Tick& tick : powers) tick.value *= measure.unit.metres;
+    return {Scale(range, box.bottom(), box.top, Scale::Kind::kLogarithmic), std::move(powers),
+            title + ", by powers of ten"};
   }
-  const Range range{0.0, 1.1 * most_m};
-  return {Scale(range, box.bottom(), box.top), nice_ticks(range, ticks), measure.title};
+  // The name of the limit has room above its line.
+  const double room = box.height / (box.height - kNameHeight);
+  const Range range{0.0, std::max(1.1 * most_m, room * measure.limit_m)};
+  return {Scale(range, box.bottom(), box.top), nice_ticks(range, ticks, measure.unit.metres),
+          title};
 }
 
 void draw_bands(const RecordingFacts& facts, const Panel& panel, Drawing& drawing) {
@@ -143,11 +169,17 @@ void draw_apart(const RecordingFacts& facts, const Box& box, Drawing& drawing) {
   const Box upper{box.left, box.top, box.width, height};
   const Box lower{box.left, upper.bottom() + kBetween, box.width, height};
   const SwarmFacts& swarm = facts.swarm;
-  const Measure across{"Nearest to a conflict, horizontally", "Distance (m)", threshold_name(swarm),
+  const Measure across{"Nearest to a conflict, horizontally",
+                       "Distance",
+                       threshold_name(swarm),
                        swarm.threshold_m,
+                       distance_unit(swarm),
                        [](const Separation& at) { return at.apart->horizontal_m; }};
-  const Measure up{"The same two, in height", "Height (m)",
-                   "in height " + length_label(*swarm.vertical_m), *swarm.vertical_m,
+  const Measure up{"The same two, in height",
+                   "Height",
+                   "in height " + height_words(swarm, *swarm.vertical_m),
+                   *swarm.vertical_m,
+                   height_unit(swarm),
                    [](const Separation& at) { return at.apart->height_m; }};
   for (const auto& [measure, place] : {std::pair(across, upper), std::pair(up, lower)}) {
     Axis time = time_axis(facts, place);
@@ -172,9 +204,10 @@ bool are_apart(const RecordingFacts& facts) {
 void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawing) {
   if (are_apart(facts)) return draw_apart(facts, box, drawing);
   constexpr std::size_t kRingSpots = 80;
-  const Measure measure{"Distance of the closest two", "Distance (m)", threshold_name(facts.swarm),
-                        facts.swarm.threshold_m,
-                        [](const Separation& at) { return at.closest.distance_m; }};
+  const Measure measure{
+      "Distance of the closest two", "Distance",
+      threshold_name(facts.swarm),   facts.swarm.threshold_m,
+      distance_unit(facts.swarm),    [](const Separation& at) { return at.closest.distance_m; }};
   const Panel panel{box, measure.heading, time_axis(facts, box),
                     distance_axis(facts, measure, box)};
   draw_bands(facts, panel, drawing);
@@ -186,8 +219,8 @@ void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawi
     const Conflict& closest = *facts.closest;
     const Spot at = {panel.across.scale(closest.closest_s), panel.upwards.scale(closest.closest_m)};
     const double baseline =
-        draw_ring(box, at, length_label_below(facts.swarm.threshold_m, closest.closest_m), drawing,
-                  panel.upwards.scale(facts.swarm.threshold_m));
+        draw_ring(box, at, apart_words(facts.swarm, closest.closest_m, facts.closest_apart),
+                  drawing, panel.upwards.scale(facts.swarm.threshold_m));
     // The label of the threshold keeps off this one.
     line.runs.emplace_back(kRingSpots);
     for (std::size_t i = 0; i < kRingSpots; ++i) {

@@ -1,6 +1,7 @@
 #include "report/figure/sheet.hpp"
 
 #include "report/drawing/text_fit.hpp"
+#include "report/figure/separation_words.hpp"
 #include "report/figure/style.hpp"
 #include "report/number_label.hpp"
 #include "report/xml_text.hpp"
@@ -96,6 +97,12 @@ std::string as_sentence(std::string note) {
   return note;
 }
 
+// Whether a note says which columns, or units, were taken.
+bool is_of_reading(const std::string& note) {
+  return note.find(" read from ") != std::string::npos ||
+         note.find("the header ") != std::string::npos;
+}
+
 std::string origin_note(const GeographicPosition& origin, const HeightWords& heights, bool flat) {
   const std::string_view counted = heights.by_pressure ? "by pressure"
                                    : heights.above_sea ? "above mean sea level"
@@ -113,16 +120,17 @@ std::vector<Ink> shades() {
 }
 
 std::string too_close(const SwarmFacts& swarm) {
-  const auto within = [&swarm](double metres) {
-    return swarm.inclusive ? length_label(metres) + " or closer"
-                           : "closer than " + length_label(metres);
+  const auto within = [&swarm](const std::string& words) {
+    return swarm.inclusive ? words + " or closer" : "closer than " + words;
   };
-  if (!swarm.vertical_m) return within(swarm.threshold_m);
-  return within(swarm.threshold_m) + " across and " + within(*swarm.vertical_m) + " in height";
+  if (!swarm.vertical_m) return within(distance_words(swarm, swarm.threshold_m));
+  return within(distance_words(swarm, swarm.threshold_m)) + " across and " +
+         within(height_words(swarm, *swarm.vertical_m)) + " in height";
 }
 
 std::string threshold_name(const SwarmFacts& swarm) {
-  return (swarm.vertical_m ? "horizontally " : "threshold ") + length_label(swarm.threshold_m);
+  return (swarm.vertical_m ? "horizontally " : "threshold ") +
+         distance_words(swarm, swarm.threshold_m);
 }
 
 Drawing begin_sheet(const SwarmFacts& swarm, const std::string& findings,
@@ -146,8 +154,16 @@ Drawing begin_sheet(const SwarmFacts& swarm, const std::string& findings,
 void draw_listing(const Listing& listing, Spot corner, double width, double bottom,
                   Drawing& drawing) {
   if (listing.rows.empty()) return;
+  constexpr double kBetween = 12.0;
+  // Where a name would be cut, what is said of it goes below.
+  const bool below = std::any_of(listing.rows.begin(), listing.rows.end(), [&](const Row& row) {
+    return text_width(one_line(row.left), kLabelSize) + text_width(row.right, kLabelSize) +
+               kBetween >
+           width;
+  });
+  const double row_height = below ? 1.9 * kRowHeight : kRowHeight;
   const double first = corner.y + 6.0 + kRowHeight;
-  const double room = std::max(0.0, std::floor((bottom - first) / kRowHeight) + 1.0);
+  const double room = std::max(0.0, std::floor((bottom - first) / row_height) + 1.0);
   const std::size_t shown = std::min(listing.rows.size(), static_cast<std::size_t>(room));
   std::string heading = listing.heading;
   if (shown < listing.count)
@@ -155,11 +171,12 @@ void draw_listing(const Listing& listing, Spot corner, double width, double bott
   add_text(corner, heading, kTextSize, kText, drawing, Anchor::kStart, true);
   for (std::size_t i = 0; i < shown; ++i) {
     const Row& row = listing.rows[i];
-    const double y = first + static_cast<double>(i) * kRowHeight;
-    const double right = text_width(row.right, kLabelSize);
-    add_text({corner.x, y}, fitted(one_line(row.left), kLabelSize, width - right - 12.0),
-             kLabelSize, kText, drawing);
-    add_text({corner.x + width, y}, row.right, kLabelSize, kText, drawing, Anchor::kEnd);
+    const double y = first + static_cast<double>(i) * row_height;
+    const double right = below ? 0.0 : text_width(row.right, kLabelSize) + kBetween;
+    add_text({corner.x, y}, fitted(one_line(row.left), kLabelSize, width - right), kLabelSize,
+             kText, drawing);
+    add_text({corner.x + width, below ? y + 0.8 * kRowHeight : y}, row.right, kLabelSize,
+             below ? kQuietText : kText, drawing, Anchor::kEnd);
   }
 }
 
@@ -171,7 +188,11 @@ void finish_sheet(const SwarmFacts& swarm, double bottom, Drawing& drawing) {
     lines.insert(lines.end(), more.begin(), more.end());
   };
   if (swarm.origin) say(origin_note(*swarm.origin, swarm.heights, swarm.flat));
-  for (const std::string& note : swarm.notes) say(note);
+  // What is wrong, or unknown, comes before how columns were read.
+  std::vector<std::string> notes = swarm.notes;
+  std::stable_partition(notes.begin(), notes.end(),
+                        [](const std::string& note) { return !is_of_reading(note); });
+  for (const std::string& note : notes) say(note);
   if (lines.size() > kMostLines) {
     lines.resize(kMostLines);
     lines.back() = "\u2026 and more";

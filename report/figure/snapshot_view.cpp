@@ -1,6 +1,7 @@
 #include "report/figure/snapshot_view.hpp"
 
 #include "report/figure/density.hpp"
+#include "report/figure/separation_words.hpp"
 #include "report/figure/style.hpp"
 #include "report/number_label.hpp"
 #include "report/xml_text.hpp"
@@ -87,7 +88,7 @@ void draw_closest(const SnapshotFacts& facts, const View& view, Drawing& drawing
   draw_ring(view.panel.box, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)},
             view.from == View::From::kAbove
                 ? (facts.at_risk.empty() ? "closest, not too close: " : "closest: ") +
-                      length_label_below(facts.swarm.threshold_m, facts.closest->distance_m)
+                      apart_words(facts.swarm, facts.closest->distance_m, facts.closest_apart)
                 : std::string(),
             drawing);
 }

@@ -37,15 +37,20 @@ Unit unit_of(const Range& range) {
   return {};
 }
 
-Axis axis_across(const char* name, const Scale& scale) {
-  const Unit unit = unit_of(scale.values());
+// Of whoever speaks of aviation.
+Unit mile_of(const Range& range) {
+  if (range.size() >= 9'260.0) return {1852.0, "NM"};
+  return unit_of(range);
+}
+
+Axis axis_across(const char* name, const Scale& scale, bool aviation) {
+  const Unit unit = aviation ? mile_of(scale.values()) : unit_of(scale.values());
   const auto make = [&](std::size_t most) { return nice_ticks(scale.values(), most, unit.metres); };
   return {scale, as_many_as_fit(scale.high_at() - scale.low_at(), make),
           std::string(name) + " (" + unit.name + ")"};
 }
 
-Axis axis_upwards(const char* name, const Scale& scale) {
-  const Unit unit = unit_of(scale.values());
+Axis axis_upwards(const char* name, const Scale& scale, const Unit& unit) {
   const double height = scale.low_at() - scale.high_at();
   const double room = (height > kGreatestSide ? 3.2 : 2.2) * kLabelSize;
   return {scale, nice_ticks(scale.values(), static_cast<std::size_t>(height / room), unit.metres),
@@ -103,18 +108,20 @@ std::vector<View> views_of(const Extent& extent, const SwarmFacts& swarm, Spot c
   const Scale y(around(low.y, high.y, unit_m * top), above.bottom(), above.top);
   const Scale z(around(low.z, high.z, up_unit_m * side), beside.bottom(), beside.top);
   const bool on_earth = swarm.origin.has_value();
-  const Axis east = axis_across(on_earth ? "East" : "x", x);
+  const Axis east = axis_across(on_earth ? "East" : "x", x, swarm.aviation);
+  const Unit along = swarm.aviation ? mile_of(y.values()) : unit_of(y.values());
+  const Unit up = swarm.aviation ? Unit{0.3048, "ft"} : unit_of(z.values());
   Axis unnamed = east;
   unnamed.title.clear();
   if (swarm.flat) {
-    const Axis north = axis_upwards(on_earth ? "North" : "y", y);
+    const Axis north = axis_upwards(on_earth ? "North" : "y", y, along);
     return {{View::From::kAbove, {above, "From above", east, north}}};
   }
   return {{View::From::kAbove,
-           {above, "From above", unnamed, axis_upwards(on_earth ? "North" : "y", y)}},
+           {above, "From above", unnamed, axis_upwards(on_earth ? "North" : "y", y, along)}},
           {View::From::kSide,
            {beside, "From the side" + stretch_label(unit_m / up_unit_m), east,
-            axis_upwards(on_earth ? "Height" : "z", z)}}};
+            axis_upwards(on_earth ? "Height" : "z", z, up)}}};
 }
 
 }  // namespace beespace::report

@@ -1,6 +1,8 @@
 // How far apart two fixes may be, and of how much time it is known where the bees were.
 #include "analysis/recorded/coverage.hpp"
 
+#include "analysis/recorded/track_ends.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -74,10 +76,11 @@ TEST(Coverage, DronesOfAShowAreKnownWhileTheyStandOnTheGround) {
   const Coverage coverage = coverage_of(recording, {}, {5.0, 1.0});
   EXPECT_EQ(coverage.bees_partly, 1U);
   EXPECT_EQ(unknown_times_s(recording, {}), (std::vector<double>{0.0, 0.0, 40.0}));
-  EXPECT_EQ(coverage.bees_in_the_air, 1U);
+  EXPECT_EQ(coverage.bees_cut_off, 1U);
   EXPECT_TRUE(coverage.may_hide_conflicts());
   EXPECT_EQ(unknown_text(coverage),
-            "1 bee known for a part of the recording only (beginning or ending in the air)");
+            "1 bee known for a part of the recording only (1 of which begin or end in the air "
+            "while others fly)");
 }
 
 io::RecordedBee curve_at(const std::string& id, double ends_s, double first_m, double last_m) {
@@ -93,7 +96,7 @@ TEST(Coverage, CurvesThatEndInTheAirAreKnownForAPart) {
   recording.bees = {curve_at("a", 60.0, 0.0, 0.0), curve_at("b", 20.0, 0.0, 10.0),
                     curve_at("c", 30.0, 0.0, 0.05)};
   const Coverage coverage = coverage_of(recording, {}, {5.0, 1.0});
-  EXPECT_EQ(coverage.bees_in_the_air, 1U);
+  EXPECT_EQ(coverage.bees_cut_off, 1U);
   EXPECT_EQ(unknown_times_s(recording, {}), (std::vector<double>{0.0, 40.0, 0.0}));
 }
 
@@ -102,16 +105,50 @@ TEST(Coverage, AShowThatIsInTheAirThroughoutHasNoGround) {
   io::Recording recording;
   recording.show = io::ShowFacts();
   recording.bees = {curve_at("a", 60.0, 10.0, 10.0), curve_at("b", 20.0, 10.0, 10.0)};
-  EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_in_the_air, 1U);
+  EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_cut_off, 1U);
   recording.bees = {curve_at("a", 60.0, 0.3, 0.3), curve_at("b", 20.0, 0.3, 0.3)};
-  EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_in_the_air, 0U);
+  EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_cut_off, 0U);
   recording.show->ground_m = 0.0;
-  EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_in_the_air, 1U);
+  EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_cut_off, 1U);
   recording.show->ground_m.reset();
   recording.show.reset();
   const Coverage flight = coverage_of(recording, {}, {5.0, 1.0});
   EXPECT_EQ(flight.bees_partly, 1U);
   EXPECT_FALSE(flight.may_hide_conflicts());
+}
+
+// In metres with heights one whose fixes end in the air is cut off; whoever rests at the height of
+// the others has landed.
+TEST(Coverage, DronesThatEndInTheAirAreCutOff) {
+  io::Recording recording;
+  recording.frame = io::Frame::kMetres;
+  recording.bees = {bee_at("a", {0, 30, 59, 60}), bee_at("b", {0, 15, 19, 20}),
+                    bee_at("c", {0, 15, 19, 20})};
+  for (io::RecordedBee& bee : recording.bees) bee.fixes[1].position.z = 10.0;
+  recording.bees[1].fixes[2].position.z = recording.bees[1].fixes[3].position.z = 5.0;
+  const Coverage coverage = coverage_of(recording, {}, {5.0, 1.0});
+  EXPECT_EQ(coverage.bees_partly, 2U);
+  EXPECT_EQ(coverage.bees_cut_off, 1U);
+  EXPECT_TRUE(coverage.may_hide_conflicts());
+  // Whoever moves on at that height flies.
+  recording.bees[2].fixes[3].position.x = 10.0;
+  EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_cut_off, 2U);
+  // Aircraft come and go.
+  recording.frame = io::Frame::kWgs84;
+  EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_cut_off, 0U);
+}
+
+TEST(TrackEnds, AreTheFirstTwoAndTheLastTwo) {
+  TrackEnds ends;
+  for (const double time_s : {5.0, 3.0, 9.0, 3.0, 1.0, 7.0})
+    ends.add(1, {time_s, {time_s, 0.0, 0.0}});
+  ends.add(2, {4.0, {}});
+  std::vector<double> times_s;
+  for (const Fix& fix : ends.of(1)) times_s.push_back(fix.time_s);
+  EXPECT_EQ(times_s, (std::vector<double>{1.0, 3.0, 7.0, 9.0}));
+  EXPECT_EQ(ends.of(2).size(), 1U);
+  EXPECT_TRUE(ends.of(0).empty());
+  EXPECT_TRUE(ends.of(3).empty());
 }
 
 TEST(Coverage, NamesTheLongestGapsFirst) {

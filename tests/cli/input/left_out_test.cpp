@@ -13,8 +13,10 @@ namespace beespace::cli_test {
 namespace {
 
 // One of a list, behind others.
-std::string aircraft(const std::string& hex, const std::string& place, const std::string& height) {
-  return R"(,{"hex":")" + hex + R"(",)" + place + height + R"("gs":250,"track":90,"seen_pos":0.0})";
+std::string aircraft(const std::string& hex, const std::string& place, const std::string& height,
+                     const std::string& knots = "250") {
+  return R"(,{"hex":")" + hex + R"(",)" + place + height + R"("gs":)" + knots +
+         R"(,"track":90,"seen_pos":0.0})";
 }
 
 const std::string kHere = R"("lat":48.0,"lon":11.0,)";
@@ -101,13 +103,20 @@ TEST_F(LeftOutRecords, PicturesAndMapsSayIt) {
 
 TEST_F(LeftOutRecords, WhatIsHarmlessDoesNotCount) {
   // On the ground, with and without a place; and the same look twice.
-  const std::string grounded = aircraft("dddddd", kHere, R"("alt_baro":"ground",)") +
-                               aircraft("eeeeee", "", R"("alt_baro":"ground",)");
+  const std::string on_ground = R"("alt_baro":"ground",)";
+  const std::string grounded =
+      aircraft("dddddd", kHere, on_ground, "15") + aircraft("eeeeee", "", on_ground, "0");
   const std::string first = folder_.file("a.json", look(1700000000, grounded));
   const std::string again = folder_.file("b.json", look(1700000000, grounded));
   const Finished finished = run({"replay", first, again, "--threshold", "5NM", "--fail-on-risk"});
   EXPECT_EQ(finished.exit_code, 0);
   expect_parts(finished.err, {"verdict    keeps its distance\n", "on the ground"});
+  // Nobody rolls at 250 kt.
+  const std::string flies =
+      folder_.file("c.json", look(1700000000, aircraft("dddddd", kHere, on_ground)));
+  const Finished fast = run({"replay", flies, "--threshold", "5NM", "--fail-on-risk"});
+  EXPECT_EQ(fast.exit_code, 1);
+  expect_parts(fast.err, {"dddddd", "as high or as fast as none there"});
 }
 
 TEST(LeftOutMessages, OfBaseStation) {

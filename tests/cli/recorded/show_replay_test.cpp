@@ -1,6 +1,7 @@
 // `beespace replay` of drone shows: their verdict, the distance that they declare, and curves.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "tests/cli/run/below_header.hpp"
@@ -150,23 +151,58 @@ TEST_F(CurvedShow, AConflictBeyondTheToleranceIsCertain) {
   expect_parts(finished.err, {"does not keep its distance"});
 }
 
-TEST_F(CurvedShow, OneWithinTheToleranceIsReportedAsPossible) {
-  const Finished finished = ask("3", {"--csv"});
-  const auto rows = rows_of(finished.out, ',');
-  ASSERT_EQ(rows.size(), 2u);
-  EXPECT_EQ(rows[0].at(6), "certain");
-  EXPECT_EQ(rows[1].at(6), "no");
-  expect_parts(finished.err, {"may not keep its distance"});
-  const std::string json = ask("3", {"--json"}).out;
-  EXPECT_TRUE(is_json(json)) << json;
-  expect_parts(json, {R"("certain": false})"});
-  EXPECT_EQ(ask("3", {"--fail-on-risk"}).exit_code, 1);
+// Exactly 3 m is not closer than 3 m: what straight lines leave open is decided along the curves,
+// however roughly these are followed, as by verify.
+TEST_F(CurvedShow, OneWithinTheToleranceIsDecidedAlongTheCurves) {
+  for (const char* tolerance : {"0.001", "0.5"}) {
+    EXPECT_EQ(below_header(ask("3", {"--tolerance", tolerance}).out), "");
+    EXPECT_EQ(ask("3", {"--tolerance", tolerance, "--fail-on-risk"}).exit_code, 0);
+    const Finished closer = ask("3.0002", {"--tolerance", tolerance, "--csv"});
+    const auto rows = rows_of(closer.out, ',');
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0].at(6), "certain");
+    EXPECT_EQ(rows[1].at(6), "yes");
+    expect_parts(closer.err, {"does not keep its distance"});
+  }
 }
 
-TEST_F(CurvedShow, ASmallerToleranceLeavesLessOpen) {
-  EXPECT_EQ(below_header(ask("2.9").out), "");
-  EXPECT_EQ(ask("2.9", {"--fail-on-risk"}).exit_code, 0);
-  EXPECT_NE(ask("2.9", {"--tolerance", "0.5"}).out.find("no\n"), std::string::npos);
+// An exact threshold that counts is not decided so: it stays possible.
+TEST_F(CurvedShow, OneThatTouchesAnInclusiveThresholdStaysPossible) {
+  const Finished finished = ask("3", {"--inclusive", "--json"});
+  EXPECT_TRUE(is_json(finished.out)) << finished.out;
+  expect_parts(finished.out, {R"("certain": false})"});
+  expect_parts(finished.err, {"may not keep its distance"});
+  EXPECT_EQ(ask("3", {"--inclusive", "--fail-on-risk"}).exit_code, 1);
+}
+
+// One lands 1 m beside another one that waits for its take-off, long before it flies: that is a
+// conflict. Two that both stand, 1 m apart from then on, are none.
+TEST_F(ShowReplay, ADroneThatStandsIsThereForThoseThatFly) {
+  const std::string show = R"({"version": 1, "settings": {}, "swarm": {"drones": [)" +
+                           drone("waits",
+                                 "[0, [0, 0, 0], []], [20, [0, 0, 0], []], [25, [0, 0, 10], []], "
+                                 "[30, [30, 0, 0], []]") +
+                           "," +
+                           drone("lands",
+                                 "[0, [20, 0, 0], []], [3, [20, 0, 5], []], [6, [1, 0, 5], []], "
+                                 "[9, [1, 0, 0], []]") +
+                           "]}}";
+  const Finished finished = replay(show, {"--threshold", "2", "--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 1);
+  const auto rows = rows_of(finished.out);
+  ASSERT_EQ(rows.size(), 2u) << finished.out;
+  // From sqrt(3) m above the ground at 5/3 m/s, and until the other one is as high at 2 m/s.
+  EXPECT_NEAR(std::stod(rows[0][2]), 9.0 - std::sqrt(3.0) * 0.6, 1e-6);
+  EXPECT_EQ(rows[0][4], "1");
+  EXPECT_EQ(rows[0][5], "9");
+  EXPECT_EQ(rows[1][2], "20");
+  EXPECT_NEAR(std::stod(rows[1][5]), 20.0 + std::sqrt(3.0) * 0.5, 1e-6);
+  const Finished verify = run({"verify", folder_.file("show.json", show), "--threshold", "2"});
+  EXPECT_EQ(verify.exit_code, 1);
+  expect_parts(verify.err, {"losses     2 conflicts, 2 with a drone on the ground\n",
+                            "does not keep its distance"});
+  const Finished apart = replay(show, {"--threshold", "0.99", "--fail-on-risk"});
+  EXPECT_EQ(apart.exit_code, 0) << apart.out << apart.err;
 }
 
 }  // namespace

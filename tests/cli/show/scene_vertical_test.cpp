@@ -58,7 +58,8 @@ TEST(SeenVertical, PicturesRingTheClosestInConflict) {
 TEST(SeenVertical, WithoutConflictsTheClosestAreReportedToKeepApart) {
   for (const std::string_view input : {kBees, kFlown}) {
     expect_parts(made(Arguments{"plot"} + kFlatCylinder, input),
-                 {"closest, not too close: 10.4 m", "a \u2013 above", ", not too close</text>"});
+                 {"closest, not too close: 3 m across, 10 m in height", "a \u2013 above",
+                  ", not too close</text>"});
   }
 }
 

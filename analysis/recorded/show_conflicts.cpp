@@ -1,0 +1,211 @@
+#include "analysis/recorded/show_conflicts.hpp"
+
+#include "analysis/recorded/flights.hpp"
+#include "analysis/recorded/tracks.hpp"
+
+#include <beespace/bezier_path.hpp>
+#include <beespace/verify_path.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace beespace::analysis {
+namespace {
+
+constexpr double kStandsWithin_m = 0.1;
+
+// Where a drone is while it does not fly.
+struct Standing {
+  PointId bee = 0;
+  TimeSpan span;
+  Point at;
+};
+
+const Point& last_of(const BezierPath& path) {
+  return path.pieces.empty() ? path.begin : path.pieces.back().end;
+}
+
+bool has_curves(const io::Recording& recording) {
+  return !recording.bees.empty() &&
+         std::all_of(recording.bees.begin(), recording.bees.end(),
+                     [](const io::RecordedBee& bee) { return bee.path.has_value(); });
+}
+
+std::vector<Standing> standing_in(const io::Recording& recording) {
+  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+  TimeSpan whole{kUnbounded, -kUnbounded};
+  double ground_m = kUnbounded;
+  for (const io::RecordedBee& bee : recording.bees) {
+    whole = {std::min(whole.begins_s, bee.path->begins_s),
+             std::max(whole.ends_s, path_end_s(*bee.path))};
+    ground_m = std::min({ground_m, bee.path->begin.z, last_of(*bee.path).z});
+  }
+  std::vector<Standing> standing;
+  const auto add = [&](std::size_t bee, const TimeSpan& span, const Point& at) {
+    if (span.begins_s < span.ends_s && at.z - ground_m <= kStandsWithin_m) {
+      standing.push_back({static_cast<PointId>(bee), span, at});
+    }
+  };
+  for (std::size_t bee = 0; bee < recording.bees.size(); ++bee) {
+    const BezierPath& path = *recording.bees[bee].path;
+    add(bee, {whole.begins_s, path.begins_s}, path.begin);
+    add(bee, {path_end_s(path), whole.ends_s}, last_of(path));
+  }
+  return standing;
+}
+
+// Who stands so near to a way, and at such a time, that the two have to be looked at.
+class Neighbours {
+ public:
+  Neighbours(std::vector<Standing> standing, const ConflictOptions& options)
+      : standing_(std::move(standing)),
+        across_m_(options.threshold_m),
+        up_m_(std::max(options.threshold_m, options.vertical_m.value_or(0.0))) {
+    std::sort(standing_.begin(), standing_.end(),
+              [](const Standing& a, const Standing& b) { return a.at.x < b.at.x; });
+  }
+
+  // By their places in standing(), each once.
+  [[nodiscard]] std::vector<std::size_t> of(PointId bee, const Track& track) const {
+    std::vector<std::size_t> found;
+    const double margin_m = across_m_ + track.tolerance_m;
+    for (std::size_t i = 0; i < track.fixes.size(); ++i) {
+      const Fix& from = track.fixes[i];
+      const Fix& to = track.fixes[std::min(i + 1, track.fixes.size() - 1)];
+      const double left_m = std::min(from.position.x, to.position.x) - margin_m;
+      const double right_m = std::max(from.position.x, to.position.x) + margin_m;
+      auto at = std::lower_bound(standing_.begin(), standing_.end(), left_m,
+                                 [](const Standing& one, double x) { return one.at.x < x; });
+      for (; at != standing_.end() && at->at.x <= right_m; ++at) {
+        if (at->bee != bee && is_near(*at, from, to, track.tolerance_m)) {
+          found.push_back(static_cast<std::size_t>(at - standing_.begin()));
+        }
+      }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
+  [[nodiscard]] const std::vector<Standing>& standing() const { return standing_; }
+
+ private:
+  [[nodiscard]] bool is_near(const Standing& one, const Fix& from, const Fix& to,
+                             double tolerance_m) const {
+    const auto within = [&](double value, double a, double b, double margin_m) {
+      return value >= std::min(a, b) - margin_m - tolerance_m &&
+             value <= std::max(a, b) + margin_m + tolerance_m;
+    };
+    return one.span.begins_s <= to.time_s && one.span.ends_s >= from.time_s &&
+           within(one.at.y, from.position.y, to.position.y, across_m_) &&
+           within(one.at.z, from.position.z, to.position.z, up_m_);
+  }
+
+  std::vector<Standing> standing_;  // ascending by x
+  double across_m_;
+  double up_m_;
+};
+
+BezierPath path_of(const Standing& standing) {
+  return {standing.span.begins_s, standing.at, {{standing.span.ends_s, standing.at, {}, 0}}};
+}
+
+// Along the curves; false where the two are not closer than the threshold. Where it is asked for
+// more than that, it stays as it is.
+Result<bool> settle(Conflict& conflict, const BezierPath& first, const BezierPath& second,
+                    const ConflictOptions& options) {
+  if (conflict.certain || options.inclusive || options.vertical_m) return true;
+  const auto found =
+      closest_on_paths(first, second, {conflict.begins_s, conflict.ends_s}, options.threshold_m);
+  if (!found) return found.error();
+  if (!*found) return true;
+  if (!(*found)->closer) return false;
+  conflict.closest_m = (*found)->closest_m;
+  conflict.closest_s = (*found)->closest_s;
+  conflict.certain = true;
+  return true;
+}
+
+std::tuple<PointId, PointId, double> order_of(const Conflict& conflict) {
+  return {conflict.first, conflict.second, conflict.begins_s};
+}
+
+// Of one drone in the air and one that stands.
+Result<std::vector<Conflict>> conflicts_of(PointId bee, const io::Recording& recording,
+                                           const Track& track, const Standing& standing,
+                                           ConflictOptions options) {
+  const BezierPath still = path_of(standing);
+  Track other{{{standing.span.begins_s, standing.at}, {standing.span.ends_s, standing.at}}};
+  if (!track.heights_m.empty()) other.heights_m = {standing.at.z, standing.at.z};
+  options.max_gap_s = std::numeric_limits<double>::infinity();
+  options.threads = 1;
+  auto found = find_conflicts(std::vector<Track>{track, std::move(other)}, options);
+  if (!found) return of_bee(std::move(found).error(), recording.bees[bee]);
+  std::vector<Conflict> kept;
+  for (Conflict conflict : found->conflicts) {
+    const auto is_one = settle(conflict, *recording.bees[bee].path, still, options);
+    if (!is_one) return of_bee(is_one.error(), recording.bees[bee]);
+    if (!*is_one) continue;
+    conflict.first = std::min(bee, standing.bee);
+    conflict.second = std::max(bee, standing.bee);
+    kept.push_back(conflict);
+  }
+  return kept;
+}
+
+}  // namespace
+
+Result<std::vector<Conflict>> conflicts_with_standing(const io::Recording& recording,
+                                                      const std::vector<Track>& tracks,
+                                                      const ConflictOptions& options) {
+  std::vector<Conflict> conflicts;
+  if (!recording.show || !has_curves(recording)) return conflicts;
+  const Neighbours neighbours(standing_in(recording), options);
+  for (PointId bee = 0; bee < tracks.size(); ++bee) {
+    for (const std::size_t place : neighbours.of(bee, tracks[bee])) {
+      auto found = conflicts_of(bee, recording, tracks[bee], neighbours.standing()[place], options);
+      if (!found) return found;
+      conflicts.insert(conflicts.end(), found->begin(), found->end());
+    }
+  }
+  std::sort(conflicts.begin(), conflicts.end(),
+            [](const Conflict& a, const Conflict& b) { return order_of(a) < order_of(b); });
+  return conflicts;
+}
+
+Result<std::vector<Conflict>> settled_conflicts(const io::Recording& recording,
+                                                const ConflictOptions& options,
+                                                std::vector<Conflict> conflicts) {
+  if (!recording.show || !has_curves(recording)) return conflicts;
+  std::vector<Conflict> all;
+  for (Conflict& conflict : conflicts) {
+    const auto is_one = settle(conflict, *recording.bees[conflict.first].path,
+                               *recording.bees[conflict.second].path, options);
+    if (!is_one) return of_bee(is_one.error(), recording.bees[conflict.first]);
+    if (*is_one) all.push_back(conflict);
+  }
+  return all;
+}
+
+Result<ShowConflicts> conflicts_of_show(const io::Recording& recording,
+                                        const std::vector<Track>& tracks,
+                                        const ConflictOptions& options,
+                                        std::vector<Conflict> conflicts) {
+  auto settled = settled_conflicts(recording, options, std::move(conflicts));
+  if (!settled) return settled.error();
+  const auto standing = conflicts_with_standing(recording, tracks, options);
+  if (!standing) return standing.error();
+  ShowConflicts found{*std::move(settled), standing->size()};
+  auto& all = found.conflicts;
+  if (standing->empty()) return found;
+  all.insert(all.end(), standing->begin(), standing->end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Conflict& a, const Conflict& b) { return order_of(a) < order_of(b); });
+  return found;
+}
+
+}  // namespace beespace::analysis

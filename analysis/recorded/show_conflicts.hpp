@@ -1,0 +1,42 @@
+// What a search for conflicts along straight lines does not say of a drone show: whether the
+// possible ones are conflicts along the curves, and who comes too close to a drone on the ground.
+//
+// A drone stands on the ground before its path begins there, and after it ends there, as long as
+// any other flies. Two that both stand are no conflict.
+#pragma once
+
+#include "io/recording/recording.hpp"
+
+#include <beespace/conflict.hpp>
+#include <beespace/find_conflicts.hpp>
+#include <beespace/result.hpp>
+#include <beespace/track.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace beespace::analysis {
+
+// Conflicts between a drone in the air and one that stands, in ascending order of (first, second,
+// begins_s). `tracks` are those of the bees, in metres. Nothing for recordings without curves.
+Result<std::vector<Conflict>> conflicts_with_standing(const io::Recording& recording,
+                                                      const std::vector<Track>& tracks,
+                                                      const ConflictOptions& options);
+
+// Decides along the curves of which conflicts it is not certain that they are some; leaves out
+// those that are none. As they were where there are no curves.
+Result<std::vector<Conflict>> settled_conflicts(const io::Recording& recording,
+                                                const ConflictOptions& options,
+                                                std::vector<Conflict> conflicts);
+
+// Both: the settled ones, and those with drones that stand.
+struct ShowConflicts {
+  std::vector<Conflict> conflicts;
+  std::size_t with_standing = 0;
+};
+Result<ShowConflicts> conflicts_of_show(const io::Recording& recording,
+                                        const std::vector<Track>& tracks,
+                                        const ConflictOptions& options,
+                                        std::vector<Conflict> conflicts);
+
+}  // namespace beespace::analysis

@@ -1,0 +1,32 @@
+// How figures tell how far two are apart: in metres, or in nautical miles and feet where those who
+// made the input, or set the limits, speak so; horizontally and in height where both have a limit.
+#pragma once
+
+#include "report/facts.hpp"
+
+#include <optional>
+#include <string>
+
+namespace beespace::report {
+
+// A unit of an axis.
+struct AxisUnit {
+  double metres = 1.0;
+  const char* name = "m";
+};
+
+// That of distances beside the threshold, and of heights beside the vertical one: nautical miles
+// for a threshold of a mile and more, otherwise feet; metres elsewhere.
+AxisUnit distance_unit(const SwarmFacts& swarm);
+AxisUnit height_unit(const SwarmFacts& swarm);
+
+// A distance, or a difference in height: never as great as the limit where it is below it.
+std::string distance_words(const SwarmFacts& swarm, double metres);
+std::string height_words(const SwarmFacts& swarm, double metres);
+
+// "57.3 m"; with a vertical threshold "3.19 NM across, 800 ft in height", where that is known.
+std::string apart_words(const SwarmFacts& swarm, double metres, const std::optional<Apart>& apart);
+// The same for lists: with more digits; "3.19 NM, 800 ft".
+std::string listed_apart(const SwarmFacts& swarm, double metres, const std::optional<Apart>& apart);
+
+}  // namespace beespace::report

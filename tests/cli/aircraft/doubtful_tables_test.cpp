@@ -1,0 +1,131 @@
+// Tables of aircraft that contradict themselves, or say less than they seem to.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/expectations.hpp"
+
+namespace beespace::cli_test {
+namespace {
+
+// What a table says of one aircraft beside its place.
+struct Said {
+  std::string altitude = "35000";
+  std::string geoaltitude = "35250";
+  std::string groundspeed = "450";
+  std::string vertical_rate = "0";
+  std::string onground = "False";
+};
+
+const std::string kColumns =
+    "timestamp,icao24,callsign,latitude,longitude,altitude,groundspeed,track,vertical_rate";
+
+std::string rows(const std::string& id, double latitude, const Said& said, bool with_geoaltitude) {
+  std::string text;
+  for (int t = 0; t < 6; ++t) {
+    text += "2018-10-12 23:55:0" + std::to_string(t) + "+00:00," + id + ",FLY" + id + "," +
+            std::to_string(latitude) + "," + std::to_string(7.5 + 0.001 * t) + "," + said.altitude +
+            "," + said.groundspeed + ",90," + said.vertical_rate + "," +
+            (with_geoaltitude ? said.geoaltitude + "," : "") + said.onground + "\n";
+  }
+  return text;
+}
+
+// Two that fly 3 NM beside each other, 800 ft apart by pressure.
+std::string table(const Said& second, bool with_geoaltitude = true) {
+  return kColumns + (with_geoaltitude ? ",geoaltitude" : "") + ",onground\n" +
+         rows("4ca7b3", 50.0, Said{}, with_geoaltitude) +
+         rows("3c6444", 50.05, second, with_geoaltitude);
+}
+
+Said lower() {
+  return {"34200", "34450"};
+}
+
+Finished enroute(const std::string& input, const Arguments& more = {}) {
+  return run(Arguments{"replay", "--separation", "enroute", "--fail-on-risk"} + more, input);
+}
+
+TEST(DoubtfulTables, AConflictAsItIs) {
+  const Finished finished = enroute(table(lower()));
+  EXPECT_EQ(finished.exit_code, 1);
+  EXPECT_EQ(rows_of(finished.out).size(), 1u) << finished.out << finished.err;
+}
+
+// Nobody is on the ground at 34,200 ft and 450 kt, or climbing.
+TEST(DoubtfulTables, WhoSaysThatItIsOnTheGroundWhileItFliesIsKept) {
+  Said grounded = lower();
+  grounded.onground = "1";
+  const Finished high = enroute(table(grounded));
+  EXPECT_EQ(high.exit_code, 1);
+  EXPECT_EQ(rows_of(high.out).size(), 1u) << high.err;
+  expect_parts(high.err,
+               {"6 records say that an aircraft is on the ground, but it is higher than any "
+                "airport, or faster or steeper than it could be there: taken for flying, "
+                "and kept\n"});
+  const Finished fast = enroute(table({"100", "100", "240", "0", "1"}));
+  expect_parts(fast.err, {"6 records say that an aircraft is on the ground", "bees       2\n"});
+  const Finished steep = enroute(table({"100", "100", "120", "-1500", "1"}));
+  expect_parts(steep.err, {"6 records say that an aircraft is on the ground", "bees       2\n"});
+  // Whoever rolls at an airport is on the ground, and then there is only one left.
+  const Finished rolls = enroute(table({"5400", "5450", "140", "0", "1"}));
+  expect_parts(rolls.err, {"6 records of aircraft on the ground are left out", "bees       1\n",
+                           "nothing to compare"});
+  EXPECT_EQ(rolls.exit_code, 1);
+}
+
+// The 1,000 ft of ICAO Doc 4444 are by pressure: that column is taken, and said.
+TEST(DoubtfulTables, MinimaOfTheIcaoAreOfPressureHeights) {
+  const Said other_day{"34200", "33000"};
+  const Finished finished = enroute(table(other_day));
+  EXPECT_EQ(finished.exit_code, 1);
+  EXPECT_EQ(rows_of(finished.out).size(), 1u) << finished.err;
+  expect_parts(finished.err,
+               {"heights    pressure altitude\n",
+                "note       heights are by pressure, of column 6 'altitude'; column 10 "
+                "'geoaltitude' is passed over (--heights geometric takes it)\n"});
+  const Finished geometric = enroute(table(other_day), {"--heights", "geometric"});
+  EXPECT_EQ(geometric.exit_code, 0) << geometric.out;
+  expect_parts(geometric.err, {"column 6 'altitude' is passed over (--heights pressure takes it)"});
+  const Finished of_drones = run({"replay", "--separation", "well-clear-suas"}, table(other_day));
+  expect_parts(of_drones.err, {"heights are above the ellipsoid, of column 10 'geoaltitude'"});
+}
+
+TEST(DoubtfulTables, HeightsThatContradictEachOtherAreNotBelieved) {
+  const Said zero{"34200", "0"};
+  const Finished finished = enroute(table(zero), {"--heights", "geometric"});
+  EXPECT_EQ(finished.exit_code, 1);
+  expect_parts(finished.err, {"6 records whose heights by pressure and above the ellipsoid are "
+                              "more than 1,500 m apart are left out",
+                              "known nowhere: 3c6444\n"});
+  expect_parts(enroute(table({"34200", "20000"})).err, {"known nowhere: 3c6444\n"});
+  // A height of 0 is none; the other one is believed.
+  const Finished by_pressure = enroute(table(zero));
+  EXPECT_EQ(rows_of(by_pressure.out).size(), 1u) << by_pressure.err;
+}
+
+TEST(DoubtfulTables, WithoutGeoaltitudeTheLayoutSaysTheUnits) {
+  const Finished finished = enroute(table(lower(), false));
+  EXPECT_EQ(finished.exit_code, 1);
+  EXPECT_EQ(rows_of(finished.out).size(), 1u) << finished.err;
+  expect_parts(finished.err, {"heights in ft: the header is that of traffic, which has 'altitude'",
+                              "speeds in kt: the header is that of traffic"});
+}
+
+// Straight from fix to fix: how fast aircraft say that they go does not matter.
+TEST(DoubtfulTables, ReplayAsksForNoUnitThatItDoesNotNeed) {
+  const std::string input =
+      "time_s,icao24,lat,lon,altitude_ft,groundspeed,track\n"
+      "0,a,50,7.5,35000,450,90\n1,a,50,7.501,35000,450,90\n"
+      "0,b,50.05,7.5,34200,450,90\n1,b,50.05,7.501,34200,450,90\n";
+  const Finished finished = run({"replay", "--separation", "enroute"}, input);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(rows_of(finished.out).size(), 1u);
+  expect_parts(finished.err, {"velocities are not read, and not needed here"});
+  EXPECT_EQ(run({"predict", "--separation", "enroute"}, input).exit_code, 2);
+  EXPECT_EQ(run({"replay", "--report", "events", "--separation", "enroute"}, input).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace beespace::cli_test

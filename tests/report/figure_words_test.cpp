@@ -1,0 +1,132 @@
+// What figures say of aircraft: in miles and feet, horizontally and in height, at UTC times.
+#include "report/figure/figure.hpp"
+#include "report/figure/separation_words.hpp"
+#include "report/figure/style.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace beespace::report {
+namespace {
+
+std::vector<std::string> texts_of(const Drawing& drawing) {
+  std::vector<std::string> texts;
+  for (const Shape& shape : drawing.shapes) {
+    if (const auto* text = std::get_if<Text>(&shape)) texts.push_back(text->text);
+  }
+  return texts;
+}
+
+bool says(const std::vector<std::string>& texts, const std::string& part) {
+  return std::any_of(texts.begin(), texts.end(), [&part](const std::string& text) {
+    return text.find(part) != std::string::npos;
+  });
+}
+
+constexpr double kFoot_m = 0.3048;
+
+// 3.19 NM beside each other and 800 ft above, from 23:55 to 00:05 UTC.
+RecordingFacts crossing() {
+  constexpr double kBegins_s = 1'539'388'500.0;  // 2018-10-12T23:55:00Z
+  RecordingFacts facts;
+  facts.swarm.title = "traffic.csv";
+  facts.swarm.origin = GeographicPosition{7.5, 50.0, 0.0};
+  facts.swarm.aviation = true;
+  facts.swarm.threshold_m = 5.0 * 1852.0;
+  facts.swarm.vertical_m = 1000.0 * kFoot_m;
+  facts.swarm.names.texts = {"3c6444 (LUFTHANSA2A)", "4ca7b3 (RYANAIR12AB)"};
+  facts.since_1970 = true;
+  const double across_m = 3.19 * 1852.0;
+  const double up_m = 800.0 * kFoot_m;
+  facts.tracks = {Track{{{kBegins_s, {0, 0, 10'000}}, {kBegins_s + 600, {140'000, 0, 10'000}}}},
+                  Track{{{kBegins_s, {0, across_m, 10'000 + up_m}},
+                         {kBegins_s + 600, {140'000, across_m, 10'000 + up_m}}}}};
+  const double slant_m = std::hypot(across_m, up_m);
+  facts.conflicts = {{0, 1, kBegins_s, kBegins_s + 313, kBegins_s + 600, slant_m}};
+  facts.conflict_count = facts.pair_count = 1;
+  facts.at_risk = {{0, {kBegins_s, kBegins_s + 600}}, {1, {kBegins_s, kBegins_s + 600}}};
+  facts.closest = facts.conflicts.front();
+  facts.closest_apart = Apart{across_m, up_m};
+  facts.conflicts_apart = {*facts.closest_apart};
+  for (int t = 0; t <= 600; ++t) {
+    facts.separation.push_back({kBegins_s + t, {0, 1, slant_m}, facts.closest_apart});
+  }
+  return facts;
+}
+
+TEST(FigureWords, AviationIsToldInMilesAndFeet) {
+  const auto texts = texts_of(figure_of(crossing()));
+  EXPECT_TRUE(says(texts, "closer than 5 NM across and closer than 1,000 ft in height"));
+  EXPECT_TRUE(says(texts, "closest: 3.19 NM across, 800 ft in height"));
+  EXPECT_TRUE(says(texts, "3.19 NM, 800 ft at 00:00:13"));
+  EXPECT_TRUE(says(texts, "horizontally 5 NM"));
+  EXPECT_TRUE(says(texts, "in height 1,000 ft"));
+  for (const char* axis : {"East (NM)", "North (NM)", "Height (ft)", "Distance (NM)"}) {
+    EXPECT_TRUE(says(texts, axis)) << axis;
+  }
+  EXPECT_FALSE(says(texts, " km"));
+  EXPECT_FALSE(says(texts, "5,91"));
+}
+
+TEST(FigureWords, OthersAreToldInMetres) {
+  RecordingFacts facts = crossing();
+  facts.swarm.aviation = false;
+  const auto texts = texts_of(figure_of(facts));
+  EXPECT_TRUE(says(texts, "5,907.9 m across, 243.840 m in height at 00:00:13") ||
+              says(texts, "5,907.9 m across, 243.8 m in height at 00:00:13"));
+  EXPECT_TRUE(says(texts, "Distance (m)"));
+}
+
+// What is below a limit is never rounded up to it.
+TEST(FigureWords, NothingBelowALimitLooksAsIfItWereNot) {
+  SwarmFacts swarm = crossing().swarm;
+  EXPECT_EQ(distance_words(swarm, 4.9996 * 1852.0), "4.9996 NM");
+  EXPECT_EQ(height_words(swarm, 999.8 * kFoot_m), "999.8 ft");
+  EXPECT_EQ(distance_words(swarm, 5.0 * 1852.0), "5 NM");
+  swarm.threshold_m = 500.0 * kFoot_m;
+  EXPECT_EQ(distance_words(swarm, 137.0 * kFoot_m), "137 ft");
+}
+
+// A day has 24 hours: after midnight the axis says the day, and then what tables say.
+TEST(FigureWords, TheTimeAxisAgreesWithTables) {
+  const auto texts = texts_of(figure_of(crossing()));
+  EXPECT_TRUE(says(texts, "Time (UTC, from 2018-10-12)"));
+  EXPECT_TRUE(says(texts, "23:56"));
+  EXPECT_TRUE(says(texts, "10-13"));
+  EXPECT_TRUE(says(texts, "00:02"));
+  EXPECT_FALSE(says(texts, "24:0"));
+}
+
+TEST(FigureWords, NamesInListsAreNotCut) {
+  const auto texts = texts_of(figure_of(crossing()));
+  EXPECT_TRUE(says(texts, "3c6444 (LUFTHANSA2A) \u2013 4ca7b3 (RYANAIR12AB)"));
+}
+
+// No name of a limit where the line of the separation goes.
+TEST(FigureWords, NoNameOfALimitSitsOnTheLine) {
+  const Drawing drawing = figure_of(crossing());
+  std::vector<double> levels;  // of lines that go through all of the chart
+  for (const Shape& shape : drawing.shapes) {
+    const auto* lines = std::get_if<Lines>(&shape);
+    if (lines == nullptr || lines->ink.rgb != kText.rgb || lines->runs.size() != 1) continue;
+    if (lines->runs.front().size() > 100) levels.push_back(lines->runs.front().front().y);
+  }
+  ASSERT_EQ(levels.size(), 2u);
+  for (const Shape& shape : drawing.shapes) {
+    const auto* text = std::get_if<Text>(&shape);
+    if (text == nullptr ||
+        !(text->text.starts_with("horizontally ") || text->text.starts_with("in height "))) {
+      continue;
+    }
+    for (const double level : levels) {
+      EXPECT_TRUE(level < text->at.y - kLabelSize || level > text->at.y + 3.0) << text->text;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace beespace::report
