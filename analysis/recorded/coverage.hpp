@@ -40,7 +40,7 @@ struct Coverage {
   // Whether it is known all the time where all bees were.
   [[nodiscard]] bool complete() const { return !may_hide_conflicts() && bees_partly == 0; }
   // Whether a bee was there, but it is not known where.
-  [[nodiscard]] bool may_hide_conflicts() const { return gaps > 0 || missing.count > 0; }
+  [[nodiscard]] bool may_hide_conflicts() const { return gaps > 0 || !missing.none(); }
 };
 
 // `gaps` are those that max_gap makes: in ascending order of (track, begins_s).
