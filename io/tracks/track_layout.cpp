@@ -243,7 +243,9 @@ Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::stri
 bool is_trajectory_of_poses(std::string_view text, const TableLayout& table) {
   constexpr std::size_t kColumns = 8;
   constexpr std::uint64_t kRows = 100;
-  if (!table.names.empty() || table.columns != kColumns) return false;
+  // The comment that it may begin with is one of its own.
+  const bool named = !table.names.empty() && (table.names.size() < 2 || table.names[1] != "tx");
+  if (named || table.columns != kColumns) return false;
   RecordWalk walk(text, table.data_offset, table);
   std::optional<double> before_s;
   while (walk.next() && walk.row() < kRows) {
@@ -271,7 +273,7 @@ Result<TrackLayout> layout_of_poses(TableLayout table, std::string_view text,
   auto layout = choose_track_layout(std::move(table), text, options, whole);
   if (!layout) return layout;
   layout->notes.emplace_back(
-      "without a header, this is taken for a trajectory as of TUM: time [s], x, y, z [m] and a "
+      "this is taken for a trajectory as of TUM: time [s], x, y, z [m] and a "
       "quaternion");
   return layout;
 }
@@ -335,7 +337,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   const bool said = header.override_of(Role::kX) || header.override_of(Role::kLongitude);
   if (!said && header.source() == nullptr) {
     if (auto problem = several_vehicles(layout.table)) return *std::move(problem);
-    if (!header.has(Role::kX) && !header.has(Role::kLongitude)) {
+    if (!header.has(Role::kZ) && !header.has(Role::kHeight)) {
       if (auto problem = downward(header)) return *std::move(problem);
     }
   }
