@@ -216,6 +216,7 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
           if (!follows) places_.push_back({fixes_, origin});
           last_ = origin;
           ++fixes_;
+          look_for_two(bee, fix, origin);
           if (witness_) witness_->look_at(std::span(&fix.position, 1));
           fixes.push_back({bee, fix, stated});
         });
@@ -226,6 +227,14 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
     end_source();
   }
   return std::monostate{};
+}
+
+// Of fixes in the order of the input; those that go back in time count for nothing.
+void RecordingStream::look_for_two(std::size_t bee, const Fix& fix, Origin origin) {
+  if (bee >= shared_.size()) shared_.resize(bee + 1);
+  if (shared_[bee].found()) return;
+  shared_[bee].take(fix, frame());
+  if (shared_[bee].found()) assembly_->share({id(bee), fix.time_s, origin});
 }
 
 Origin RecordingStream::origin_of(std::uint64_t fix) const {

@@ -12,6 +12,7 @@
 #include "io/recording/recording.hpp"
 #include "io/recording/recording_assembly.hpp"
 #include "io/recording/recording_options.hpp"
+#include "io/recording/shared_id.hpp"
 #include "io/tracks/track_table.hpp"
 
 #include <beespace/result.hpp>
@@ -70,6 +71,7 @@ class RecordingStream {
   [[nodiscard]] std::string_view pending() const { return pending_->view().substr(at_); }
   [[nodiscard]] std::string_view beginning() const;
   [[nodiscard]] Origin origin_of(std::uint64_t fix) const;
+  void look_for_two(std::size_t bee, const Fix& fix, Origin origin);
 
   std::unique_ptr<RecordingOptions> options_;
   Progress* progress_;  // of bytes of files, packed as they are
@@ -94,6 +96,7 @@ class RecordingStream {
   std::uint64_t fixes_ = 0;
   std::optional<Origin> last_;
   std::optional<FrameWitness> witness_;  // where values may contradict names
+  std::vector<SharedId> shared_;         // by bee
 };
 
 }  // namespace beespace::io

@@ -176,11 +176,16 @@ std::string unknown_text(const Coverage& coverage) {
 }
 
 std::string missing_text(const io::MissingRecords& missing) {
-  if (missing.count == 0) return {};
   std::string text;
+  if (missing.shared > 0) {
+    text = io::grouped(missing.shared) + (missing.shared == 1 ? " id seems to be of two bees"
+                                                              : " ids seem to be of two bees each");
+  }
+  if (missing.count == 0) return text;
+  if (!text.empty()) text += ", ";
   if (missing.nowhere > 0) {
-    text = io::grouped(missing.nowhere) +
-           (missing.nowhere == 1 ? " bee is known nowhere, " : " bees are known nowhere, ");
+    text += io::grouped(missing.nowhere) +
+            (missing.nowhere == 1 ? " bee is known nowhere, " : " bees are known nowhere, ");
   }
   return text + io::counted(missing.count, "record", "records") +
          (missing.count == 1 ? " was" : " were") + " left out";

@@ -44,7 +44,7 @@ struct Coverage {
   [[nodiscard]] bool complete() const { return !may_hide_conflicts() && bees_partly == 0; }
   // Whether a bee was there, but it is not known where.
   [[nodiscard]] bool may_hide_conflicts() const {
-    return gaps > 0 || missing.count > 0 || bees_cut_off > 0;
+    return gaps > 0 || !missing.none() || bees_cut_off > 0;
   }
 };
 

@@ -60,6 +60,12 @@ void write_coverage(io::JsonWriter& json, const analysis::Coverage& coverage,
 }
 
 void append_missing(std::string& out, const io::MissingRecords& missing) {
+  if (missing.shared > 0) {
+    std::string named;
+    for (const std::string& id : missing.shared_ids) named += (named.empty() ? "" : ", ") + id;
+    if (missing.shared > missing.shared_ids.size()) named += ", ...";
+    append_summary_line(out, "two in one", red(printable(named)) + ": at two places in turn");
+  }
   if (missing.count == 0) return;
   std::string text = red(io::counted(missing.count, "record", "records"));
   if (missing.without_id < missing.count) text += " of " + io::counted(missing.bees, "bee", "bees");
@@ -80,6 +86,7 @@ void write_missing(io::JsonWriter& json, const io::MissingRecords& missing) {
   json.member("left_out_records", missing.count).member("left_out_without_id", missing.without_id);
   json.member("left_out_bees", missing.bees).member("bees_known_nowhere", missing.nowhere);
   json.member("known_nowhere", missing.nowhere_ids);
+  json.member("shared_id_count", missing.shared).member("shared_ids", missing.shared_ids);
 }
 
 }  // namespace beespace::cli

@@ -141,13 +141,14 @@ Rows finding_rows(const PathFindings& findings) {
   Rows rows{{{"finding"},
              {"first", "first_label"},
              {"second", "second_label"},
-             {"begins_s"},
-             {"ends_s"},
+             {"begins_s", nullptr, "begins"},
+             {"ends_s", nullptr, "ends"},
              {"value"},
              {"limit"},
-             {"at_s"}},
+             {"at_s", nullptr, "at"}},
             {},
-            analysis::has_labels(recording)};
+            analysis::has_labels(recording),
+            analysis::calendar_of(recording)};
   for (const Conflict& loss : findings.verdict.losses) {
     rows.rows.push_back({std::string("loss"), analysis::name_of(loss.first, recording),
                          analysis::name_of(loss.second, recording), loss.begins_s, loss.ends_s,

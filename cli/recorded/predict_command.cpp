@@ -70,7 +70,7 @@ struct Prediction {
 
   // Whether it is known of every bee where it goes.
   [[nodiscard]] bool complete() const {
-    return snapshot.stale == 0 && snapshot.unmoving.empty() && recording.missing.count == 0;
+    return snapshot.stale == 0 && snapshot.unmoving.empty() && recording.missing.none();
   }
 };
 

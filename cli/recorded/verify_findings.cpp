@@ -89,11 +89,12 @@ Rows finding_rows(const Verification& verification) {
   Rows rows{{{"finding"},
              {"first", "first_label"},
              {"second", "second_label"},
-             {"begins_s"},
-             {"ends_s"},
+             {"begins_s", nullptr, "begins"},
+             {"ends_s", nullptr, "ends"},
              {"value"}},
             {},
-            analysis::has_labels(recording)};
+            analysis::has_labels(recording),
+            analysis::calendar_of(recording)};
   for (const Loss& loss : verification.verdict.first_losses) {
     rows.rows.push_back({std::string("loss"), analysis::name_of(loss.pair.first, recording),
                          analysis::name_of(loss.pair.second, recording), loss.begins_s, loss.ends_s,

@@ -12,6 +12,7 @@
 #include "cli/watch/watch_tally.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/live/report_lines.hpp"
+#include "io/recording/shared_id.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -198,6 +199,7 @@ class Watch {
       note_placed(at.id);
       const auto bee = feed_ ? feed_->leave(at.id) : std::nullopt;
       if (bee && advice_) advice_->remove(*bee);
+      if (bee && *bee < shared_.size()) shared_[*bee] = {};
       return std::monostate{};
     }
     if (!feed_) begin(at.frame, at.height_unit);
@@ -216,6 +218,7 @@ class Watch {
       note_bad(feed_->too_many());
       return std::monostate{};
     }
+    look_for_two(*number, {time_of(at), metres->position});
     Status taken = feed_->take({*number, time_of(at), metres->position, metres->velocity,
                                 metres->height_m, metres->climb_mps},
                                wall_s());
@@ -251,6 +254,22 @@ class Watch {
   [[nodiscard]] double time_of(const io::ReportLine& at) const {
     if (!request_.by_arrival) return at.time_s;
     return came_s_ + since_1970_;
+  }
+
+  // Two that report in turn under one id: it is not known where either is.
+  void look_for_two(AgentId number, const Fix& fix) {
+    if (number >= shared_.size()) shared_.resize(number + 1);
+    io::SharedId& shared = shared_[number];
+    if (shared.found()) return;
+    shared.take(fix);
+    if (!shared.found()) return;
+    if (advice_) advice_->note_unplaced(many_unplaced_ = true);
+    if (++left_out_.shared > kMostBadLinesSaid || request_.quiet) return;
+    const bool frames = lines_.in_frames();
+    const std::uint64_t number_of_line = lines_.lines() - (frames ? 1 : 0);
+    say("beespace: " + printable(feed_->name(number).id) + " is at two places in turn, up to " +
+        (frames ? "record " : "line ") + std::to_string(number_of_line) + ", " +
+        io::exact(fix.time_s) + " s, as if two had this id: where they are is not known\n");
   }
 
   void note_contrary(const PositionReport& report) {
@@ -364,6 +383,7 @@ class Watch {
                                     std::chrono::steady_clock::now().time_since_epoch())
           .count();
   LeftOutOfWatch left_out_;
+  std::vector<io::SharedId> shared_;             // by number
   std::set<std::string, std::less<>> unplaced_;  // ids, for advice
   bool many_unplaced_ = false;                   // more than are kept
   std::uint64_t unadvised_looks_ = 0;

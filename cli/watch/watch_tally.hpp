@@ -18,6 +18,7 @@ struct LeftOutOfWatch {
   std::uint64_t lines = 0;     // bad ones
   std::uint64_t contrary = 0;  // reports of a bee that is elsewhere at that time
   std::uint64_t nowhere = 0;   // bees of which no line says where they are
+  std::uint64_t shared = 0;    // ids that two bees seem to share
 };
 
 class WatchTally {

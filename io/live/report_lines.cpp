@@ -117,6 +117,7 @@ Result<std::optional<ReportLine>> ReportLines::take(std::string_view line) {
 
 Result<std::optional<ReportLine>> ReportLines::take_frame(std::string_view logged) {
   if (!reader_) reader_ = make_telemetry_frames(options_);
+  in_frames_ = true;
   ++lines_;
   bad_id_ = {};
   hidden_id_ = {};

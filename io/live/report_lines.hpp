@@ -90,6 +90,8 @@ class ReportLines {
   [[nodiscard]] bool ended() const;
 
   [[nodiscard]] std::uint64_t lines() const { return lines_; }
+  // Whether these are frames of a telemetry log.
+  [[nodiscard]] bool in_frames() const { return in_frames_; }
   [[nodiscard]] std::string description() const;  // "text, comma-separated", "readsb JSON", ...
   [[nodiscard]] HeightDatum heights() const;
   [[nodiscard]] std::vector<UnitTaken> units() const;
@@ -110,6 +112,7 @@ class ReportLines {
   std::string_view hidden_id_ = {};
   std::uint64_t lines_ = 0;
   bool understood_ = false;
+  bool in_frames_ = false;
 };
 
 }  // namespace beespace::io

@@ -5,20 +5,26 @@
 #include "io/live/report_layout.hpp"
 #include "io/mavlink/mavlink_position.hpp"
 #include "io/mavlink/telemetry_log.hpp"
+#include "io/mavlink/telemetry_words.hpp"
+#include "io/mavlink/vehicle_census.hpp"
 #include "io/problems/skipped_records.hpp"
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 namespace beespace::io {
 namespace {
 
-constexpr LeftOutReason kNoSatellites = {"of drones that know no position yet (0, 0)"};
-constexpr LeftOutReason kOtherComponent = {"of another component of the same system", {}, true};
 constexpr LeftOutReason kLocalOnly = {"of drones that tell local positions (message 32)",
                                       "--crs metres takes these"};
+constexpr LeftOutReason kNotLocal = {"of drones that tell no local positions (--crs metres)"};
+// So long a drone that tells the place of its satellites may still tell that of its estimator.
+constexpr std::uint64_t kPatience_us = 2'000'000;
 
 class TelemetryFrames final : public LineReader {
  public:
@@ -29,23 +35,20 @@ class TelemetryFrames final : public LineReader {
       return *std::move(problem);
     }
     id_.clear();
+    label_.clear();
     hides_ = false;
     TelemetryWalk walk(logged);
     if (!walk.next() || walk.damaged_places() > 0) return damaged(logged.size());
     const MavlinkFrame& frame = walk.frame();
-    const auto at = read_mavlink_position(frame);
-    if (!at) return std::optional<ReportLine>();
-    id_ = std::to_string(frame.system);
-    if (at->global == metres()) return of_other_kind(frame.system, at->global);
-    settled_ = true;
-    tells_[frame.system] = true;
-    if (at->global && at->position.x == 0.0 && at->position.y == 0.0) {
-      return left_out(kNoSatellites);
+    census_.take(frame);
+    if (auto drone = remote_drone(frame)) {
+      id_ = *std::move(drone);
+      return left_out(kRemoteDrone);
     }
-    auto& component = components_[frame.system];
-    if (!component) component = frame.component;
-    if (*component != frame.component) return left_out(kOtherComponent);
-    return report(*at, walk.stamp());
+    const auto at = read_mavlink_position(frame);
+    if (at && at->by == PlaceBy::kOfAnother) return of_another(*at, walk.stamp());
+    id_ = std::to_string(frame.system);
+    return at ? of_vehicle(frame, *at, walk.stamp()) : of_silent(frame.system);
   }
 
   [[nodiscard]] bool settled() const override { return settled_; }
@@ -56,12 +59,14 @@ class TelemetryFrames final : public LineReader {
     LineFacts facts;
     facts.description = "MAVLink telemetry";
     facts.heights = metres() ? HeightDatum::kHome : HeightDatum::kMeanSeaLevel;
-    facts.notes = {metres() ? "positions are those of MAVLink message 32 (LOCAL_POSITION_NED), "
-                              "metres east, north and up of each drone's own origin: they can be "
-                              "compared only if all drones have the same one"
-                            : "positions are those of MAVLink message 33 (GLOBAL_POSITION_INT), "
-                              "heights above mean sea level",
+    facts.notes = {std::string(metres() ? kLocalNote : kGlobalNote),
                    "times are those at which the log was written"};
+    if (!lesser_.empty()) {
+      facts.notes.push_back("of drones that tell nothing better, positions are those of message " +
+                            lesser_);
+    }
+    if (any_other_) facts.notes.emplace_back(kReportedNote);
+    if (std::string note = silent_note(); !note.empty()) facts.notes.push_back(std::move(note));
     facts.units = {metres() ? UnitTaken{"x, y and z", Unit::kMetre, UnitEvidence::kNamed,
                                         "MAVLink message 32 has them so"}
                             : UnitTaken{"heights", Unit::kMillimetre, UnitEvidence::kNamed,
@@ -86,11 +91,98 @@ class TelemetryFrames final : public LineReader {
     return std::nullopt;
   }
 
-  // A drone that tells both kinds is known by the one that is taken; of another it is not known
-  // where it is, until it tells that one.
-  std::optional<ReportLine> of_other_kind(std::uint8_t system, bool global) {
-    if (global || tells_[system]) return std::nullopt;
-    return left_out(kLocalOnly);
+  // Of another message: a vehicle is known nowhere until it tells a place, and is none where a
+  // heartbeat says so later.
+  std::optional<ReportLine> of_silent(std::uint8_t system) {
+    if (taken_[system]) return std::nullopt;
+    if (census_.is_vehicle(system)) {
+      ++silent_[system];
+      hides_ = true;
+      return std::nullopt;
+    }
+    if (silent_[system] == 0) return std::nullopt;
+    silent_[system] = 0;
+    ReportLine line;
+    line.id = id_;
+    line.leaves = true;
+    return line;
+  }
+
+  // Whether a drone that tells places of several kinds is taken by this one.
+  bool takes(std::uint8_t system, PlaceBy by, std::uint64_t stamp) {
+    auto& taken = taken_[system];
+    if ((by == PlaceBy::kLocal) != metres() || (taken && by > *taken)) return false;
+    if (taken == by || by == PlaceBy::kGlobal || by == PlaceBy::kLocal || taken) {
+      taken = by;
+      return true;
+    }
+    if (!first_[system]) first_[system] = stamp;
+    if (stamp < *first_[system] + kPatience_us) return false;
+    taken = by;
+    lesser_ = by == PlaceBy::kUtm ? "340 (UTM_GLOBAL_POSITION)" : "24 (GPS_RAW_INT)";
+    return true;
+  }
+
+  // The first that a system tells by message 340 is its own.
+  bool is_handed_on(std::uint8_t system, const MavlinkPosition& at) {
+    if (at.by != PlaceBy::kUtm) return false;
+    auto& own = own_names_[system];
+    if (!own) own = at.name;
+    return *own != at.name;
+  }
+
+  Result<std::optional<ReportLine>> of_vehicle(const MavlinkFrame& frame, const MavlinkPosition& at,
+                                               std::uint64_t stamp) {
+    told_[frame.system] = true;
+    if (is_handed_on(frame.system, at)) {
+      id_ = "UTM " + at.name;
+      return left_out(kHandedOn);
+    }
+    if (!at.known && (at.by == PlaceBy::kGlobal || !taken_[frame.system])) {
+      return left_out(kNoSatellites);
+    }
+    if (!takes(frame.system, at.by, stamp)) {
+      if (taken_[frame.system]) return std::optional<ReportLine>();
+      if (metres()) return left_out(kNotLocal);
+      if (at.by == PlaceBy::kLocal) return left_out(kLocalOnly);
+      hides_ = true;
+      return std::optional<ReportLine>();
+    }
+    settled_ = true;
+    if (!at.known) return left_out(kNoSatellites);
+    auto& component = components_[frame.system];
+    if (!component) component = frame.component;
+    if (*component != frame.component) return left_out(kOtherComponent);
+    return report(at, stamp);
+  }
+
+  // Bounded by the aircraft that there can be: of more, all places count as new.
+  Result<std::optional<ReportLine>> of_another(const MavlinkPosition& at, std::uint64_t stamp) {
+    constexpr std::size_t kMost = 65'536;
+    id_ = address_text(at.address);
+    if (metres() || !at.known) return left_out(metres() ? kNotLocal : kNoSatellites);
+    any_other_ = true;
+    settled_ = true;
+    if (places_.size() >= kMost && !places_.contains(at.address)) places_.clear();
+    const auto [last, first] = places_.try_emplace(at.address, at.position);
+    const bool again = !first && at.age_s > 0.0 && last->second == at.position;
+    last->second = at.position;
+    if (again) return left_out(kHeardAgain);
+    label_ = at.name;
+    return report(at, stamp);
+  }
+
+  [[nodiscard]] std::string silent_note() const {
+    std::string names;
+    std::uint64_t frames = 0;
+    for (std::size_t system = 0; system < kSystems; ++system) {
+      if (told_[system] || silent_[system] == 0) continue;
+      names.append(names.empty() ? "" : ", ").append(std::to_string(system));
+      frames += silent_[system];
+    }
+    if (frames == 0) return {};
+    return std::to_string(frames) + (frames == 1 ? " record " : " records ") +
+           std::string(kNoPlaceRead.which) + (frames == 1 ? " is" : " are") + " left out: " + names;
   }
 
   Result<std::optional<ReportLine>> report(const MavlinkPosition& at, std::uint64_t stamp) {
@@ -98,17 +190,18 @@ class TelemetryFrames final : public LineReader {
     if (auto problem = position_problem(at)) return without_advice(*std::move(problem));
     ReportLine line;
     line.id = id_;
-    line.time_s = static_cast<double>(stamp) / kMicrosPerSecond;
+    line.label = label_;
+    line.time_s = static_cast<double>(stamp) / kMicrosPerSecond - at.age_s;
     line.position = at.position;
     line.stated_height = at.position.z;
-    line.frame = at.global ? Frame::kWgs84 : Frame::kMetres;
+    line.frame = at.global() ? Frame::kWgs84 : Frame::kMetres;
     line.velocity = known(at.velocity);
     line.since_1970 = true;
     return std::optional<ReportLine>(line);
   }
 
   static std::optional<Error> position_problem(const MavlinkPosition& at) {
-    if (at.global) return impossible_place(at.position);
+    if (at.global()) return impossible_place(at.position);
     const Point& place = at.position;
     if (std::isfinite(place.x + place.y + place.z) && in_motion_domain(place.x) &&
         in_motion_domain(place.y) && in_motion_domain(place.z)) {
@@ -118,13 +211,26 @@ class TelemetryFrames final : public LineReader {
         ErrorCode::kNotFinite, "its position is not a number that can be computed with", {}};
   }
 
+  static constexpr std::size_t kSystems = 256;
+
   RecordingOptions options_;
   LeftOut left_out_;
+  VehicleCensus census_;
   std::string id_;
+  std::string label_;
+  std::string lesser_;  // by which message drones were taken that tell nothing better
   bool settled_ = false;
   bool hides_ = false;
-  std::array<bool, 256> tells_ = {};  // by system: a position of the kind that is taken
-  std::array<std::optional<std::uint8_t>, 256> components_ = {};  // who speaks for it
+  bool any_other_ = false;
+  // By system: how its places are taken, how often it spoke before, since when it tells a worse one
+  // than it may, which component speaks for it, whose places of message 340 are its own.
+  std::array<std::optional<PlaceBy>, kSystems> taken_ = {};
+  std::array<std::uint64_t, kSystems> silent_ = {};
+  std::array<bool, kSystems> told_ = {};  // a place, if only one that is not taken
+  std::array<std::optional<std::uint64_t>, kSystems> first_ = {};
+  std::array<std::optional<std::uint8_t>, kSystems> components_ = {};
+  std::array<std::optional<std::string>, kSystems> own_names_ = {};
+  std::unordered_map<std::uint32_t, Point> places_;  // of aircraft by address: the last
 };
 
 }  // namespace

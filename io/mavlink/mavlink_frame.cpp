@@ -16,9 +16,25 @@ unsigned byte_at(std::string_view bytes, std::size_t at) {
 
 // What the meaning of the message adds to its checksum.
 std::optional<char> extra_of(std::uint32_t message) {
-  if (message == kLocalPositionNed) return static_cast<char>(185);
-  if (message == kGlobalPositionInt) return static_cast<char>(104);
-  return std::nullopt;
+  switch (message) {
+    case kHeartbeat:
+      return static_cast<char>(50);
+    case kGpsRawInt:
+      return static_cast<char>(24);
+    case kLocalPositionNed:
+    case kRadioStatus:
+      return static_cast<char>(185);
+    case kGlobalPositionInt:
+      return static_cast<char>(104);
+    case kAdsbVehicle:
+      return static_cast<char>(184);
+    case kUtmGlobalPosition:
+      return static_cast<char>(99);
+    case kRemoteIdLocation:
+      return static_cast<char>(254);
+    default:
+      return std::nullopt;
+  }
 }
 
 Checksum check(std::string_view bytes, std::size_t header, const MavlinkFrame& frame) {

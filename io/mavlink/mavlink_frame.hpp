@@ -16,8 +16,14 @@
 
 namespace beespace::io {
 
+inline constexpr std::uint32_t kHeartbeat = 0;
+inline constexpr std::uint32_t kGpsRawInt = 24;
 inline constexpr std::uint32_t kLocalPositionNed = 32;
 inline constexpr std::uint32_t kGlobalPositionInt = 33;
+inline constexpr std::uint32_t kRadioStatus = 109;
+inline constexpr std::uint32_t kAdsbVehicle = 246;
+inline constexpr std::uint32_t kUtmGlobalPosition = 340;
+inline constexpr std::uint32_t kRemoteIdLocation = 12'901;  // OPEN_DRONE_ID_LOCATION
 
 // The first byte of a frame of version 2.
 inline constexpr std::uint8_t kMavlink2 = 0xFD;

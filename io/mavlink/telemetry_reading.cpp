@@ -4,20 +4,24 @@
 #include "io/frames/track_domain.hpp"
 #include "io/mavlink/mavlink_position.hpp"
 #include "io/mavlink/telemetry_log.hpp"
+#include "io/mavlink/telemetry_words.hpp"
+#include "io/mavlink/vehicle_census.hpp"
 #include "io/problems/skipped_records.hpp"
 #include "io/recording/recording_sources.hpp"
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace beespace::io {
 namespace {
 
-constexpr LeftOutReason kNoSatellites = {"of drones that know no position yet (0, 0)"};
-constexpr LeftOutReason kOtherComponent = {"of another component of the same system", {}, true};
 constexpr LeftOutReason kOtherFrame = {
     "of drones that tell local positions only, beside others that tell longitude and latitude",
     "--crs metres takes local positions"};
@@ -46,37 +50,74 @@ class TelemetryReading {
     if (auto error = choose_kind()) return error;
     if (auto error = assembly_.agree(facts())) return error;
     assembly_.tracks().round_times(0.0);
-    say_aloud();
-    const std::string before =
+    assembly_.count_records();
+    before_ =
         assembly_.has_several() ? assembly_.name_of_source(stem_of(path)) + ":" : std::string();
+    choose_places();
+    say_aloud();
     for (const Heard& heard : heard_) {
-      if (auto error = take(heard, before)) return error;
+      if (auto error = take(heard)) return error;
     }
+    leave_out_silent();
     return std::nullopt;
   }
 
  private:
   void gather() {
     while (walk_.next()) {
-      const auto position = read_mavlink_position(walk_.frame());
+      const MavlinkFrame& frame = walk_.frame();
+      census_.take(frame);
+      if (auto drone = remote_drone(frame)) ++remote_[*std::move(drone)];
+      auto position = read_mavlink_position(frame);
+      if (!position || position->by != PlaceBy::kOfAnother) ++frames_of_[frame.system];
       if (!position) continue;
+      if (position->known) tells_[frame.system][static_cast<std::size_t>(position->by)] = true;
+      any_[static_cast<std::size_t>(position->by)] = true;
       heard_.push_back(
-          {walk_.stamp(), walk_.index(), walk_.frame().system, walk_.frame().component, *position});
-      (position->global ? any_global_ : any_local_) = true;
+          {walk_.stamp(), walk_.index(), frame.system, frame.component, *std::move(position)});
     }
+  }
+
+  [[nodiscard]] bool any(PlaceBy by) const { return any_[static_cast<std::size_t>(by)]; }
+  [[nodiscard]] bool any_global() const {
+    return any(PlaceBy::kGlobal) || any(PlaceBy::kUtm) || any(PlaceBy::kSatellite) ||
+           any(PlaceBy::kOfAnother);
+  }
+  [[nodiscard]] bool tells(std::size_t system, PlaceBy by) const {
+    return tells_[system][static_cast<std::size_t>(by)];
+  }
+
+  // Whether every drone with a place has a local one: what satellites tell is worse.
+  [[nodiscard]] bool all_local() const {
+    for (std::size_t system = 0; system < kSystems; ++system) {
+      const bool elsewhere = tells(system, PlaceBy::kUtm) || tells(system, PlaceBy::kSatellite);
+      if (elsewhere && !tells(system, PlaceBy::kLocal)) return false;
+    }
+    return any(PlaceBy::kLocal);
   }
 
   std::optional<Error> choose_kind() {
     const Frame asked = assembly_.options().frame;
-    global_ = asked == Frame::kWgs84 || (asked == Frame::kAuto && any_global_);
-    if (global_ ? any_global_ : any_local_) return std::nullopt;
+    global_ = asked == Frame::kWgs84 ||
+              (asked == Frame::kAuto && (any(PlaceBy::kGlobal) || (any_global() && !all_local())));
+    if (global_ ? any_global() : any(PlaceBy::kLocal)) return std::nullopt;
     const std::string wanted = asked == Frame::kWgs84    ? "GLOBAL_POSITION_INT (33)"
                                : asked == Frame::kMetres ? "LOCAL_POSITION_NED (32)"
                                                          : "GLOBAL_POSITION_INT (33) or "
                                                            "LOCAL_POSITION_NED (32)";
     std::string message = "this telemetry log tells no position: there is no " + wanted;
-    if (any_global_ || any_local_) message += "; leave --crs out";
+    if (any_global() || any(PlaceBy::kLocal)) message += "; leave --crs out";
     return Error{ErrorCode::kNoPoints, std::move(message), {}};
+  }
+
+  // The best that each drone tells: of its estimator before that of its satellites alone.
+  void choose_places() {
+    for (std::size_t system = 0; system < kSystems; ++system) {
+      for (const PlaceBy by : {PlaceBy::kGlobal, PlaceBy::kUtm, PlaceBy::kSatellite}) {
+        if (global_ && !taken_[system] && tells(system, by)) taken_[system] = by;
+      }
+      if (!global_ && tells(system, PlaceBy::kLocal)) taken_[system] = PlaceBy::kLocal;
+    }
   }
 
   [[nodiscard]] SourceFacts facts() const {
@@ -94,13 +135,26 @@ class TelemetryReading {
     return facts;
   }
 
+  // "3, 7"
+  [[nodiscard]] std::string placed_by(PlaceBy by) const {
+    std::string names;
+    for (std::size_t system = 0; system < kSystems; ++system) {
+      if (taken_[system] != by) continue;
+      names.append(names.empty() ? "" : ", ").append(before_).append(std::to_string(system));
+    }
+    return names;
+  }
+
   void say_aloud() {
-    assembly_.note(global_
-                       ? "positions are those of MAVLink message 33 (GLOBAL_POSITION_INT), heights "
-                         "above mean sea level"
-                       : "positions are those of MAVLink message 32 (LOCAL_POSITION_NED), metres "
-                         "east, north and up of each drone's own origin: they can be compared only "
-                         "if all drones have the same one");
+    assembly_.note(std::string(global_ ? kGlobalNote : kLocalNote));
+    for (const auto& [by, message] : {std::pair(PlaceBy::kUtm, "340 (UTM_GLOBAL_POSITION)"),
+                                      std::pair(PlaceBy::kSatellite, "24 (GPS_RAW_INT)")}) {
+      const std::string names = placed_by(by);
+      if (names.empty()) continue;
+      assembly_.note("of drones that tell nothing better, positions are those of message " +
+                     std::string(message) + ": " + names);
+    }
+    if (global_ && any(PlaceBy::kOfAnother)) assembly_.note(std::string(kReportedNote));
     assembly_.note("times are those at which the log was written");
     if (walk_.damaged_places() > 0) {
       assembly_.note(assembly_.source_name() + ": " + counted(walk_.damaged_bytes(), "byte") +
@@ -113,16 +167,25 @@ class TelemetryReading {
     }
   }
 
-  std::optional<Error> take(const Heard& heard, const std::string& before) {
-    const std::string id = before + std::to_string(heard.system);
-    if (heard.at.global != global_) {
-      // A drone that tells both is taken by the better one; of local positions that are asked for
-      // there may be none.
-      if (global_ && !tells(heard.system, true)) assembly_.leave_out(kOtherFrame, id);
-      if (!global_ && !tells(heard.system, false)) assembly_.leave_out(kNotLocal, id);
+  std::optional<Error> take(const Heard& heard) {
+    if (heard.at.by == PlaceBy::kOfAnother) return take_another(heard);
+    const std::string id = before_ + std::to_string(heard.system);
+    const auto& taken = taken_[heard.system];
+    if (taken && heard.at.by != *taken) {
+      if (!is_handed_on(heard)) return std::nullopt;
+      assembly_.leave_out(kHandedOn, handed_on_id(heard));
       return std::nullopt;
     }
-    if (global_ && heard.at.position.x == 0.0 && heard.at.position.y == 0.0) {
+    if (!taken) {
+      const bool other = heard.at.global() != global_;
+      assembly_.leave_out(!other ? kNoSatellites : global_ ? kOtherFrame : kNotLocal, id);
+      return std::nullopt;
+    }
+    if (is_handed_on(heard)) {
+      assembly_.leave_out(kHandedOn, handed_on_id(heard));
+      return std::nullopt;
+    }
+    if (!heard.at.known) {
       assembly_.leave_out(kNoSatellites, id);
       return std::nullopt;
     }
@@ -132,12 +195,49 @@ class TelemetryReading {
       assembly_.leave_out(kOtherComponent, id);
       return std::nullopt;
     }
+    return add(heard, id);
+  }
+
+  // The first that a system tells by message 340 is its own.
+  bool is_handed_on(const Heard& heard) {
+    if (heard.at.by != PlaceBy::kUtm) return false;
+    auto& own = own_names_[heard.system];
+    if (!own) own = heard.at.name;
+    return *own != heard.at.name;
+  }
+
+  [[nodiscard]] std::string handed_on_id(const Heard& heard) const {
+    return before_ + "UTM " + heard.at.name;
+  }
+
+  // An aircraft has one address, whoever hears it.
+  std::optional<Error> take_another(const Heard& heard) {
+    const std::string id = address_text(heard.at.address);
+    if (!global_ || !heard.at.known) {
+      assembly_.leave_out(global_ ? kNoSatellites : kNotLocal, id);
+      return std::nullopt;
+    }
+    const auto [last, first] = places_.try_emplace(heard.at.address, heard.at.position);
+    const bool again = !first && heard.at.age_s > 0.0 && last->second == heard.at.position;
+    last->second = heard.at.position;
+    if (again) {
+      assembly_.leave_out(kHeardAgain, id);
+      return std::nullopt;
+    }
+    if (auto error = add(heard, id)) return error;
+    if (!heard.at.name.empty() && assembly_.tracks().contains(id)) {
+      assembly_.tracks().label(id, heard.at.name);
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> add(const Heard& heard, const std::string& id) {
     if (auto error = position_problem(heard)) {
       error->location.record = heard.frame;
       return assembly_.bad(*std::move(error), id);
     }
     constexpr double kMicrosPerSecond = 1e6;
-    const double time_s = static_cast<double>(heard.stamp) / kMicrosPerSecond;
+    const double time_s = static_cast<double>(heard.stamp) / kMicrosPerSecond - heard.at.age_s;
     Origin origin;
     origin.source = assembly_.source() & 0xFF'FFFFu;
     origin.line = (heard.frame + 1) & 0xFF'FFFF'FFFFu;
@@ -145,21 +245,26 @@ class TelemetryReading {
     return std::nullopt;
   }
 
-  // Whether that system tells positions of that kind at all.
-  bool tells(std::uint8_t system, bool global) {
-    if (!systems_known_) {
-      for (const Heard& heard : heard_) {
-        (heard.at.global ? tells_global_ : tells_local_)[heard.system] = true;
-      }
-      systems_known_ = true;
+  // Who is there by other messages only.
+  void leave_out_silent() {
+    std::array<bool, kSystems> said = {};
+    for (const Heard& heard : heard_) {
+      if (heard.at.by != PlaceBy::kOfAnother) said[heard.system] = true;
     }
-    return (global ? tells_global_ : tells_local_)[system];
+    for (std::size_t system = 0; system < kSystems; ++system) {
+      if (said[system] || !census_.is_vehicle(static_cast<std::uint8_t>(system))) continue;
+      const std::string id = before_ + std::to_string(system);
+      for (std::uint64_t i = 0; i < frames_of_[system]; ++i) assembly_.leave_out(kNoPlaceRead, id);
+    }
+    for (const auto& [id, records] : remote_) {
+      for (std::uint64_t i = 0; i < records; ++i) assembly_.leave_out(kRemoteDrone, id);
+    }
   }
 
-  [[nodiscard]] std::optional<Error> position_problem(const Heard& heard) const {
+  [[nodiscard]] static std::optional<Error> position_problem(const Heard& heard) {
     const Point& at = heard.at.position;
     std::optional<Error> error;
-    if (global_) {
+    if (heard.at.global()) {
       error = impossible_place(at);
     } else if (!std::isfinite(at.x + at.y + at.z)) {
       error = Error{
@@ -177,16 +282,22 @@ class TelemetryReading {
     return error;
   }
 
+  static constexpr std::size_t kSystems = 256;
+
   TelemetryWalk walk_;
   RecordingAssembly& assembly_;
   std::vector<Heard> heard_;
-  bool any_global_ = false;
-  bool any_local_ = false;
+  VehicleCensus census_;
+  std::string before_;  // ids of systems
   bool global_ = false;
-  bool systems_known_ = false;
-  std::array<bool, 256> tells_global_ = {};
-  std::array<bool, 256> tells_local_ = {};
-  std::array<std::optional<std::uint8_t>, 256> components_ = {};  // by system: who speaks for it
+  std::array<bool, kPlacesBy> any_ = {};
+  std::array<std::array<bool, kPlacesBy>, kSystems> tells_ = {};  // a place that it knows
+  std::array<std::optional<PlaceBy>, kSystems> taken_ = {};
+  std::array<std::uint64_t, kSystems> frames_of_ = {};
+  std::array<std::optional<std::uint8_t>, kSystems> components_ = {};  // who speaks for it
+  std::array<std::optional<std::string>, kSystems> own_names_ = {};
+  std::unordered_map<std::uint32_t, Point> places_;  // by address: the last
+  std::map<std::string, std::uint64_t> remote_;      // how many records of whom
 };
 
 }  // namespace

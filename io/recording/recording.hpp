@@ -45,6 +45,14 @@ struct MissingRecords {
   std::uint64_t nowhere = 0;             // how many of these bees have no known place at all
   std::vector<std::string> nowhere_ids;  // of the first kMostNamed of them
 
+  // Ids that two bees seem to share (see shared_id.hpp): of none of these is it known where they
+  // are, though their records are there. None of them counts above.
+  std::uint64_t shared = 0;
+  std::vector<std::string> shared_ids = {};  // of the first kMostNamed of them
+
+  // Whether all that was there is known.
+  [[nodiscard]] bool none() const { return count == 0 && shared == 0; }
+
   static constexpr std::size_t kMostNamed = 3;
 };
 

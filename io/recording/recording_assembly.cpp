@@ -210,9 +210,21 @@ void RecordingAssembly::settle_heard() {
   heard_.clear();
 }
 
+void RecordingAssembly::share(const SharedTrack& track) {
+  MissingRecords& missing = recording_.missing;
+  if (++missing.shared > MissingRecords::kMostNamed) return;
+  missing.shared_ids.push_back(track.id);
+  const ErrorLocation at = location_of(track.first);
+  note("bee " + excerpt(track.id) + " is at two places in turn, from " + at.source +
+       (at.record ? ", record " + std::to_string(*at.record)
+                  : ", line " + std::to_string(at.line.value_or(0))) +
+       " on, " + number_text(track.time_s) +
+       " s, as if two had this id: where they are is not known; give each an id of its own");
+}
+
 // Once all is read.
 MissingRecords RecordingAssembly::missing() const {
-  MissingRecords missing;
+  MissingRecords missing = recording_.missing;
   missing.count = missing_;
   missing.without_id = missing_without_id_;
   missing.bees = missing_ids_.size();
@@ -414,6 +426,7 @@ Result<Recording> RecordingAssembly::finish() {
     recording_.heights = facts_->heights;
     if (!several_height_units_) recording_.height_unit = facts_->height_unit;
   }
+  for (const SharedTrack& track : tracks_.shared(recording_.frame)) share(track);
   recording_.missing = missing();
   recording_.bees = tracks_.release();
   if (auto error = doubtful_times()) return *std::move(error);

@@ -115,6 +115,8 @@ class RecordingAssembly {
   // It was heard of, though not its place: if no place comes from anywhere, a record is left out
   // for that reason.
   void heard_of(const LeftOutReason& reason, std::string_view id);
+  // Two bees seem to share that id: they are not known.
+  void share(const SharedTrack& track);
   // How many records without any id came before, over all inputs.
   [[nodiscard]] std::uint64_t nameless() const { return nameless_; }
   void add_nameless(std::uint64_t count) { nameless_ += count; }

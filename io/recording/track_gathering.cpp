@@ -1,6 +1,7 @@
 #include "io/recording/track_gathering.hpp"
 
 #include "io/frames/track_domain.hpp"
+#include "io/recording/shared_id.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -167,6 +168,9 @@ void TrackGathering::settle(Bee& bee, const std::function<void(const TimeConflic
       if (last.time_s == fixes[i].time_s) {
         if (repeat_s_) {
           ++clashing_;
+          if (bee.clashes++ == 0) {
+            bee.clashed = SharedTrack{bee.recorded.id, fixes[i].time_s, bee.origins[i]};
+          }
         } else {
           conflict({bee.recorded.id, fixes[i].time_s, settled.origins.back(), bee.origins[i]});
         }
@@ -182,6 +186,25 @@ void TrackGathering::settle(Bee& bee, const std::function<void(const TimeConflic
   bee.recorded.velocities = std::move(settled.recorded.velocities);
   bee.recorded.stated_heights = std::move(settled.recorded.stated_heights);
   bee.origins = std::move(settled.origins);
+}
+
+std::vector<SharedTrack> TrackGathering::shared(Frame frame) const {
+  constexpr std::uint64_t kMany = 16;  // as many as take it to be sure of jumps
+  std::vector<SharedTrack> shared;
+  for (const Bee& bee : bees_) {
+    const auto& fixes = bee.recorded.fixes;
+    // One place a moment: two that come together time after time are two bees.
+    if (repeat_s_ == 0.0 && bee.clashes >= kMany && 4 * bee.clashes >= fixes.size()) {
+      shared.push_back(*bee.clashed);
+      continue;
+    }
+    SharedId id;
+    for (const Fix& fix : fixes) id.take(fix, frame);
+    if (const auto at = id.found()) {
+      shared.push_back({bee.recorded.id, fixes[*at].time_s, bee.origins[*at]});
+    }
+  }
+  return shared;
 }
 
 std::vector<RecordedBee> TrackGathering::release() {

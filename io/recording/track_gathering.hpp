@@ -1,6 +1,7 @@
 // Fixes in the order of the input -> bees, each with its fixes in the order of time.
 #pragma once
 
+#include "io/frames/coordinate_frame.hpp"
 #include "io/recording/recording.hpp"
 
 #include <beespace/mover.hpp>
@@ -31,6 +32,13 @@ struct TimeConflict {
   double time_s;
   Origin first;
   Origin second;  // behind the first in the input
+};
+
+// An id that two bees seem to share, as the first jump to and fro shows it.
+struct SharedTrack {
+  std::string id;
+  double time_s;
+  Origin first;
 };
 
 class TrackGathering {
@@ -80,6 +88,9 @@ class TrackGathering {
   // How many bees got another id since theirs was taken already ("drone", "drone#2").
   [[nodiscard]] std::uint64_t renamed() const { return renamed_; }
 
+  // Once all is settled.
+  [[nodiscard]] std::vector<SharedTrack> shared(Frame frame) const;
+
   // In the order in which they came first. Nothing is left here.
   std::vector<RecordedBee> release();
 
@@ -90,6 +101,9 @@ class TrackGathering {
     bool several_sources = false;
     std::size_t taken = 0;  // of the fixes: the last one that drain() has told of, or none
     bool waits = false;     // some were not told of
+    // Of times that are those of arrival: how often it was elsewhere at the same, and when first.
+    std::uint64_t clashes = 0;
+    std::optional<SharedTrack> clashed = {};
   };
   struct TextHash {
     using is_transparent = void;  // NOLINT(readability-identifier-naming): the library's name

@@ -131,6 +131,8 @@ Result<std::optional<std::size_t>> find_third(const Header& header, bool geograp
     const std::string& name = table.names[column];
     if (names_other_quantity(name) || names_set(name)) continue;
     const bool nameless = table.names[column].empty() && column + 1 == table.columns;
+    // Rows are numbered there, as R and pandas write tables.
+    if (table.names[column].empty() && column == 0) continue;
     const ColumnContent content =
         column < table.contents.size() ? table.contents[column] : ColumnContent::kUnknown;
     if (content == ColumnContent::kNumber || (content == ColumnContent::kUnknown && !nameless)) {
@@ -214,12 +216,16 @@ Result<ColumnChoice> choose_by_header(const Header& header) {
   const Frame frame = header.options().frame;
   const bool geographic = header.has(Role::kLongitude) && header.has(Role::kLatitude);
   const bool metres = header.has(Role::kX) && header.has(Role::kY);
-  if (geographic && metres && frame == Frame::kAuto) {
+  // Tables of animals have the same place in both.
+  const bool both = header.source() != nullptr && header.source()->of_animals;
+  if (geographic && metres && frame == Frame::kAuto && !both) {
     return missing_column(
         "the header names both longitude, latitude and x, y; say which to take with --crs wgs84 "
         "or --crs metres");
   }
-  if (geographic && (!metres || frame == Frame::kWgs84)) return choose_by_names(header, true);
+  if (geographic && (!metres || frame == Frame::kWgs84 || (both && frame == Frame::kAuto))) {
+    return choose_by_names(header, true);
+  }
   if (metres) return choose_by_names(header, false);
   return choose_in_order(header);
 }

@@ -1,15 +1,19 @@
 #include "io/tracks/track_layout.hpp"
 
 #include "io/bytes/characters.hpp"
+#include "io/bytes/number.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/points/record_reading.hpp"
+#include "io/problems/excerpt.hpp"
 #include "io/table/column_choice.hpp"
+#include "io/table/column_names.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/table/record_walk.hpp"
 #include "io/table/table_sources.hpp"
 #include "io/table/unit_choice.hpp"
 #include "io/tracks/ros_table.hpp"
+#include "io/tracks/several_vehicles.hpp"
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_animals.hpp"
 #include "io/tracks/track_columns.hpp"
@@ -20,7 +24,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace beespace::io {
 namespace {
@@ -233,6 +239,68 @@ Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::stri
   return layout;
 }
 
+// Trajectories as the TUM RGB-D benchmark has them, and evo and ORB-SLAM write them: no header but
+// perhaps a comment, a time, a place, and the turn as a quaternion, whose length is 1.
+bool is_trajectory_of_poses(std::string_view text, const TableLayout& table) {
+  constexpr std::size_t kColumns = 8;
+  constexpr std::uint64_t kRows = 100;
+  // The comment that it may begin with is one of its own.
+  const bool named = !table.names.empty() && (table.names.size() < 2 || table.names[1] != "tx");
+  if (named || table.columns != kColumns) return false;
+  RecordWalk walk(text, table.data_offset, table);
+  std::optional<double> before_s;
+  while (walk.next() && walk.row() < kRows) {
+    FieldCursor cursor(walk.record(), table.delimiter);
+    double length = 0.0;
+    for (std::size_t column = 0; column < kColumns; ++column) {
+      Field field;
+      if (!cursor.next(field)) return false;
+      double number = 0.0;
+      if (parse_number(without_padding(field.text), number) != NumberKind::kNumber) return false;
+      if (column == 0 && before_s && number <= *before_s) return false;
+      if (column == 0) before_s = number;
+      if (column > 3) length += number * number;
+    }
+    if (!(length > 0.98 && length < 1.02)) return false;
+  }
+  return before_s.has_value();
+}
+
+Result<TrackLayout> layout_of_poses(TableLayout table, std::string_view text,
+                                    RecordingOptions options, bool whole) {
+  options.columns = "time=1,x=2,y=3,z=4";
+  if (options.time_unit == Unit::kUnstated) options.time_unit = Unit::kSecond;
+  if (options.frame == Frame::kAuto) options.frame = Frame::kMetres;
+  auto layout = choose_track_layout(std::move(table), text, options, whole);
+  if (!layout) return layout;
+  layout->notes.emplace_back(
+      "this is taken for a trajectory as of TUM: time [s], x, y, z [m] and a "
+      "quaternion");
+  return layout;
+}
+
+// Of vehicles that count downwards.
+std::optional<Error> downward(const Header& header) {
+  const std::vector<std::string>& names = header.table().names;
+  const auto find = [&names](std::string_view words) {
+    const auto found = std::find_if(names.begin(), names.end(), [&words](const std::string& name) {
+      const auto parts = split_words(name);
+      return !parts.empty() && is_one_of(words, parts.front()) && parts.size() <= 2;
+    });
+    return static_cast<std::size_t>(found - names.begin());
+  };
+  const std::size_t north = find("north n");
+  const std::size_t east = find("east e");
+  const std::size_t down = find("down d");
+  if (std::max({north, east, down}) >= names.size()) return std::nullopt;
+  return missing("columns " + excerpt(names[north]) + ", " + excerpt(names[east]) + ", " +
+                 excerpt(names[down]) +
+                 " are a place as north, east, down (NED); here x is east, y north and z up: write "
+                 "a column z that is the negative of " +
+                 excerpt(names[down]) + ", and say --columns x=" + std::to_string(east + 1) +
+                 ",y=" + std::to_string(north + 1) + ",z=N with the number of that column");
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
@@ -270,6 +338,13 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   const auto overrides = find_overrides(track_columns(), options, layout.table);
   if (!overrides) return overrides.error();
   const Header header(track_columns(), options, layout.table, *overrides);
+  const bool said = header.override_of(Role::kX) || header.override_of(Role::kLongitude);
+  if (!said && header.source() == nullptr) {
+    if (auto problem = several_vehicles(layout.table)) return *std::move(problem);
+    if (!header.has(Role::kZ) && !header.has(Role::kHeight)) {
+      if (auto problem = downward(header)) return *std::move(problem);
+    }
+  }
   auto time = choose_time(text, header, options);
   if (!time) return time.error();
   layout.time = time.value();
@@ -325,7 +400,9 @@ Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOpti
   const auto ros = free ? find_ros_table(text, *table) : std::nullopt;
   auto chosen = skybrush && table->names.empty() && free ? skybrush_layout(*table, options)
                 : ros ? ros_layout(*ros, *table, text, options, seen)
-                      : choose_track_layout(*table, text, options, seen);
+                : free && is_trajectory_of_poses(text, *table)
+                    ? layout_of_poses(*table, text, options, seen)
+                    : choose_track_layout(*table, text, options, seen);
   if (!chosen) return at_first_line(std::move(chosen).error(), *table);
   return chosen;
 }

@@ -26,6 +26,10 @@ std::string content_of(const std::string& name) {
   return text.str();
 }
 
+void expect_no_part(const std::string& text, std::string_view part) {
+  EXPECT_EQ(text.find(part), std::string::npos) << text;
+}
+
 // At 4 m/s each and 3 m above each other: closer than 5 m for a second.
 void expect_the_meeting(const Finished& finished, const std::string& names) {
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
@@ -86,6 +90,77 @@ TEST(Robotics, ATelemetryLogIsWatched) {
   expect_parts(file.err, {"MAVLink telemetry", "above mean sea level"});
   const Finished piped = run(Arguments{"watch"} + options, content_of("both.tlog"));
   EXPECT_EQ(piped.out, file.out) << piped.err;
+}
+
+// Drone 2 tells no position but that of its satellites; 3 one for unmanned traffic, and a receiver
+// hears of an aircraft. None of the ground station and the devices is missed.
+TEST(Robotics, PositionsByOtherMessagesOfMavlinkAreRead) {
+  const Finished finished = run({"replay", made("ground.tlog"), "--threshold", "5", "--report",
+                                 "bees", "--csv", "--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 1) << finished.err;
+  const TextRows rows = rows_of(finished.out, ',');
+  ASSERT_EQ(rows.size(), 5u) << finished.out;
+  expect_parts(finished.out, {"abc012", "SWR12"});
+  expect_parts(finished.err, {"message 24 (GPS_RAW_INT): 2", "message 340 (UTM_GLOBAL_POSITION): 3",
+                              "1 conflict of 1 pair", "2.000 m apart at 2026-03-01T14:00:05.000Z"});
+  expect_no_part(finished.err, "left out");
+  const Finished apart = run({"replay", made("ground.tlog"), "--threshold", "1", "--fail-on-risk"});
+  EXPECT_EQ(apart.exit_code, 0) << apart.err;
+}
+
+TEST(Robotics, AVehicleThatTellsNoPositionIsKnownNowhere) {
+  for (const Arguments& command : {Arguments{"replay", "--fail-on-risk"}, Arguments{"verify"}}) {
+    const Finished finished =
+        run(command + Arguments{made("others.tlog"), "--threshold", "1", "--json"});
+    EXPECT_EQ(finished.exit_code, 1) << finished.err;
+    expect_parts(finished.out, {R"("complete": false)", R"("known_nowhere": ["4"])"});
+  }
+}
+
+// Two drones with one id, one of which meets a third: as from the factory.
+TEST(Robotics, TwoBeesUnderOneIdAreNoAllClear) {
+  TemporaryFolder folder;
+  std::string table = "time_s,id,x,y,z\n";
+  std::string lines;
+  for (int i = 0; i < 100; ++i) {
+    const double t = 0.05 * i;
+    const auto add = [&](const std::string& id, double x, double y) {
+      const std::string at = std::to_string(t);
+      table += at + "," + id + "," + std::to_string(x) + "," + std::to_string(y) + ",10\n";
+      lines += R"({"id": ")" + id + R"(", "time_s": )" + at + R"(, "x": )" + std::to_string(x) +
+               R"(, "y": )" + std::to_string(y) + R"(, "z": 10})" + "\n";
+    };
+    add("alone", 0, 300);
+    add("twice", i % 2 == 0 ? 5 * t : 40 - 5 * t, i % 2);
+  }
+  folder.file("bees.csv", table);
+  folder.file("bees.ndjson", lines);
+  for (const Arguments& command : {Arguments{"replay", "--fail-on-risk"}, Arguments{"verify"}}) {
+    const Finished finished = run(command + Arguments{folder.path("bees.csv"), "--crs", "metres",
+                                                      "--threshold", "2", "--json"});
+    EXPECT_EQ(finished.exit_code, 1) << finished.err;
+    expect_parts(finished.out, {R"("complete": false)", R"("shared_ids": ["twice"])"});
+  }
+  const Finished watched = run({"watch", folder.path("bees.ndjson"), "--crs", "metres",
+                                "--threshold", "2", "--horizon", "0", "--fail-on-risk"});
+  EXPECT_EQ(watched.exit_code, 1) << watched.err;
+  expect_parts(watched.err, {"twice is at two places in turn", "1 id seems to be of two bees"});
+}
+
+TEST(Robotics, VehiclesAreWatchedThatTellOtherPositionsOrNone) {
+  const Arguments options = {"--threshold", "5", "--horizon", "0", "--fail-on-risk"};
+  const Finished meeting = run(Arguments{"watch", made("ground.tlog")} + options);
+  EXPECT_EQ(meeting.exit_code, 1) << meeting.err;
+  expect_parts(meeting.out, {R"("event": "entered")", R"("first": "1")", R"("second": "2")"});
+  expect_parts(meeting.err, {"message 340 (UTM_GLOBAL_POSITION)", "bees       4 heard of"});
+  expect_no_part(meeting.err, "known nowhere");
+  const Arguments closer = {"--threshold", "1", "--horizon", "0", "--fail-on-risk"};
+  EXPECT_EQ(run(Arguments{"watch", made("ground.tlog")} + closer).exit_code, 0);
+  const Finished unknown = run(Arguments{"watch", made("others.tlog")} + closer);
+  EXPECT_EQ(unknown.exit_code, 1) << unknown.err;
+  expect_parts(unknown.err, {"1 bee is known nowhere", "are left out: 4"});
+  const Finished local = run(Arguments{"watch", made("others.tlog"), "--crs", "metres"} + closer);
+  EXPECT_EQ(local.exit_code, 3) << local.err;
 }
 
 TEST(Robotics, WhatIsCompressedIsWatchedAsItComes) {

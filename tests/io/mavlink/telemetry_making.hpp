@@ -25,7 +25,19 @@ inline std::uint32_t crc_bit_by_bit(std::string_view bytes) {
 }
 
 inline char crc_extra(std::uint32_t message) {
-  return static_cast<char>(message == 32 ? 185 : message == 33 ? 104 : 1);
+  switch (message) {
+    case 0:
+      return static_cast<char>(50);
+    case 32:
+    case 109:
+      return static_cast<char>(185);
+    case 33:
+      return static_cast<char>(104);
+    case 12901:
+      return static_cast<char>(254);
+    default:
+      return 1;
+  }
 }
 
 inline std::string frame_v1(int system, std::uint32_t message, std::string_view payload,
@@ -71,6 +83,12 @@ inline std::string global_payload(std::int32_t lat, std::int32_t lon, std::int32
 
 inline std::string somewhere() {
   return global_payload(470'000'000, 80'000'000, 500'000, 100, 200, 300);
+}
+
+// Message 0: what the sender is.
+inline std::string heartbeat(int type, int autopilot = 3) {
+  return little_endian(0, 4) + static_cast<char>(type) + static_cast<char>(autopilot) +
+         little_endian(0, 2) + '\x03';
 }
 
 // Message 32: metres and m/s north, east, down.

@@ -79,6 +79,58 @@ TEST(Telemetry, OtherMessagesArePassedOver) {
   EXPECT_FALSE(has_note(recording, "passed over"));
 }
 
+// Who is heard and tells no place is known nowhere, whatever the messages are.
+TEST(Telemetry, AVehicleWithoutAPositionIsKnownNowhere) {
+  const std::string placed = logged(kNoon, frame_v2(1, 33, somewhere()));
+  constexpr int kQuadrotor = 2;
+  for (const std::string& frame : {frame_v2(3, 0, heartbeat(kQuadrotor)), frame_v1(3, 30, "x"),
+                                   frame_v2(3, 331, "odometry")}) {
+    const auto recording = recording_of(load(placed + logged(kNoon, frame) + placed));
+    EXPECT_EQ(ids_of(recording), Ids{"1"});
+    EXPECT_EQ(recording.missing.nowhere_ids, Ids{"3"});
+    EXPECT_EQ(recording.missing.count, 1u);
+    EXPECT_TRUE(has_note(recording, "1 record of vehicles that tell no position that is read"));
+  }
+}
+
+TEST(Telemetry, WhatIsNoVehicleIsNotMissed) {
+  constexpr int kGroundStation = 6;
+  constexpr int kCamera = 30;
+  constexpr int kNoAutopilot = 8;
+  const std::string placed = logged(kNoon, frame_v2(1, 33, somewhere()));
+  for (const auto& [system, component, message, payload] :
+       std::vector<std::tuple<int, int, std::uint32_t, std::string>>{
+           {255, 190, 0, heartbeat(kGroundStation, kNoAutopilot)},
+           {255, 1, 0, heartbeat(kGroundStation, kNoAutopilot)},
+           {254, 190, 21, "parameters, please"},
+           {9, 154, 30, "attitude of a gimbal"},
+           {9, 1, 0, heartbeat(kCamera)},
+           {9, 1, 0, heartbeat(0, kNoAutopilot)},
+           {51, 68, 109, "a radio"},
+           {10, 1, 109, "a radio"}}) {
+    const auto recording = recording_of(
+        load(placed + logged(kNoon, frame_v2(system, message, payload, component)) + placed));
+    EXPECT_EQ(recording.missing.count, 0u) << system << ", " << component;
+  }
+  // What it is is said late.
+  const auto late =
+      recording_of(load(placed + logged(kNoon, frame_v2(255, 21, "x")) +
+                        logged(kNoon, frame_v2(255, 0, heartbeat(kGroundStation, kNoAutopilot)))));
+  EXPECT_EQ(late.missing.count, 0u);
+}
+
+TEST(Telemetry, ADroneThatAnotherHasHeardByItsIdentificationIsKnownNowhere) {
+  const std::string placed = logged(kNoon, frame_v2(1, 33, somewhere()));
+  const auto identified = [](char first) {
+    return std::string(32, '\0') + first + std::string(19, '\0') + std::string(7, '\1');
+  };
+  const auto own = recording_of(load(placed + logged(kNoon, frame_v2(1, 12901, identified('\0')))));
+  EXPECT_EQ(own.missing.count, 0u);
+  const auto heard =
+      recording_of(load(placed + logged(kNoon, frame_v2(1, 12901, identified('A')))));
+  EXPECT_EQ(heard.missing.nowhere_ids, Ids{"remote id 41"});
+}
+
 TEST(Telemetry, DamageIsSkippedAndReported) {
   std::string damaged = logged(kNoon + 1'000'000, frame_v2(1, 33, somewhere()));
   damaged[30] = static_cast<char>(damaged[30] ^ 1);

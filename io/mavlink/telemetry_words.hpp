@@ -1,0 +1,33 @@
+// What is said of telemetry, recorded and live: which places are taken, and what is left out.
+#pragma once
+
+#include "io/problems/left_out.hpp"
+
+#include <string_view>
+
+namespace beespace::io {
+
+inline constexpr LeftOutReason kNoSatellites = {
+    "of drones that know no position yet (0, 0, or no fix with a height)"};
+inline constexpr LeftOutReason kOtherComponent = {
+    "of another component of the same system", {}, true};
+// Of systems that are vehicles by their heartbeat, or may be.
+inline constexpr LeftOutReason kNoPlaceRead = {
+    "of vehicles that tell no position that is read (messages 33, 340, 24, 32)"};
+inline constexpr LeftOutReason kRemoteDrone = {
+    "of drones that are heard by their remote identification only (message 12901)"};
+inline constexpr LeftOutReason kHandedOn = {
+    "of another drone, whose position a system hands on (message 340)"};
+inline constexpr LeftOutReason kHeardAgain = {
+    "of aircraft that were not heard anew (message 246)", {}, true};
+
+inline constexpr std::string_view kGlobalNote =
+    "positions are those of MAVLink message 33 (GLOBAL_POSITION_INT), heights above mean sea level";
+inline constexpr std::string_view kLocalNote =
+    "positions are those of MAVLink message 32 (LOCAL_POSITION_NED), metres east, north and up of "
+    "each drone's own origin: they can be compared only if all drones have the same one";
+inline constexpr std::string_view kReportedNote =
+    "aircraft that a receiver of ADS-B tells (message 246) are bees, named by their address: their "
+    "heights are by pressure or by satellites, tens of metres from those of the drones";
+
+}  // namespace beespace::io

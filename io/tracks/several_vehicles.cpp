@@ -1,0 +1,150 @@
+#include "io/tracks/several_vehicles.hpp"
+
+#include "io/bytes/characters.hpp"
+#include "io/problems/excerpt.hpp"
+#include "io/table/column_names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace beespace::io {
+namespace {
+
+// Axes of places, each beside those that it may stand with.
+enum class Axis : std::uint8_t { kNone, kX, kY, kZ, kLongitude, kLatitude };
+
+Axis axis_of(std::string_view word) {
+  if (word == "x") return Axis::kX;
+  if (word == "y") return Axis::kY;
+  if (word == "z") return Axis::kZ;
+  if (is_one_of("lon lng long longitude", word)) return Axis::kLongitude;
+  if (is_one_of("lat latitude", word)) return Axis::kLatitude;
+  return Axis::kNone;
+}
+
+// What is not where a vehicle is, or is where the same one is.
+bool names_something_else(std::string_view word) {
+  return is_one_of(
+      "goal target want wanted desired des cmd command commanded ref reference setpoint sp home "
+      "origin start end takeoff launch land base pref preferred next last prev previous waypoint "
+      "wp vel velocity speed v vs acc accel acceleration gyro mag magnetometer q quat quaternion "
+      "orient orientation rot rotation ang angular angle euler att attitude roll pitch yaw force "
+      "torque thrust wind err error std stdev sd sigma cov covariance var variance noise bias "
+      "offset min max mean dir direction heading look gaze twist size scale width height image "
+      "img px pixel pixels screen utm rel relative delta diff gps gnss rtk est estimate "
+      "estimated "
+      "filtered smooth smoothed kalman ekf truth true gt measured meas obs observed imu raw fused "
+      "odom odometry mocap vicon local global centroid wcentroid pcentroid head tail thorax "
+      "abdomen nose body map geom ecef enu ned display normal",
+      word);
+}
+
+bool says_nothing(std::string_view word) {
+  return is_one_of(
+      "pos position pose point coord coordinate location m cm mm km ft deg degree degrees rad "
+      "metre metres meter meters in",
+      word);
+}
+
+struct Named {
+  Axis axis = Axis::kNone;
+  std::string whose;  // empty: nobody says
+};
+
+// "follower" of "follower_x", "2" of "x2" and "x_2 [m]"; no axis where the name is no such one.
+Named read(std::string_view name) {
+  Named named;
+  for (std::string word : split_words(name)) {
+    const std::size_t digits = word.find_last_not_of("0123456789") + 1;
+    Axis axis = axis_of(word);
+    std::string number;
+    if (axis == Axis::kNone && digits > 0 && digits < word.size()) {
+      axis = axis_of(word.substr(0, digits));
+      if (axis != Axis::kNone) number = word.substr(digits);
+    }
+    if (axis != Axis::kNone && named.axis != Axis::kNone) return {};
+    if (axis != Axis::kNone) {
+      named.axis = axis;
+      word = number;
+    }
+    if (names_something_else(word)) return {};
+    if (word.empty() || says_nothing(word)) continue;
+    named.whose += (named.whose.empty() ? "" : "_") + word;
+  }
+  return named;
+}
+
+// Columns of one vehicle.
+struct Set {
+  std::string whose;
+  std::array<std::optional<std::size_t>, 6> columns = {};
+
+  [[nodiscard]] const std::optional<std::size_t>& at(Axis axis) const {
+    return columns[static_cast<std::size_t>(axis)];
+  }
+  [[nodiscard]] bool has(Axis one, Axis other) const { return at(one) && at(other); }
+};
+
+std::vector<Set> sets_of(const std::vector<std::string>& names) {
+  std::vector<Set> sets;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Named named = read(names[i]);
+    if (named.axis == Axis::kNone) continue;
+    auto set = std::find_if(sets.begin(), sets.end(),
+                            [&named](const Set& known) { return known.whose == named.whose; });
+    if (set == sets.end()) set = sets.insert(set, Set{named.whose, {}});
+    auto& column = set->columns[static_cast<std::size_t>(named.axis)];
+    if (!column) column = i;
+  }
+  return sets;
+}
+
+std::string columns_option(const Set& set, Axis first, Axis second) {
+  const auto number = [&set](Axis axis) { return std::to_string(*set.at(axis) + 1); };
+  const bool degrees = first == Axis::kLongitude;
+  std::string text = "--columns ";
+  text.append(degrees ? "lon=" : "x=").append(number(first));
+  text.append(degrees ? ",lat=" : ",y=").append(number(second));
+  if (!degrees && set.at(Axis::kZ)) text.append(",z=").append(number(Axis::kZ));
+  return text;
+}
+
+}  // namespace
+
+std::optional<Error> several_vehicles(const TableLayout& table) {
+  const std::vector<Set> sets = sets_of(table.names);
+  for (const auto& [first, second] :
+       {std::pair(Axis::kX, Axis::kY), std::pair(Axis::kLongitude, Axis::kLatitude)}) {
+    const Set* one = nullptr;
+    for (const Set& set : sets) {
+      if (!set.has(first, second)) continue;
+      if (one == nullptr) {
+        one = &set;
+        continue;
+      }
+      const auto shown = [&](const Set& of) {
+        return excerpt(table.names[*of.at(first)]) + ", " + excerpt(table.names[*of.at(second)]);
+      };
+      Error error;
+      error.code = ErrorCode::kMissingColumn;
+      error.message =
+          "there are places of several vehicles beside each other: " + shown(*one) + " and " +
+          shown(set) +
+          "; write a record for each vehicle and time, with its name in a column 'id' (time, id, " +
+          (first == Axis::kX ? "x, y, z" : "longitude, latitude, height") +
+          "); if the others are no vehicles, say which columns to take, as in " +
+          columns_option(*one, first, second);
+      return error;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace beespace::io

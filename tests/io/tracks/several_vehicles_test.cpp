@@ -1,0 +1,76 @@
+// Columns for several vehicles beside each other: none of them is dropped silently.
+#include "tests/io/tracks/recording_loading.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace beespace::io {
+namespace {
+
+// A table of that header, all of whose values are 1.
+Result<Recording> load_with(const std::string& header, const RecordingOptions& options = {}) {
+  std::string row = "1";
+  for (const char c : header) row += c == ',' ? ",1" : "";
+  return record(header + "\n" + row + "\n", options);
+}
+
+TEST(SeveralVehicles, ASecondSetOfCoordinatesIsRefused) {
+  for (const std::string header :
+       {"time_s,x,y,z,x2,y2,z2", "time_s,x,y,z,follower_x,follower_y,follower_z",
+        "time,A_x,A_y,A_z,B_x,B_y,B_z", "time_s,x_1,y_1,x_2,y_2",
+        "time_s,x [m],y [m],x2 [m],y2 [m]", "time_s,lat,lon,alt_m,lat2,lon2,alt2_m",
+        "time_s,leader_lat,leader_lon,leader_alt,follower_lat,follower_lon,follower_alt"}) {
+    expect_error(load_with(header), {ErrorCode::kMissingColumn, "bees.csv:1",
+                                     "places of several vehicles beside each other"});
+  }
+  expect_error(load_with("time_s,x,y,z,x2,y2,z2"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "'x', 'y' and 'x2', 'y2'; write a record for each vehicle and time"});
+}
+
+TEST(SeveralVehicles, WhoSaysWhichColumnsIsBelieved) {
+  EXPECT_TRUE(load_with("time_s,x,y,z,x2,y2,z2", columns_are("time=1,x=5,y=6,z=7")));
+}
+
+TEST(SeveralVehicles, WhatIsNoVehicleIsNoReason) {
+  for (const std::string header :
+       {"time_s,id,x,y,z,vx,vy,vz,ax,ay,az", "time_s,x,y,z,goal_x,goal_y,goal_z",
+        "time_s,x,y,z,q_x,q_y,q_z,q_w", "time_s,x,y,z,vel_x,vel_y,vel_z,acc_x,acc_y,acc_z",
+        "time_s,pos_x,pos_y,pos_z,orientation_x,orientation_y,orientation_z",
+        "time_s,lat,lon,alt_m,home_lat,home_lon", "time_s,x,y,z,raw_x,raw_y,raw_z"}) {
+    const auto loaded = load_with(header);
+    if (!loaded) {
+      EXPECT_EQ(loaded.error().message.find("several vehicles"), std::string::npos) << header;
+    }
+  }
+}
+
+TEST(SeveralVehicles, NorthEastDownIsToldHow) {
+  expect_error(load_with("time_s,vehicle,north,east,down"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "(NED); here x is east, y north and z up: write a column z that is the negative of "
+                "'down', and say --columns x=4,y=3"});
+}
+
+TEST(SeveralVehicles, TrajectoriesOfPosesAreKnownByTheirQuaternions) {
+  const auto recording =
+      recording_of(record("# timestamp tx ty tz qx qy qz qw\n1700000000.0 1 2 3 0 0 0 "
+                          "1\n1700000000.1 1.5 2 3 0 0 0.6 0.8\n"));
+  ASSERT_EQ(recording.bees.size(), 1u);
+  EXPECT_EQ(recording.bees[0].fixes[1].position, (Point{1.5, 2, 3}));
+  EXPECT_EQ(recording.frame, Frame::kMetres);
+  EXPECT_TRUE(has_note(recording, "taken for a trajectory as of TUM"));
+  EXPECT_FALSE(record("0 1 2 3 4 5 6 7\n1 1 2 3 4 5 6 7\n"));
+}
+
+TEST(SeveralVehicles, NumbersOfRowsAreNoHeight) {
+  const auto recording = recording_of(record(",id,time_s,x_m,y_m\n1,a,0,5,6\n2,a,1,7,8\n"));
+  ASSERT_EQ(recording.bees.size(), 1u);
+  EXPECT_TRUE(recording.flat);
+  EXPECT_EQ(recording.bees[0].fixes[1].position, (Point{7, 8, 0}));
+}
+
+}  // namespace
+}  // namespace beespace::io
