@@ -267,11 +267,11 @@ bool is_trajectory_of_poses(std::string_view text, const TableLayout& table) {
 }
 
 Result<TrackLayout> layout_of_poses(TableLayout table, std::string_view text,
-                                    RecordingOptions options, bool whole) {
+                                    RecordingOptions options, SeenRecords seen) {
   options.columns = "time=1,x=2,y=3,z=4";
   if (options.time_unit == Unit::kUnstated) options.time_unit = Unit::kSecond;
   if (options.frame == Frame::kAuto) options.frame = Frame::kMetres;
-  auto layout = choose_track_layout(std::move(table), text, options, whole);
+  auto layout = choose_track_layout(std::move(table), text, options, seen);
   if (!layout) return layout;
   layout->notes.emplace_back(
       "this is taken for a trajectory as of TUM: time [s], x, y, z [m] and a "
