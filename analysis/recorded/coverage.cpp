@@ -1,5 +1,6 @@
 #include "analysis/recorded/coverage.hpp"
 
+#include "analysis/recorded/ends.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "analysis/text/moment_text.hpp"
 #include "io/bytes/number_text.hpp"
@@ -13,48 +14,9 @@
 namespace beespace::analysis {
 namespace {
 
-// Where and when a bee is first and last, and the fixes beside these: the same ones of a bee that
-// has no more, and of a curve.
-struct Ends {
-  Fix first;
-  Fix second;
-  Fix last_but_one;
-  Fix last;
-};
-
-std::optional<Ends> ends_of(const io::RecordedBee& bee) {
-  if (bee.path) {
-    const BezierPath& path = *bee.path;
-    const Fix first{path.begins_s, path.begin};
-    const Fix last =
-        path.pieces.empty() ? first : Fix{path.pieces.back().ends_s, path.pieces.back().end};
-    return Ends{first, first, last, last};
-  }
-  const std::vector<Fix>& fixes = bee.fixes;
-  if (fixes.empty()) return std::nullopt;
-  if (fixes.size() == 1) return Ends{fixes[0], fixes[0], fixes[0], fixes[0]};
-  return Ends{fixes[0], fixes[1], fixes[fixes.size() - 2], fixes.back()};
-}
-
-// A drone of a show that begins and ends here stands there before and after. Logs are less exact.
-constexpr double kGroundTolerance_m = 0.1;
-constexpr double kLoggedTolerance_m = 1.0;
-// Shows count heights from the ground: a table of which all begins and ends are higher than this
-// is no whole show.
-constexpr double kHighestGround_m = 1.0;
+constexpr double kLoggedTolerance_m = 1.0;  // logs are less exact than shows
 // What takes off or lands goes up and down.
 constexpr double kMostAtRest_mps = 0.5;
-
-// Where the ground is: where a show says, or the lowest place at which a bee begins or ends.
-double ground_of(const io::Recording& recording) {
-  double lowest_m = std::numeric_limits<double>::infinity();
-  if (recording.show) lowest_m = recording.show->ground_m.value_or(lowest_m);
-  for (const io::RecordedBee& bee : recording.bees) {
-    const auto ends = ends_of(bee);
-    if (ends) lowest_m = std::min({lowest_m, ends->first.position.z, ends->last.position.z});
-  }
-  return recording.show && lowest_m > kHighestGround_m ? 0.0 : lowest_m;
-}
 
 // Drones in metres take off and land where others do. What is seen from afar, or in a plane, comes
 // and goes.
@@ -103,7 +65,7 @@ std::vector<Outside> outside_of(const io::Recording& recording) {
   const auto add = [&](Outside& of, double seconds, const Fix& end, const Fix& beside) {
     if (!(seconds > 0.0)) return;
     const double height_m = end.position.z - ground_m;
-    if (recording.show && height_m <= kGroundTolerance_m) return;
+    if (recording.show && height_m <= kStandsWithin_m) return;
     of.seconds += seconds;
     const bool stands = height_m <= kLoggedTolerance_m && rests(end, beside);
     of.cut_off = of.cut_off || recording.show || (flies && !stands);

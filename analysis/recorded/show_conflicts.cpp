@@ -1,5 +1,6 @@
 #include "analysis/recorded/show_conflicts.hpp"
 
+#include "analysis/recorded/ends.hpp"
 #include "analysis/recorded/flights.hpp"
 #include "analysis/recorded/tracks.hpp"
 
@@ -16,18 +17,12 @@
 namespace beespace::analysis {
 namespace {
 
-constexpr double kStandsWithin_m = 0.1;
-
 // Where a drone is while it does not fly.
 struct Standing {
   PointId bee = 0;
   TimeSpan span;
   Point at;
 };
-
-const Point& last_of(const BezierPath& path) {
-  return path.pieces.empty() ? path.begin : path.pieces.back().end;
-}
 
 bool has_curves(const io::Recording& recording) {
   return !recording.bees.empty() &&
@@ -38,22 +33,25 @@ bool has_curves(const io::Recording& recording) {
 std::vector<Standing> standing_in(const io::Recording& recording) {
   constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   TimeSpan whole{kUnbounded, -kUnbounded};
-  double ground_m = kUnbounded;
+  std::vector<std::optional<Ends>> ends;
   for (const io::RecordedBee& bee : recording.bees) {
-    whole = {std::min(whole.begins_s, bee.path->begins_s),
-             std::max(whole.ends_s, path_end_s(*bee.path))};
-    ground_m = std::min({ground_m, bee.path->begin.z, last_of(*bee.path).z});
+    const auto& last = ends.emplace_back(ends_of(bee));
+    if (!last) continue;
+    whole = {std::min(whole.begins_s, last->first.time_s),
+             std::max(whole.ends_s, last->last.time_s)};
   }
+  const double ground_m = ground_of(recording);
   std::vector<Standing> standing;
   const auto add = [&](std::size_t bee, const TimeSpan& span, const Point& at) {
     if (span.begins_s < span.ends_s && at.z - ground_m <= kStandsWithin_m) {
       standing.push_back({static_cast<PointId>(bee), span, at});
     }
   };
-  for (std::size_t bee = 0; bee < recording.bees.size(); ++bee) {
-    const BezierPath& path = *recording.bees[bee].path;
-    add(bee, {whole.begins_s, path.begins_s}, path.begin);
-    add(bee, {path_end_s(path), whole.ends_s}, last_of(path));
+  for (std::size_t bee = 0; bee < ends.size(); ++bee) {
+    if (!ends[bee]) continue;
+    const Ends& of = *ends[bee];
+    add(bee, {whole.begins_s, of.first.time_s}, of.first.position);
+    add(bee, {of.last.time_s, whole.ends_s}, of.last.position);
   }
   return standing;
 }
@@ -147,9 +145,11 @@ Result<std::vector<Conflict>> conflicts_of(PointId bee, const io::Recording& rec
   if (!found) return of_bee(std::move(found).error(), recording.bees[bee]);
   std::vector<Conflict> kept;
   for (Conflict conflict : found->conflicts) {
-    const auto is_one = settle(conflict, *recording.bees[bee].path, still, options);
-    if (!is_one) return of_bee(is_one.error(), recording.bees[bee]);
-    if (!*is_one) continue;
+    if (const auto& path = recording.bees[bee].path) {
+      const auto is_one = settle(conflict, *path, still, options);
+      if (!is_one) return of_bee(is_one.error(), recording.bees[bee]);
+      if (!*is_one) continue;
+    }
     conflict.first = std::min(bee, standing.bee);
     conflict.second = std::max(bee, standing.bee);
     kept.push_back(conflict);
@@ -163,7 +163,7 @@ Result<std::vector<Conflict>> conflicts_with_standing(const io::Recording& recor
                                                       const std::vector<Track>& tracks,
                                                       const ConflictOptions& options) {
   std::vector<Conflict> conflicts;
-  if (!recording.show || !has_curves(recording)) return conflicts;
+  if (!recording.show) return conflicts;
   const Neighbours neighbours(standing_in(recording), options);
   for (PointId bee = 0; bee < tracks.size(); ++bee) {
     for (const std::size_t place : neighbours.of(bee, tracks[bee])) {

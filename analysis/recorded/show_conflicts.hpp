@@ -18,7 +18,7 @@
 namespace beespace::analysis {
 
 // Conflicts between a drone in the air and one that stands, in ascending order of (first, second,
-// begins_s). `tracks` are those of the bees, in metres. Nothing for recordings without curves.
+// begins_s). `tracks` are those of the bees, in metres. Nothing for what is no show.
 Result<std::vector<Conflict>> conflicts_with_standing(const io::Recording& recording,
                                                       const std::vector<Track>& tracks,
                                                       const ConflictOptions& options);

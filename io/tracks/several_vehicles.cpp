@@ -32,7 +32,8 @@ Axis axis_of(std::string_view word) {
 // What is not where a vehicle is, or is where the same one is.
 bool names_something_else(std::string_view word) {
   return is_one_of(
-      "goal target want wanted desired des cmd command commanded ref reference setpoint sp home "
+      "set plan planned expected goal target want wanted desired des cmd command commanded ref "
+      "reference setpoint sp home "
       "origin start end takeoff launch land base pref preferred next last prev previous waypoint "
       "wp vel velocity speed v vs acc accel acceleration gyro mag magnetometer q quat quaternion "
       "orient orientation rot rotation ang angular angle euler att attitude roll pitch yaw force "
@@ -129,8 +130,8 @@ std::optional<Error> several_vehicles(const TableLayout& table) {
         one = &set;
         continue;
       }
-      const auto shown = [&](const Set& of) {
-        return excerpt(table.names[*of.at(first)]) + ", " + excerpt(table.names[*of.at(second)]);
+      const auto shown = [&table, x = first, y = second](const Set& of) {
+        return excerpt(table.names[*of.at(x)]) + ", " + excerpt(table.names[*of.at(y)]);
       };
       Error error;
       error.code = ErrorCode::kMissingColumn;

@@ -281,12 +281,12 @@ TEST(Animals, UnitsThatContradictAreRefused) {
   const std::string header = "id,time_s,x_px,y_px,";
   const std::string rows = "\na,0,0,0,50,10\na,1,0,10,-50,10\n";
   const std::string silent = folder.file("silent.csv", header + "vx,vy" + rows);
-  const Finished asks = run({"replay", silent, "--scale", "1mm"});
+  const Finished asks = run({"predict", silent, "--scale", "1mm"});
   EXPECT_EQ(asks.exit_code, 2);
   expect_parts(asks.err, {"'vx' holds the velocity, but in which unit?", "speed=mm/s"});
-  EXPECT_EQ(run({"replay", silent, "--scale", "1mm", "--units", "speed=mm/s"}).exit_code, 0);
+  EXPECT_EQ(run({"predict", silent, "--scale", "1mm", "--units", "speed=mm/s"}).exit_code, 0);
   const std::string stated = folder.file("stated.csv", header + "vx [mm/s],vy [mm/s]" + rows);
-  EXPECT_EQ(run({"replay", stated, "--scale", "1mm"}).exit_code, 0);
+  EXPECT_EQ(run({"predict", stated, "--scale", "1mm"}).exit_code, 0);
 }
 
 // Who asks 'detect' is told whom to ask.

@@ -61,15 +61,33 @@ TEST_F(ShowReplay, ADroneWhosePathEndsInTheAirIsNoAllClear) {
       drone("right", "[0, [0, 30, 0], []], [2, [0, 30, 10], []], [5, [0, 9, 10], []]") + "]}}";
   const Finished finished = replay(show, {"--fail-on-risk"});
   EXPECT_EQ(finished.exit_code, 1);
-  expect_parts(finished.err,
-               {"verdict    no conflict in the known time; 1 bee known for a part of the recording "
-                "only (1 of which begin or end in the air while others fly)\n",
-                "before the first or after the last fix, for 9 s in all\n"});
+  expect_parts(
+      finished.err,
+      {"verdict    no conflict in the known time; 1 bee known for a part of the recording "
+       "only (1 of which begin or end in the air while others fly)\n",
+       "before the first or after the last fix, for 9 s in all; 1 of them in the air then\n"});
   const Finished verified = run({"verify", folder_.file("show.json", show)});
   EXPECT_EQ(verified.exit_code, 1);
   expect_parts(verified.err,
                {"verdict    not seen as a whole: holds in the known time; 1 bee known "
                 "for a part of the recording only"});
+}
+
+// Who has landed is still there, whether a path says so or a table.
+TEST_F(ShowReplay, ADroneThatLandsBesideOneOfATableThatHasLandedIsNoAllClear) {
+  const std::string header = "Time_msec,x_m,y_m,z_m,Red,Green,Blue\n";
+  const std::string left =
+      folder_.file("left.csv", header + "0,0,0,0,0,0,0\n2000,0,0,10,0,0,0\n4000,0,0,0,0,0,0\n");
+  const auto beside = [&](const std::string& y) {
+    return folder_.file("right.csv", header + "0,0,30,0,0,0,0\n3000,0,30,10,0,0,0\n6000,0," + y +
+                                         ",10,0,0,0\n9000,0," + y + ",0,0,0,0\n");
+  };
+  const Finished finished = run({"replay", left, beside("1"), "--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 1);
+  expect_parts(finished.err, {"left and right, 1.000 m apart at "});
+  EXPECT_EQ(run({"verify", left, beside("1")}).exit_code, 1);
+  EXPECT_EQ(run({"replay", left, beside("3"), "--fail-on-risk"}).exit_code, 0);
+  EXPECT_EQ(run({"verify", left, beside("3")}).exit_code, 0);
 }
 
 TEST_F(ShowReplay, TablesThatEndInTheAirAreNoAllClearHoweverTheyAreRead) {
