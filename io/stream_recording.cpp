@@ -151,6 +151,8 @@ Status RecordingStream::begin_table(const std::string& path) {
     table = begin();
   }
   if (!table) return std::move(table).error();
+  // Drones that stand are in the way as long as any other flies, which only all of it tells.
+  if (assembly_->is_show()) return not_as_it_comes("a drone show");
   at_ += table->data_offset();
   table_.emplace(*std::move(table));
   if (frame() == Frame::kAuto) {

@@ -102,6 +102,7 @@ class RecordingAssembly {
   void declare_threshold(double metres);
   // Of several shows the stricter limits count, and a place only where all have the same.
   void declare_show(ShowFacts facts);
+  [[nodiscard]] bool is_show() const { return recording_.show.has_value(); }
   // Of a show that was declared: how high its lowest place is.
   void declare_ground(double height_m);
   void add_bytes(std::uint64_t count) { recording_.bytes += count; }
