@@ -24,7 +24,7 @@ constexpr LeftOutReason kLocalOnly = {"of drones that tell local positions (mess
                                       "--crs metres takes these"};
 constexpr LeftOutReason kNotLocal = {"of drones that tell no local positions (--crs metres)"};
 // So long a drone that tells the place of its satellites may still tell that of its estimator.
-constexpr std::uint64_t kPatience_us = 2'000'000;
+constexpr std::uint64_t kPatienceMicros = 2'000'000;
 
 class TelemetryFrames final : public LineReader {
  public:
@@ -117,7 +117,7 @@ class TelemetryFrames final : public LineReader {
       return true;
     }
     if (!first_[system]) first_[system] = stamp;
-    if (stamp < *first_[system] + kPatience_us) return false;
+    if (stamp < *first_[system] + kPatienceMicros) return false;
     taken = by;
     lesser_ = by == PlaceBy::kUtm ? "340 (UTM_GLOBAL_POSITION)" : "24 (GPS_RAW_INT)";
     return true;

@@ -77,19 +77,19 @@ struct TrackLayout {
   // it is as good as none.
   bool places_may_be_unknown = false;
   bool infinite_is_unknown = false;
-  bool ids_may_be_empty = false;            // of who is none of the animals
-  std::optional<std::size_t> visible = {};  // who says no there is an outlier
+  bool ids_may_be_empty = false;  // of who is none of the animals
+  bool show = false;              // of a drone show: a path with colours
+  bool ids_within_file = false;   // of ROS: another file may call another bee so
   // Of aircraft with two kinds of heights, that which is not taken, and its unit: where it
   // contradicts the other one, neither is believed.
-  std::optional<std::size_t> other_height = {};
   Unit other_height_unit = Unit::kMetre;
+  std::optional<std::size_t> other_height = {};
+  std::optional<std::size_t> visible = {};        // who says no there is an outlier
   const LeftOutReason* no_height = nullptr;       // what to say of such a record
   std::optional<std::size_t> label = {};          // what each is called beside its id: the flight
   std::optional<std::size_t> on_ground = {};      // of those that are left out
-  bool show = false;                              // of a drone show: a path with colours
   std::optional<std::size_t> axes_name = {};      // of ROS: what x, y, z are counted in ("map")
   std::vector<std::size_t> sets = {};             // within which ids are unique: studies, days
-  bool ids_within_file = false;                   // of ROS: another file may call another bee so
   std::optional<std::size_t> no_height_yet = {};  // of heights that the beginning has none of
   std::vector<UnitTaken> units = {};              // of positions and velocities
   std::vector<std::string> notes = {};

@@ -105,7 +105,8 @@ TEST_F(ShowReplay, TablesThatEndInTheAirAreNoAllClear) {
   // Who stands where, and until when, all of a show tells together.
   const Finished streamed = replayed("0", {"--memory", "17MB"});
   EXPECT_EQ(streamed.exit_code, 3);
-  expect_parts(streamed.err, {"this is a drone show, which is read as a whole; leave --memory out"});
+  expect_parts(streamed.err,
+               {"this is a drone show, which is read as a whole; leave --memory out"});
 }
 
 TEST_F(ShowReplay, AShowThatDoesNotKeepItFails) {
