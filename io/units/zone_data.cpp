@@ -17,7 +17,7 @@ constexpr std::int64_t kDay_s = 86'400;
 constexpr int kCycleYears = 400;
 constexpr std::int64_t kCycle_s = std::int64_t{146'097} * kDay_s;
 // More than any clock is ahead of UTC or behind.
-constexpr std::int64_t kFarthestOffset_s = 26 * 3600;
+constexpr std::int64_t kFarthestOffset_s = std::int64_t{26} * 3600;
 
 // ---- The file ------------------------------------------------------------------------------
 

@@ -89,7 +89,8 @@ template <bool Weighted>
   Doubles at[3][2];
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
     for (std::uint32_t half = 0; half < 2; ++half) {
-      at[axis][half] = load(leaves.others + axis * kBoxLanes + half * kHalf);
+      const std::uint32_t from = axis * kBoxLanes + half * kHalf;
+      at[axis][half] = load(leaves.others + from);
     }
   }
   Masks of_others[2] = {};
@@ -123,7 +124,8 @@ template <bool Weighted>
     any |= within & ~near;
   }
   for (std::uint32_t half = 0; half < 2; ++half) {
-    LooseNumbers& of_half = *reinterpret_cast<LooseNumbers*>(leaves.of_others + half * kHalf);
+    const std::uint32_t from = half * kHalf;
+    LooseNumbers& of_half = *reinterpret_cast<LooseNumbers*>(leaves.of_others + from);
     of_half += __builtin_convertvector(of_others[half], Numbers);
   }
   return any != 0;
