@@ -53,7 +53,7 @@ struct SwarmFacts {
   std::optional<double> vertical_m = {};
   bool inclusive = false;
   Names names = {};
-  std::vector<std::string> notes = {};   // what must be said aloud
+  std::vector<std::string> notes = {};   // for the summary
   std::vector<Obstacle> obstacles = {};  // to look at, in metres as given; none beside an origin
 };
 

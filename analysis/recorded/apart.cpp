@@ -32,14 +32,14 @@ Point flown(const Mover& mover, double seconds) {
 
 }  // namespace
 
-std::optional<Standing> standing_at(const Track& track, double time_s) {
+std::optional<Whereabouts> whereabouts_at(const Track& track, double time_s) {
   const auto place = position_at(track, time_s);
   if (!place) return std::nullopt;
-  if (track.heights_m.empty()) return Standing{*place, std::nullopt};
-  return Standing{*place, height_at(track, time_s)};
+  if (track.heights_m.empty()) return Whereabouts{*place, std::nullopt};
+  return Whereabouts{*place, height_at(track, time_s)};
 }
 
-Apart apart(const Standing& a, const Standing& b, double height_unit_m) {
+Apart apart(const Whereabouts& a, const Whereabouts& b, double height_unit_m) {
   if (!a.height || !b.height) return apart(a.place, b.place);
   return apart(a.place, *a.height, b.place, *b.height, height_unit_m);
 }
@@ -55,8 +55,8 @@ std::optional<double> common_instant(const Track& a, const Track& b, double time
 std::optional<Apart> apart_at(const Track& a, const Track& b, double time_s, double height_unit_m) {
   const auto instant_s = common_instant(a, b, time_s);
   if (!instant_s) return std::nullopt;
-  const auto of_a = standing_at(a, *instant_s);
-  const auto of_b = standing_at(b, *instant_s);
+  const auto of_a = whereabouts_at(a, *instant_s);
+  const auto of_b = whereabouts_at(b, *instant_s);
   if (!of_a || !of_b) return std::nullopt;
   return apart(*of_a, *of_b, height_unit_m);
 }

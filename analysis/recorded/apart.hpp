@@ -15,16 +15,16 @@
 namespace beespace::analysis {
 
 // Where a bee is at a time, and its height where heights are apart from positions.
-struct Standing {
+struct Whereabouts {
   Point place;
   std::optional<double> height;
 };
 
 // Of a track, between two fixes in the straight line; nothing before the first and after the last.
-std::optional<Standing> standing_at(const Track& track, double time_s);
+std::optional<Whereabouts> whereabouts_at(const Track& track, double time_s);
 
 // Of two that both have heights apart from their positions, or neither.
-Apart apart(const Standing& a, const Standing& b, double height_unit_m);
+Apart apart(const Whereabouts& a, const Whereabouts& b, double height_unit_m);
 
 // An instant at the end of what is known of both may be rounded to beyond it: the nearest that is
 // not. Nothing where they are never known at the same time.

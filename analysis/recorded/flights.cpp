@@ -74,8 +74,8 @@ Result<std::optional<PathEncounter>> closest_of(const Flight& first, const Fligh
   std::optional<PathEncounter> closest;
   for (const BezierPath& one : first) {
     for (const BezierPath& other : second) {
-      if (std::max(one.begins_s, other.begins_s) > std::min(path_end_s(one), path_end_s(other)))
-        continue;
+      const double from_s = std::max(one.begins_s, other.begins_s);
+      if (from_s > std::min(path_end_s(one), path_end_s(other))) continue;
       auto found = closest_on_paths(one, other, during, threshold_m);
       if (!found) return found;
       if (!*found) continue;

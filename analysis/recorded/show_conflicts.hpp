@@ -2,7 +2,8 @@
 // possible ones are conflicts along the curves, and who comes too close to a drone on the ground.
 //
 // A drone stands on the ground before its path begins there, and after it ends there, as long as
-// any other flies. Two that both stand are no conflict.
+// any other flies. Two that both stand are no conflict. A table does not say when a drone stands:
+// from its first record to its last it counts as flying.
 #pragma once
 
 #include "io/recording/recording.hpp"

@@ -37,8 +37,8 @@ Status settle_separation(const char* command, const UsualSeparation* usual,
                          std::optional<io::StatedLength>& threshold,
                          std::optional<io::StatedLength>& vertical);
 
-// Heights by pressure, where the input has them, for minima that are of these; whoever says which
-// heights to take gets them.
+// Heights by pressure, where the input has them, for minima that are of these, unless heights are
+// chosen.
 void take_heights_of(const UsualSeparation* usual, io::HeightSource& heights);
 
 // Whether distances are told in nautical miles and feet too: where the thresholds or the heights of

@@ -11,7 +11,7 @@ namespace beespace::cli {
 namespace {
 
 using analysis::Apart;
-using analysis::Standing;
+using analysis::Whereabouts;
 
 // Where is a bee at a time? Asked for the first or the second one of a conflict.
 struct Question {
@@ -57,23 +57,23 @@ class Answering {
     }
     before_ = fix;
   }
-  [[nodiscard]] const std::vector<std::optional<Standing>>& answers() const { return answers_; }
+  [[nodiscard]] const std::vector<std::optional<Whereabouts>>& answers() const { return answers_; }
 
  private:
   // As the whole track has it: of it, these two fixes decide.
-  [[nodiscard]] std::optional<Standing> between(const LargeFix& fix, double time_s) const {
+  [[nodiscard]] std::optional<Whereabouts> between(const LargeFix& fix, double time_s) const {
     Track track;
     for (const auto& each : {before_, std::optional(fix)}) {
       if (!each) continue;
       track.fixes.push_back(each->fix);
       if (heights_) track.heights_m.push_back(each->height_m);
     }
-    return analysis::standing_at(track, time_s);
+    return analysis::whereabouts_at(track, time_s);
   }
 
   const std::vector<Question>& questions_;
   bool heights_;
-  std::vector<std::optional<Standing>> answers_;
+  std::vector<std::optional<Whereabouts>> answers_;
   std::size_t next_ = 0;
   std::optional<LargeFix> before_;
 };

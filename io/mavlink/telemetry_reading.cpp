@@ -54,7 +54,7 @@ class TelemetryReading {
     before_ =
         assembly_.has_several() ? assembly_.name_of_source(stem_of(path)) + ":" : std::string();
     choose_places();
-    say_aloud();
+    say_choice();
     for (const Heard& heard : heard_) {
       if (auto error = take(heard)) return error;
     }
@@ -145,7 +145,7 @@ class TelemetryReading {
     return names;
   }
 
-  void say_aloud() {
+  void say_choice() {
     assembly_.note(std::string(global_ ? kGlobalNote : kLocalNote));
     for (const auto& [by, message] : {std::pair(PlaceBy::kUtm, "340 (UTM_GLOBAL_POSITION)"),
                                       std::pair(PlaceBy::kSatellite, "24 (GPS_RAW_INT)")}) {
@@ -210,7 +210,7 @@ class TelemetryReading {
     return before_ + "UTM " + heard.at.name;
   }
 
-  // An aircraft has one address, whoever hears it.
+  // An aircraft has one address, whichever station hears it.
   std::optional<Error> take_another(const Heard& heard) {
     const std::string id = address_text(heard.at.address);
     if (!global_ || !heard.at.known) {

@@ -49,7 +49,7 @@ class FlightReading {
     if (auto error = clock_problem()) return error;
     if (auto error = assembly_.agree(facts())) return error;
     assembly_.tracks().round_times(0.0);
-    say_aloud();
+    say_choice();
     if (source_ == Source::kGlobal) gather_velocities();
     for (const Px4Place& place : source_ == Source::kGlobal ? log_.global : log_.local) {
       if (auto error = take(place)) return error;
@@ -180,7 +180,7 @@ class FlightReading {
     return facts;
   }
 
-  void say_aloud() {
+  void say_choice() {
     say_positions();
     say_clock();
     say_losses();

@@ -17,7 +17,7 @@ struct ColumnOptions {
   UnitOverrides units = {};  // where the header names none
   std::optional<StatedLength> pixel = {};      // coordinates are pixels, each so long
   HeightSource heights = HeightSource::kAuto;  // of tables, and of aircraft, that have several
-  // Where nobody asks how fast bees go: velocities whose unit would have to be said are not read.
+  // Where velocities are not needed: those whose unit would have to be said are not read.
   bool velocities_needed = true;
   bool skip_bad = false;  // leave bad records out and list them, instead of failing at the first
 };

@@ -243,8 +243,8 @@ TableLayout layout_of(const PoseLayout& pose, std::size_t dimensions) {
   return table;
 }
 
-void say_aloud(const PoseLayout& pose, const std::string& part, std::uint64_t unsure,
-               RecordingAssembly& assembly) {
+void say_choice(const PoseLayout& pose, const std::string& part, std::uint64_t unsure,
+                RecordingAssembly& assembly) {
   assembly.note("a table of poses, as " + std::string(pose.tool) +
                 " writes them: each animal is where its " + excerpt(part) + " is");
   if (unsure == 0) return;
@@ -296,7 +296,7 @@ std::optional<Error> read_pose_table(std::string_view text, const std::string& s
     return error;
   }
   if (auto error = lengths_problem(layout->table, options)) return error;
-  say_aloud(*pose, *part, records.unsure, assembly);
+  say_choice(*pose, *part, records.unsure, assembly);
   if (auto error = assembly.agree(facts_of(*layout, "text, poses"))) return error;
   for (std::string& note : layout->notes) assembly.note(std::move(note));
   const bool named = layout->table.choice.id.has_value();

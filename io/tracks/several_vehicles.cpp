@@ -56,7 +56,7 @@ bool says_nothing(std::string_view word) {
 
 struct Named {
   Axis axis = Axis::kNone;
-  std::string whose;  // empty: nobody says
+  std::string whose;  // empty: not said
 };
 
 // "follower" of "follower_x", "2" of "x2" and "x_2 [m]"; no axis where the name is no such one.

@@ -164,8 +164,8 @@ bool TrackRecordReader::heights_contradict() const {
                   in_metric(other, layout_.other_height_unit)) > kMostHeightsDiffer_m;
 }
 
-// Of whoever says that it is on the ground: whether it is higher, faster or climbs more than any
-// aircraft there.
+// Of an aircraft that says that it is on the ground: whether it is higher, faster or climbs more
+// than any aircraft there.
 bool TrackRecordReader::flies() const {
   const auto beyond = [this](std::size_t slot, Unit unit, double most) {
     double value = 0.0;

@@ -37,7 +37,7 @@ Unit unit_of(const Range& range) {
   return {};
 }
 
-// Of whoever speaks of aviation.
+// Of inputs in the units of aviation.
 Unit mile_of(const Range& range) {
   if (range.size() >= 9'260.0) return {1852.0, "NM"};
   return unit_of(range);

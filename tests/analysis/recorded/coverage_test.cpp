@@ -117,7 +117,7 @@ TEST(Coverage, AShowThatIsInTheAirThroughoutHasNoGround) {
   EXPECT_FALSE(flight.may_hide_conflicts());
 }
 
-// In metres with heights one whose fixes end in the air is cut off; whoever rests at the height of
+// In metres with heights one whose fixes end in the air is cut off; what rests at the height of
 // the others has landed.
 TEST(Coverage, DronesThatEndInTheAirAreCutOff) {
   io::Recording recording;
@@ -130,7 +130,7 @@ TEST(Coverage, DronesThatEndInTheAirAreCutOff) {
   EXPECT_EQ(coverage.bees_partly, 2U);
   EXPECT_EQ(coverage.bees_cut_off, 1U);
   EXPECT_TRUE(coverage.may_hide_conflicts());
-  // Whoever moves on at that height flies.
+  // What moves on at that height flies.
   recording.bees[2].fixes[3].position.x = 10.0;
   EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_cut_off, 2U);
   // Aircraft come and go.

@@ -53,7 +53,7 @@ TEST(DoubtfulTables, AConflictAsItIs) {
   EXPECT_EQ(rows_of(finished.out).size(), 1u) << finished.out << finished.err;
 }
 
-// Nobody is on the ground at 34,200 ft and 450 kt, or climbing.
+// No aircraft is on the ground at 34,200 ft and 450 kt, or climbing.
 TEST(DoubtfulTables, WhoSaysThatItIsOnTheGroundWhileItFliesIsKept) {
   Said grounded = lower();
   grounded.onground = "1";
@@ -68,7 +68,7 @@ TEST(DoubtfulTables, WhoSaysThatItIsOnTheGroundWhileItFliesIsKept) {
   expect_parts(fast.err, {"6 records say that an aircraft is on the ground", "bees       2\n"});
   const Finished steep = enroute(table({"100", "100", "120", "-1500", "1"}));
   expect_parts(steep.err, {"6 records say that an aircraft is on the ground", "bees       2\n"});
-  // Whoever rolls at an airport is on the ground, and then there is only one left.
+  // What rolls at an airport is on the ground, and then there is only one left.
   const Finished rolls = enroute(table({"5400", "5450", "140", "0", "1"}));
   expect_parts(rolls.err, {"6 records of aircraft on the ground are left out", "bees       1\n",
                            "nothing to compare"});

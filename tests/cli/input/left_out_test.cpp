@@ -111,7 +111,7 @@ TEST_F(LeftOutRecords, WhatIsHarmlessDoesNotCount) {
   const Finished finished = run({"replay", first, again, "--threshold", "5NM", "--fail-on-risk"});
   EXPECT_EQ(finished.exit_code, 0);
   expect_parts(finished.err, {"verdict    keeps its distance\n", "on the ground"});
-  // Nobody rolls at 250 kt.
+  // No aircraft rolls at 250 kt.
   const std::string flies =
       folder_.file("c.json", look(1700000000, aircraft("dddddd", kHere, on_ground)));
   const Finished fast = run({"replay", flies, "--threshold", "5NM", "--fail-on-risk"});

@@ -33,7 +33,7 @@ TEST_F(ReportObstacles, AreInThePageAsInTheirFile) {
   }
 }
 
-TEST_F(ReportObstacles, AreNowhereWhereNobodyAsksForThem) {
+TEST_F(ReportObstacles, AreLeftOutWhereTheyAreNotAskedFor) {
   const Finished finished = run({"report", "--threshold", "1"}, kFlown);
   EXPECT_EQ(finished.out.find(R"("obstacles":)"), std::string::npos);
 }
