@@ -1,5 +1,6 @@
 #include "motion/recorded/recording_search.hpp"
 
+#include "base/stopping.hpp"
 #include "exact/validate.hpp"
 #include "grid/density.hpp"
 #include "motion/pair_walk.hpp"
@@ -211,6 +212,13 @@ class RecordingSearch {
     walk(time, pairs_of(find_passing(enclosed.balls(), step, with_, tuning_.search)));
   }
 
+  // Throws where a stop was requested: between long pieces of work that no crew does.
+  void look_for_stop(const std::vector<PairState>& pairs) const {
+    constexpr std::size_t kLong = 100'000;
+    const auto nothing = [](unsigned) {};
+    if (pairs.size() > kLong) with_.crew.run(nothing);
+  }
+
   // The pairs to walk, ascending: the candidates, and those on which a walk is under way.
   std::vector<PairState> pairs_of(const core::Vector<core::FoundPairs>& candidates) {
     std::vector<PairState> pairs;
@@ -228,7 +236,9 @@ class RecordingSearch {
     const auto ascending = [](const PairState& a, const PairState& b) {
       return a.pair() < b.pair();
     };
+    look_for_stop(pairs);
     std::sort(pairs.begin(), pairs.end(), ascending);
+    look_for_stop(pairs);
     std::vector<PairState> all;
     all.reserve(pairs.size() + walks_.size());
     auto walk = walks_.begin();
@@ -246,7 +256,9 @@ class RecordingSearch {
   void walk(const TimeSpan& time, std::vector<PairState> pairs) {
     std::vector<std::vector<Conflict>> ended(with_.crew.size());
     with_.crew.split(pairs.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
+      constexpr std::size_t kPairsAtOnce = 256;
       for (std::size_t i = begin; i < end; ++i) {
+        if ((i - begin) % kPairsAtOnce == 0 && core::is_stopping()) return;
         PairState& pair = pairs[i];
         if (!pair.candidate && !pair.state.open) continue;
         const TrackSegment& first = segments_[pair.first];
