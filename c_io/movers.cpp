@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string>
 
 using namespace beespace::c_io;  // NOLINT(google-build-using-namespace): the functions are of C
@@ -26,9 +25,6 @@ namespace analysis = beespace::analysis;
 namespace io = beespace::io;
 
 namespace {
-
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr Velocity kNoVelocity{kUnknown, kUnknown, kUnknown};
 
 struct Columns {
   double* xyz;
@@ -60,7 +56,7 @@ Status write_stale(const io::Recording& recording, const Columns& columns) {
   for (std::size_t i = 0; i < recording.bees.size(); ++i) {
     const io::RecordedBee& bee = recording.bees[i];
     if (bee.fixes.empty()) {
-      columns.write(i, {kUnknown, kUnknown, kUnknown}, kNoVelocity, BEESPACE_IO_NOWHERE);
+      columns.write(i, {kNotKnown, kNotKnown, kNotKnown}, kNoVelocity, BEESPACE_IO_NOWHERE);
       continue;
     }
     const auto at =

@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,7 +37,6 @@ namespace io = beespace::io;
 namespace {
 
 constexpr double kTolerance_m = 0.001;  // of curves that become straight lines
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 void append(const beespace::Point& point, std::vector<double>& numbers) {
   numbers.insert(numbers.end(), {point.x, point.y, point.z});
@@ -66,7 +64,7 @@ Status append_velocities(const io::Recording& loaded, std::size_t bee,
       if (!at) return at.error();
       velocity = at->velocity;
     }
-    const Velocity& v = velocity.value_or(Velocity{kUnknown, kUnknown, kUnknown});
+    const Velocity& v = velocity.value_or(kNoVelocity);
     recording.velocities.insert(recording.velocities.end(), {v.x, v.y, v.z});
   }
   return std::monostate{};

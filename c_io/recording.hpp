@@ -6,9 +6,19 @@
 #include "io/recording/recording.hpp"
 
 #include <beespace_io.h>
+#include <beespace/mover.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
+
+namespace beespace::c_io {
+
+// What arrays of numbers hold where nothing is known.
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+constexpr Velocity kNoVelocity{kNotKnown, kNotKnown, kNotKnown};
+
+}  // namespace beespace::c_io
 
 // NOLINTNEXTLINE(readability-identifier-naming): a name of C
 struct beespace_io_recording {

@@ -12,12 +12,10 @@ function(beespace_target target)
     -ffp-contract=off)
 endfunction()
 
-# Compiles the files of a room (a directory) as one unit, and what nearly all of them include once:
-# a target from nothing in less than half of the time. Clang goes without both, so that CI sees a file that
-# does not include what it uses. Rooms named after the target, and files with options of their own,
-# are compiled file by file.
-function(beespace_compile_by_room target)
-  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR NOT BEESPACE_COMPILE_BY_ROOM)
+# Compiles the files of a room (a directory) as one unit. Rooms named after the target, and files with
+# options of their own, are compiled file by file.
+function(beespace_unite_rooms target)
+  if(NOT BEESPACE_COMPILE_BY_ROOM)
     return()
   endif()
   get_target_property(sources ${target} SOURCES)
@@ -32,6 +30,15 @@ function(beespace_compile_by_room target)
     endif()
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
+# Compiles by room, and what nearly all files include once: a target from nothing in less than half of
+# the time. Clang goes file by file, so that CI sees a file that does not include what it uses.
+function(beespace_compile_by_room target)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR NOT BEESPACE_COMPILE_BY_ROOM)
+    return()
+  endif()
+  beespace_unite_rooms(${target} ${ARGN})
   target_precompile_headers(${target} PRIVATE
     <algorithm> <cmath> <functional> <map> <memory> <optional> <span> <string> <string_view> <utility>
     <variant> <vector> <beespace/result.hpp>)

@@ -3,8 +3,8 @@
 #include "avoidance/constraints/closest_points.hpp"
 #include "avoidance/velocity_solver.hpp"
 #include "scenes/random_stream.hpp"
-#include "scenes/random_velocity.hpp"
 #include "tests/avoidance/long_vector.hpp"
+#include "tests/avoidance/random_directions.hpp"
 #include "tests/support/rounds.hpp"
 
 #include <gtest/gtest.h>
@@ -19,10 +19,6 @@ using scenes::RandomStream;
 using test::long_of;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-Vector3 direction(RandomStream& random) {
-  return core::vector_of(scenes::random_direction(random));
-}
 
 struct Case {
   FlightLimits limits;

@@ -1,8 +1,8 @@
 #include "avoidance/constraints/closest_points.hpp"
 
 #include "scenes/random_stream.hpp"
-#include "scenes/random_velocity.hpp"
 #include "tests/avoidance/long_vector.hpp"
+#include "tests/avoidance/random_directions.hpp"
 #include "tests/support/rounds.hpp"
 
 #include <gtest/gtest.h>
@@ -19,10 +19,6 @@ using test::LongSegment;
 
 LongSegment long_segment(const Segment& segment) {
   return {long_of(segment.from), long_of(segment.way)};
-}
-
-Vector3 direction(RandomStream& random) {
-  return core::vector_of(scenes::random_direction(random));
 }
 
 double size_of(const Segment& first, const Segment& second) {

@@ -2,8 +2,8 @@
 #include "avoidance/constraints/half_spaces.hpp"
 
 #include "scenes/random_stream.hpp"
-#include "scenes/random_velocity.hpp"
 #include "tests/avoidance/long_vector.hpp"
+#include "tests/avoidance/random_directions.hpp"
 #include "tests/support/rounds.hpp"
 
 #include <gtest/gtest.h>
@@ -116,10 +116,6 @@ class EveryActiveSet {
   long double slack_;
   std::optional<LongVector> best_;
 };
-
-Vector3 direction(RandomStream& random) {
-  return core::vector_of(scenes::random_direction(random));
-}
 
 // Half-spaces whose planes lie `depth` inside the ball's surface at most, or outside it.
 Program random_program(RandomStream& random, std::size_t size, double depth) {

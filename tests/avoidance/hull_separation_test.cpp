@@ -2,8 +2,8 @@
 #include "avoidance/constraints/hull_separation.hpp"
 
 #include "scenes/random_stream.hpp"
-#include "scenes/random_velocity.hpp"
 #include "tests/avoidance/long_vector.hpp"
+#include "tests/avoidance/random_directions.hpp"
 #include "tests/support/rounds.hpp"
 
 #include <gtest/gtest.h>
@@ -19,10 +19,6 @@ namespace {
 using scenes::RandomStream;
 using test::long_of;
 using test::LongVector;
-
-Vector3 direction(RandomStream& random) {
-  return core::vector_of(scenes::random_direction(random));
-}
 
 Hull hull_of(const std::vector<Vector3>& points) {
   Hull hull{points, {points[0], points[1 % points.size()] - points[0]}, 0.0};

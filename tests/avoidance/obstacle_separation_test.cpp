@@ -2,8 +2,8 @@
 #include "avoidance/constraints/obstacle_separation.hpp"
 
 #include "scenes/random_stream.hpp"
-#include "scenes/random_velocity.hpp"
 #include "tests/avoidance/long_vector.hpp"
+#include "tests/avoidance/random_directions.hpp"
 #include "tests/obstacles/random_obstacles.hpp"
 #include "tests/obstacles/surface_oracle.hpp"
 #include "tests/support/rounds.hpp"
@@ -21,10 +21,6 @@ namespace {
 using obstacles::ConvexPiece;
 using scenes::RandomStream;
 using test::Real;
-
-Vector3 direction(RandomStream& random) {
-  return core::vector_of(scenes::random_direction(random));
-}
 
 double log_uniform(RandomStream& random, double low, double high) {
   return low * std::exp(random.uniform() * std::log(high / low));

@@ -3,7 +3,7 @@
 #include "avoidance/constraints/relaxed_qp.hpp"
 
 #include "scenes/random_stream.hpp"
-#include "scenes/random_velocity.hpp"
+#include "tests/avoidance/random_directions.hpp"
 #include "tests/support/rounds.hpp"
 
 #include <gtest/gtest.h>
@@ -17,10 +17,6 @@ namespace beespace::avoidance {
 namespace {
 
 using scenes::RandomStream;
-
-Vector3 direction(RandomStream& random) {
-  return core::vector_of(scenes::random_direction(random));
-}
 
 struct Program {
   Vector3 wish;

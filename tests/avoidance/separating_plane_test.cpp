@@ -2,8 +2,8 @@
 
 #include "avoidance/velocity_solver.hpp"
 #include "scenes/random_stream.hpp"
-#include "scenes/random_velocity.hpp"
 #include "tests/avoidance/long_vector.hpp"
+#include "tests/avoidance/random_directions.hpp"
 #include "tests/support/rounds.hpp"
 
 #include <gtest/gtest.h>
@@ -17,10 +17,6 @@ namespace {
 
 using scenes::RandomStream;
 using test::long_of;
-
-Vector3 direction(RandomStream& random) {
-  return core::vector_of(scenes::random_direction(random));
-}
 
 double distance(const Segment& first, const Segment& second) {
   return static_cast<double>(test::distance_between({long_of(first.from), long_of(first.way)},

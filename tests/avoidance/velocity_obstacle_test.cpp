@@ -3,8 +3,8 @@
 #include "avoidance/constraints/velocity_obstacle.hpp"
 
 #include "scenes/random_stream.hpp"
-#include "scenes/random_velocity.hpp"
 #include "tests/avoidance/long_vector.hpp"
+#include "tests/avoidance/random_directions.hpp"
 #include "tests/support/rounds.hpp"
 
 #include <gtest/gtest.h>
@@ -19,10 +19,6 @@ namespace {
 using scenes::RandomStream;
 using test::long_of;
 using test::LongVector;
-
-Vector3 direction(RandomStream& random) {
-  return core::vector_of(scenes::random_direction(random));
-}
 
 // The closest distance of the two within the time, at constant velocities.
 long double closest(const VelocityObstacle& obstacle, const LongVector& velocity, double within_s) {

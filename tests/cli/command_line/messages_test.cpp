@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/exit_codes.hpp"
 #include "tests/cli/run/expectations.hpp"
 #include "tests/cli/run/temporary_folder.hpp"
 
 namespace beespace::cli_test {
 namespace {
 
-constexpr int kBadInput = 3;
 using namespace std::string_view_literals;
 
 const std::vector<std::string> kAllThatRead = {"detect", "predict", "replay", "verify",

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/exit_codes.hpp"
 #include "tests/cli/run/temporary_folder.hpp"
 
 namespace beespace::cli_test {
 namespace {
 
-constexpr int kUsage = 2;
 constexpr std::string_view kTwo = "x,y,z\n0,0,0\n1,0,0\n";
 
 void expect_usage_error(const Arguments& arguments, const std::string& message) {

@@ -5,14 +5,12 @@
 #include <string>
 
 #include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/exit_codes.hpp"
 #include "tests/cli/run/json_check.hpp"
 #include "tests/cli/run/temporary_folder.hpp"
 
 namespace beespace::cli_test {
 namespace {
-
-constexpr int kBadInput = 3;
-constexpr int kSystem = 4;
 
 // One header and one good record, to put a bad one after.
 const std::string kGood = "longitude,latitude,height\n-75.5,6.25,1500\n";

@@ -5,13 +5,12 @@
 #include <string>
 
 #include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/exit_codes.hpp"
 #include "tests/cli/run/expectations.hpp"
 #include "tests/cli/run/temporary_folder.hpp"
 
 namespace beespace::cli_test {
 namespace {
-
-constexpr int kBadInput = 3;
 
 constexpr std::string_view kRecording =
     "id,time_s,x,y,z\na,0,0,0,0\nb,0,50,0,0\na,1,1,0,0\nb,1,51,0,0\n";

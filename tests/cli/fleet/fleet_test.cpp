@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/exit_codes.hpp"
 #include "tests/cli/run/expectations.hpp"
 #include "tests/cli/run/json_check.hpp"
 #include "tests/cli/run/temporary_folder.hpp"
@@ -14,8 +15,6 @@ namespace beespace::cli_test {
 namespace {
 
 constexpr int kWrongUsage = 2;
-constexpr int kBadInput = 3;
-
 // a is 0.25 m off, then 0.5 m, and then where it should be; b always is.
 constexpr std::string_view kFlown =
     "id,time_s,x,y,z\n"

@@ -10,15 +10,13 @@
 
 #include "tests/cli/run/below_header.hpp"
 #include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/exit_codes.hpp"
 #include "tests/cli/run/expectations.hpp"
 #include "tests/cli/run/json_check.hpp"
 #include "tests/cli/run/temporary_folder.hpp"
 
 namespace beespace::cli_test {
 namespace {
-
-constexpr int kBadInput = 3;
-constexpr int kSystem = 4;
 
 // Two that have met and are still within 100 m of each other at the end.
 constexpr std::string_view kMeeting =

@@ -5,14 +5,13 @@
 
 #include "tests/cli/run/below_header.hpp"
 #include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/exit_codes.hpp"
 #include "tests/cli/run/expectations.hpp"
 #include "tests/cli/run/json_check.hpp"
 #include "tests/cli/run/temporary_folder.hpp"
 
 namespace beespace::cli_test {
 namespace {
-
-constexpr int kBadInput = 3;
 
 // They pass at 4 m, in the middle of the first second; at their fixes they are far apart. c is far
 // from all.

@@ -7,15 +7,12 @@
 #include <vector>
 
 #include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/exit_codes.hpp"
 #include "tests/cli/run/expectations.hpp"
 #include "tests/cli/run/page_command.hpp"
 
 namespace beespace::cli_test {
 namespace {
-
-constexpr int kUsage = 2;
-constexpr int kBadInput = 3;
-constexpr int kSystem = 4;
 
 using report_test::has;
 using report_test::Json;

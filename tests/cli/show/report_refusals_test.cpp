@@ -8,16 +8,13 @@
 #include <utility>
 
 #include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/exit_codes.hpp"
 #include "tests/cli/run/expectations.hpp"
 #include "tests/cli/run/json_check.hpp"
 #include "tests/cli/run/page_command.hpp"
 
 namespace beespace::cli_test {
 namespace {
-
-constexpr int kUsage = 2;
-constexpr int kBadInput = 3;
-constexpr int kSystem = 4;
 
 constexpr std::string_view kTwo = "x,y,z\n0,0,0\n1,0,0\n";
 constexpr std::string_view kFlown = "id,time_s,x,y,z\na,0,0,0,0\na,9,0,0,0\nb,0,3,0,0\nb,9,3,0,0\n";

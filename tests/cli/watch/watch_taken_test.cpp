@@ -8,13 +8,11 @@
 #include <utility>
 
 #include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/exit_codes.hpp"
 #include "tests/cli/run/expectations.hpp"
 
 namespace beespace::cli_test {
 namespace {
-
-constexpr int kRisk = 1;
-constexpr int kBadInput = 3;
 
 Finished watched(const std::string& lines, const Arguments& more = {}) {
   return run(Arguments{"watch", "--threshold", "5", "--fail-on-risk"} + more,

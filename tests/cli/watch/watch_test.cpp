@@ -11,15 +11,13 @@
 #include <thread>
 
 #include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/exit_codes.hpp"
 #include "tests/cli/run/expectations.hpp"
 #include "tests/cli/run/json_check.hpp"
 #include "tests/cli/run/temporary_folder.hpp"
 
 namespace beespace::cli_test {
 namespace {
-
-constexpr int kBadInput = 3;
-constexpr int kSystem = 4;
 
 // 1 m from each other at 0 s and at 1 s: they enter, and have not left at the end.
 constexpr std::string_view kTogether =
