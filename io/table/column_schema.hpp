@@ -48,11 +48,12 @@ enum class Role : std::uint8_t {
   kPreferredZ,
   kMaxSpeed,
   kMaxAcceleration,
-  kDate,   // the day to a time of day
-  kFrame,  // which picture of a video
+  kDate,          // the day to a time of day
+  kFrame,         // which picture of a video
+  kPositionTime,  // when the position of a record was measured
 };
 
-inline constexpr std::size_t kRoles = static_cast<std::size_t>(Role::kFrame) + 1;
+inline constexpr std::size_t kRoles = static_cast<std::size_t>(Role::kPositionTime) + 1;
 
 constexpr std::size_t index_of(Role role) {
   return static_cast<std::size_t>(role);

@@ -31,6 +31,22 @@ NamePattern time_names() {
   return pattern;
 }
 
+// When the position of a record was measured, which may be long before the record was written:
+// "lastposupdate" of OpenSky, "last_position" of traffic.
+NamePattern position_time_names() {
+  NamePattern pattern;
+  pattern.words = {
+      {Says::kPart,
+       "lastposupdate last-pos-update lastpositionupdate last-position-update last-position "
+       "lastposition time-position timeposition position-time",
+       Role::kPositionTime, "OpenSky, traffic"},
+  };
+  pattern.whole = true;
+  pattern.unit = UnitPlace::kLast;
+  pattern.quantity = Quantity::kTime;
+  return pattern;
+}
+
 // "date", "UTC_date", "Datum".
 NamePattern date_names() {
   NamePattern pattern;
@@ -108,8 +124,9 @@ ColumnSchema make_track_columns() {
        {Role::kVelocityX, Role::kVelocityY, Role::kVelocityZ},
        Frame::kAuto,
        "a velocity needs vx and vy (or ve and vn), and vz (vu) where bees climb"});
-  schema.names = {time_names(),     date_names(),         frame_names(),
-                  velocity_names(), speeds_over_ground(), directions_over_ground()};
+  schema.names = {position_time_names(),   time_names(),     date_names(),
+                  frame_names(),           velocity_names(), speeds_over_ground(),
+                  directions_over_ground()};
   schema.names.insert(schema.names.end(), position.names.begin(), position.names.end());
   return schema;
 }

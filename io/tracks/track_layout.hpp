@@ -46,6 +46,7 @@ struct TimeChoice {
   // Of whole seconds, as ROS has them: the column of what is to be added, in nanoseconds.
   std::optional<std::size_t> nanoseconds = {};
   std::optional<std::size_t> other = {};  // another column that looks like a time, and is not taken
+  bool of_position = false;  // when it was measured: records in between say the position again
 };
 
 struct VelocityChoice {

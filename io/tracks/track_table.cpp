@@ -90,6 +90,7 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
   const Unit height_unit = layout.table.choice.height_unit();
   TrackRecordReader reader(layout);
   const bool times_of_day = layout.time && layout.time->clock && !layout.time->clock->dated;
+  if (layout.time && layout.time->of_position) assembly.tracks().round_times(0.0);
   TrackRecord record;
   record.id = stem;
   std::string row_id;

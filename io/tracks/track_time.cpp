@@ -264,10 +264,17 @@ Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Heade
       found = {found[first ? 0 : 1]};
     }
   }
+  std::optional<std::size_t> measured = header.only(Role::kPositionTime);
+  if (column || found.size() > 1) measured.reset();
+  if (measured) {
+    if (!found.empty()) other = found.front();
+    found = {*measured};
+  }
   const std::optional<std::size_t> frames = header.override_of(Role::kFrame)
                                                 ? header.override_of(Role::kFrame)
                                                 : header.only(Role::kFrame);
   TimeChoice time;
+  time.of_position = measured.has_value();
   if (frames && !column && (found.empty() || options.frames_per_second)) {
     time.column = *frames;
     time.form = TimeForm::kFrames;

@@ -76,6 +76,42 @@ TEST(DoubtfulTables, WhoSaysThatItIsOnTheGroundWhileItFliesIsKept) {
 }
 
 // The 1,000 ft of ICAO Doc 4444 are by pressure: that column is taken, and said.
+// Two that meet head-on after a minute, a row every ten seconds. Of the second nothing is heard
+// from `lost_s` to `found_s`, while its rows go on with the last position, as those of OpenSky do.
+std::string opensky_table(int lost_s, int found_s) {
+  std::string text =
+      "time,icao24,lat,lon,velocity,heading,vertrate,callsign,onground,"
+      "baroaltitude,geoaltitude,lastposupdate,lastcontact\n";
+  for (int t = 0; t <= 120; t += 10) {
+    const int heard_s = t > lost_s && t < found_s ? lost_s : t;
+    const auto row = [&](const char* id, double lon, const char* heading, int position_s) {
+      const std::string time_s = std::to_string(1772373600 + t);
+      text += time_s + "," + id + ",50.0," + std::to_string(lon) + ",230," + heading +
+              ",0,FLY,False,10668,10780," + std::to_string(1772373600 + position_s) + "," + time_s +
+              "\n";
+    };
+    row("3c6501", 7.8 + 0.0032 * t, "90", t);
+    row("406a02", 8.184 - 0.0032 * heard_s, "270", heard_s);
+  }
+  return text;
+}
+
+TEST(DoubtfulTables, APositionIsOfTheTimeWhenItWasMeasured) {
+  const Finished heard = enroute(opensky_table(200, 200));
+  EXPECT_EQ(heard.exit_code, 1);
+  EXPECT_EQ(rows_of(heard.out).size(), 1u) << heard.out << heard.err;
+  EXPECT_NE(heard.err.find("lastposupdate"), std::string::npos) << heard.err;
+
+  // Silent while they meet: where it was then is not known.
+  const Finished lost = enroute(opensky_table(10, 110));
+  EXPECT_EQ(lost.exit_code, 1) << lost.out << lost.err;
+  EXPECT_EQ(lost.err.find("keeps its distance"), std::string::npos) << lost.err;
+
+  // As if the rows were told anew where it is: it stands, and flies past in the end.
+  const Finished believed = enroute(opensky_table(10, 110), {"--columns", "time=1"});
+  EXPECT_NE(believed.err.find("times are read from column 1"), std::string::npos) << believed.err;
+}
+
 TEST(DoubtfulTables, MinimaOfTheIcaoAreOfPressureHeights) {
   const Said other_day{"34200", "33000"};
   const Finished finished = enroute(table(other_day));

@@ -85,10 +85,17 @@ TEST(TrackWords, PositionsAreThoseOfPoints) {
   EXPECT_EQ(read_track_word("alt [ft]").unit, Unit::kFoot);
 }
 
+TEST(TrackWords, WhenAPositionWasMeasured) {
+  for (const std::string_view name : {"lastposupdate", "last_position", "time_position"}) {
+    EXPECT_EQ(read_track_word(name).role, Role::kPositionTime) << name;
+  }
+  EXPECT_EQ(read_track_word("lastcontact").role, Role::kNone);
+}
+
 TEST(TrackWords, WhatIsNotUnderstoodToItsLastWordIsNothing) {
   for (const std::string_view name :
-       {"", "time_position", "gps_time_local", "v", "velocity", "ground speeds", "vxy", "vx_error",
-        "acc_x", "x_time_s", "vx vy", "s", "us", "ms", "drone color"}) {
+       {"", "gps_time_local", "v", "velocity", "ground speeds", "vxy", "vx_error", "acc_x",
+        "x_time_s", "vx vy", "s", "us", "ms", "drone color"}) {
     EXPECT_EQ(read_track_word(name).role, Role::kNone) << name;
   }
 }
