@@ -17,6 +17,7 @@
 #include "io/problems/signatures.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/table/coordinate_units.hpp"
+#include "io/table/decimal_comma.hpp"
 #include "io/table/position_columns.hpp"
 
 #include <cmath>
@@ -265,9 +266,16 @@ Result<LoadedPoints> load_bytes(Bytes bytes, const std::string& path, const Load
   }
   auto source = std::make_shared<RecordSource>();
   source->bytes = std::move(bytes);
+  bool decimal_commas = false;
   const Format format = format_of(source->bytes.view, path, options.format);
   if (compressed && format == Format::kText && is_packed(source->bytes.view)) {
     return compressed_twice(name);
+  }
+  if (auto points = format == Format::kText
+                        ? with_decimal_points(without_byte_order_mark(source->bytes.view))
+                        : std::nullopt) {
+    source->bytes = *std::move(points);
+    decimal_commas = true;
   }
   auto error = format == Format::kText ? load_table(loaded, *source, options)
                                        : load_array(loaded, *source, format, options);
@@ -283,6 +291,7 @@ Result<LoadedPoints> load_bytes(Bytes bytes, const std::string& path, const Load
     }
     return placed({ErrorCode::kNoPoints, std::move(message), {}});
   }
+  if (decimal_commas) loaded.format_description += ", with decimal commas";
   if (compressed) loaded.format_description += zstd ? ", zstd-compressed" : ", gzip-compressed";
   loaded.records = std::move(source);
   return loaded;

@@ -19,6 +19,7 @@
 #include "io/recording/recording_sources.hpp"
 #include "io/shows/show_documents.hpp"
 #include "io/shows/show_reading.hpp"
+#include "io/table/decimal_comma.hpp"
 #include "io/tracks/json_table.hpp"
 #include "io/tracks/pose_table.hpp"
 #include "io/tracks/track_table.hpp"
@@ -215,6 +216,10 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
         "this is no Skybrush show: neither a zip archive nor a JSON object; name the .skyc "
         "file",
         {}};
+  }
+  if (auto points = with_decimal_points(without_byte_order_mark(content->view))) {
+    *content = *std::move(points);
+    assembly.note("numbers have decimal commas");
   }
   if (format == RecordingFormat::kAuto) {
     const std::string_view text = without_byte_order_mark(content->view);
