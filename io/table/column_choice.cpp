@@ -276,7 +276,7 @@ ColumnMeaning Header::meaning_of(std::size_t column) const {
   if (known != nullptr && known->role != Role::kHeight && schema_.reads(known->role)) {
     meaning.role = known->role;
     // Of OpenSky; animals are filmed from a zero of their own.
-    meaning.since_1970 = known->role == Role::kTime && !source_->of_animals;
+    meaning.since_1970 = known->role == Role::kTime && source_->since_1970;
     if (known->role == Role::kTime) meaning.unit = known->unit;
     if (known->role == Role::kX || known->role == Role::kY) {
       meaning.frame = Frame::kMetres;

@@ -18,12 +18,13 @@ KnownColumn perhaps(std::string_view name, Role role, Unit unit = Unit::kUnstate
 
 // traffic: https://traffic-viz.github.io (columns of its Flight and Traffic tables).
 // OpenSky: the history tables state_vectors_data4, as its documentation lists them.
+// BlueSky: its logs (bluesky/tools/datalog.py), which are in units of the SI.
 // Movebank: its attribute dictionary (https://www.movebank.org/cms/movebank-content/
 // movebank-attribute-dictionary); packages of R write dots for its hyphens. Times are UTC.
 // TRex: https://trex.run/docs/formats.html; a file an individual. Of several places of a body that
 // of the weighted centroid is taken; where it was not seen they are infinite.
-const std::array<TableSource, 5>& known_sources() {
-  static const std::array<TableSource, 5> sources = {
+const std::array<TableSource, 6>& known_sources() {
+  static const std::array<TableSource, 6> sources = {
       TableSource{"traffic",
                   "velocity vertrate baroaltitude",
                   {{"icao24"},
@@ -52,7 +53,21 @@ const std::array<TableSource, 5>& known_sources() {
                    {"heading", Role::kTrack},
                    {"vertrate", Role::kClimb, Unit::kMetrePerSecond},
                    {"baroaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kPressure},
-                   {"geoaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kEllipsoid}}},
+                   {"geoaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kEllipsoid}},
+                  false,
+                  false,
+                  false,
+                  true},
+      TableSource{"BlueSky",
+                  "",
+                  {{"simt", Role::kTime, Unit::kSecond},
+                   {"id", Role::kId},
+                   {"lat"},
+                   {"lon"},
+                   perhaps("alt", Role::kHeight, Unit::kMetre, HeightDatum::kPressure),
+                   perhaps("gs", Role::kGroundSpeed, Unit::kMetrePerSecond),
+                   perhaps("trk", Role::kTrack),
+                   perhaps("vs", Role::kClimb, Unit::kMetrePerSecond)}},
       TableSource{
           "Movebank",
           "",

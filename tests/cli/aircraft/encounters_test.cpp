@@ -88,6 +88,24 @@ TEST(Encounters, AScenarioIsNoFlight) {
   expect_parts(shown.err, {"ask 'beespace predict' about it, with --horizon 0 for now only"});
 }
 
+// Two that fly towards each other at 231.5 m/s from 5 km apart.
+TEST(Encounters, ALogOfBlueSkyIsReplayed) {
+  std::string log = "# Snapshot log\n# simt, id, lat, lon, alt, gs, trk, vs\n";
+  for (int t = 0; t <= 15; ++t) {
+    const auto row = [&](const std::string& id, double lon, const std::string& track) {
+      log += std::to_string(t) + ".00000000," + id + ",0.00000000," + std::to_string(lon) +
+             ",10668.00000000,231.50000000," + track + ",0.00000000\n";
+    };
+    row("BEE101", 7.0 + 0.00208 * t, "90.00000000");
+    row("HIVE22", 7.045 - 0.00208 * t, "270.00000000");
+  }
+  const Finished finished = run({"replay", "--separation", "enroute", "--fail-on-risk"}, log);
+  EXPECT_EQ(finished.exit_code, 1) << finished.err;
+  EXPECT_EQ(rows_of(finished.out).size(), 1u) << finished.out;
+  EXPECT_NE(finished.err.find("BlueSky"), std::string::npos) << finished.err;
+  EXPECT_EQ(finished.err.find("1970"), std::string::npos) << finished.err;
+}
+
 TEST(Encounters, ADaidalusEncounterIsReplayed) {
   std::string text =
       "NAME lat lon alt trk gs vs time\n[none] [deg] [deg] [ft] [deg] [knot] [fpm] [s]\n";
