@@ -13,9 +13,13 @@ import { pairChart } from '../time/pair_chart';
 import { seekable, type TimeChart } from '../time/time_chart';
 import type { Shown } from './shown';
 
-/** Times are told to a thousandth of a second or less: who closes slower than this, or than this share of the speed, does not. */
+/**
+ * Who closes slower than this, or than this share of the speed, does not; in the closest moment, which is told to a tick, than
+ * the other share.
+ */
 const kStill_mps = 5e-4;
 const kStillShare = 1e-4;
+const kStillShareWhenClosest = 1e-2;
 
 type Fact = [label: string, value: string, risky?: boolean];
 
@@ -85,10 +89,12 @@ function closestText(swarm: Recording, place: number): string {
 function nowFacts(shown: Shown, swarm: Recording, way: number, within_s: number): Fact[] {
   const apart = swarm.pairWays.at(way, within_s);
   if (!apart) return [['Now', 'beyond the time that is kept of this pair']];
-  // In the closest moment, which is told to a tick, it is as close as its row says.
-  if (swarm.conflicts.closest_s[way] === within_s) apart.distance_m = swarm.conflicts.distance_m[way];
+  // In the closest moment it is as close as its row says.
+  const closest = swarm.conflicts.closest_s[way] === within_s;
+  if (closest) apart.distance_m = swarm.conflicts.distance_m[way];
   // What rounding leaves of nothing is nothing.
-  const closing = Math.abs(apart.closing_mps) < Math.max(kStill_mps, kStillShare * apart.relative_mps) ? 0 : apart.closing_mps;
+  const still_mps = Math.max(kStill_mps, (closest ? kStillShareWhenClosest : kStillShare) * apart.relative_mps);
+  const closing = Math.abs(apart.closing_mps) < still_mps ? 0 : apart.closing_mps;
   return [
     ...limitFacts(shown, rounded(apart, swarm.head.threshold_m)),
     [closing >= 0 ? 'Closing' : 'Parting', formatSpeed(Math.abs(closing), swarm.head.heights)],

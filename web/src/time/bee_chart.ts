@@ -126,9 +126,8 @@ function moments(begins_s: number, duration_s: number, since_1970: boolean, xOf:
 function drawRow(row: Row, top: number, swarm: Recording, bee: number, flown: Flown[], xOf: (time_s: number) => number): SVGElement[] {
   const curves = flown.map((one) => row.points(one).map(([time_s, value]): [number, number] => [time_s, value / row.of]));
   const values = curves.flat().flatMap(([, value]) => (Number.isFinite(value) ? [value] : []));
-  const reduced = (pick: (a: number, b: number) => number, from: number): number => values.reduce(pick, from);
-  const zero = row.fromZero ? [0] : [];
-  const [lowest, highest] = [reduced(Math.min, zero[0] ?? Infinity), reduced(Math.max, zero[0] ?? -Infinity)];
+  const none = row.fromZero ? [0, 0] : [Infinity, -Infinity];
+  const [lowest, highest] = values.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], none);
   const reach = Math.max(Math.abs(lowest), Math.abs(highest));
   const near = row.limits.filter(({ value }) => Math.abs(value / row.of) <= kFar * reach);
   const [least, most] = [Math.min(lowest, ...near.map(({ value }) => value / row.of)), Math.max(highest, ...near.map(({ value }) => value / row.of))];

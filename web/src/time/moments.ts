@@ -22,7 +22,7 @@ export function clockStep(atLeast_s: number): number {
 export function momentsWithin(begins_s: number, ends_s: number, since1970: boolean, wanted: number): Moment[] {
   if (!since1970 || ends_s - begins_s < wanted) {
     const times = niceTicks(begins_s, ends_s, wanted);
-    const decimals = times.length > 1 ? decimalsFor(times[1] - times[0]) : 1;
+    const decimals = times.length > 1 ? decimalsFor(times[1] - times[0]) : times.every(Number.isInteger) ? 0 : 1;
     return times.map((time_s) => ({ time_s, text: clockText(time_s, since1970, decimals, 0) }));
   }
   const step_s = clockStep((ends_s - begins_s) / wanted);

@@ -92,9 +92,15 @@ test('long names are cut between characters', () => {
   assert.equal(shorten('Maya'), 'Maya');
   assert.equal(shorten(''), '(no name)');
   const bees = shorten('\u{1F41D}'.repeat(10000), 5);
-  assert.equal(bees, '\u{1F41D}\u{1F41D}\u{1F41D}\u{1F41D}…');
-  assert.equal(shorten('x'.repeat(48)), 'x'.repeat(48));
-  assert.equal(shorten('x'.repeat(49)).length, 48);
+  assert.equal(bees, '\u{1F41D}\u{1F41D}…\u{1F41D}\u{1F41D}');
+  assert.equal(shorten('x'.repeat(64)), 'x'.repeat(64));
+  assert.equal(shorten('x'.repeat(65)).length, 64);
+  assert.equal(shorten(`a\u{1F41D}\u{1F41D}\u{1F41D}bc\u{1F41D}`, 4), 'a\u{1F41D}…\u{1F41D}');
+});
+
+test('names that differ at their ends still do when they are cut', () => {
+  const [one, other] = [1, 2].map((number) => shorten(`robot-${'with-a-very-long-name-'.repeat(5)}${number}`));
+  assert.ok(one !== other && one.endsWith('1') && other.endsWith('2') && one.length === 64);
 });
 
 test('a name that turns the text around stays between its marks', () => {
