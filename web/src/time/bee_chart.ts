@@ -98,7 +98,7 @@ export function beeChart(swarm: Recording, bee: number, other: number | null, na
   const xOf = (time_s: number): number => kLeft + (Math.min(duration_s, Math.max(0, time_s)) / duration_s) * (kWidth - kLeft - kRight);
   const rows = rowsOf(swarm);
   const height = rows.length * kRow + kBottom;
-  const svg = drawing('svg', { viewBox: `0 0 ${kWidth} ${height}`, class: 'pair-chart bee-chart', role: 'img', 'aria-label': name });
+  const svg = drawing('svg', { viewBox: `0 0 ${kWidth} ${height}`, class: 'time-chart bee-chart', role: 'img', 'aria-label': name });
   rows.forEach((row, i) => svg.append(...drawRow(row, i * kRow, swarm, bee, flown, xOf)));
   svg.append(...moments(begins_s, duration_s, since_1970, xOf, height - 4));
   const cursor = drawing('line', { class: 'cursor', y1: kTop - 6, y2: height - kBottom + 3 });

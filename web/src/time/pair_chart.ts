@@ -43,7 +43,7 @@ export function pairChart(swarm: Recording, place: number, name: string): TimeCh
   const rows = rowsOf(swarm);
   const xOf = (time_s: number): number => kLeft + ((time_s - span[0]) / (span[1] - span[0])) * (kWidth - kLeft - kRight);
   const height = rows.length * kRow + kBottom;
-  const svg = drawing('svg', { viewBox: `0 0 ${kWidth} ${height}`, class: 'pair-chart', role: 'img', 'aria-label': name });
+  const svg = drawing('svg', { viewBox: `0 0 ${kWidth} ${height}`, class: 'time-chart pair-chart', role: 'img', 'aria-label': name });
   const instants = swarm.pairWays.instants(place, kPieces);
   if (place < conflicts.begins_s.length) {
     const [from, to] = [xOf(Math.max(span[0], conflicts.begins_s[place])), xOf(Math.min(span[1], conflicts.ends_s[place]))];
