@@ -1,5 +1,5 @@
 // Reads what the page holds, shows the swarms as soon as they can be seen, then the panels.
-import { readPage, type Page } from './data/page';
+import { headsOf, readPage, type Page } from './data/page';
 import { readGround } from './data/ground';
 import { boxWith } from './data/obstacles';
 import { boxOfBoth } from './data/positions';
@@ -12,6 +12,7 @@ import { preparePrinting } from './printing';
 import { frameAround, liftFor, type Frame } from './scene/frame';
 import { Colours } from './scene/colouring';
 import { earlyRenderer } from './scene/early';
+import type { Painter } from './scene/painter';
 import { linkViews, makeStage } from './stage';
 import { followPlaces, type Placing } from './scene/following';
 import { RecordingPlacer } from './scene/placement';
@@ -37,7 +38,7 @@ function frameOf([one, other = one]: Swarm[]): Frame {
   return frame;
 }
 
-async function show(page: Page): Promise<void> {
+async function show(page: Page, renderers: (Painter | null)[]): Promise<void> {
   const choices: Choices = {
     selected: new Signal<Selected | null>(null),
     filter: new Signal<Filter>({ atRiskOnly: false, group: null }),
@@ -49,7 +50,6 @@ async function show(page: Page): Promise<void> {
     lift: new Signal<number>(1),
   };
 
-  const renderers = page.swarms.map((head) => earlyRenderer(head));
   const swarms: Swarm[] = [];
   for (const head of page.swarms) {
     if (head.count > kMany) await progress(`Reading ${formatCount(head.count)} bees …`);
@@ -138,6 +138,9 @@ function whole(): Promise<void> {
 }
 
 async function start(): Promise<void> {
+  // The graphics card begins while the browser still reads the columns.
+  const early = await headsOf();
+  const made = early?.map((head) => earlyRenderer(head));
   await whole();
   if (document.documentElement.dataset.beespace === 'failed') return;
   const page = await undamaged(readPage);
@@ -147,7 +150,7 @@ async function start(): Promise<void> {
     return;
   }
   document.title = `${page.swarms.map(({ title }) => title.slice(0, 80)).join(' → ')} – beespace`;
-  await show(page);
+  await show(page, made ?? page.swarms.map((head) => earlyRenderer(head)));
 }
 
 document.documentElement.dataset.program = 'runs';

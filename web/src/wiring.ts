@@ -12,7 +12,7 @@ import { notesPanel } from './panels/notes';
 import { pairPanelOf } from './panels/pair';
 import { pairPanel } from './panels/pair_table';
 import { searchBox } from './panels/search';
-import { selectionPanel } from './panels/selection';
+import { selectionPanel, type Now } from './panels/selection';
 import type { Actions, Shown } from './panels/shown';
 import { summaryPanel } from './panels/summary';
 import { fileName, pictureOf, saveFile } from './save';
@@ -37,10 +37,7 @@ export interface Parts {
 export function wirePanels({ shown, choices, times, room, help, version, notes }: Parts): void {
   const actions: Actions = {
     select: (selected, { fly, time_s } = {}) => {
-      if (selected && time_s !== undefined) {
-        times.clock.pause();
-        times.clock.go(times.clockTime(shown[selected.swarm], time_s));
-      }
+      if (selected && time_s !== undefined) times.seek(shown[selected.swarm], time_s);
       choices.selected.set(selected);
       if (!selected || !fly) return;
       const bees = selected.other === null ? [selected.bee] : [selected.bee, selected.other];
@@ -50,7 +47,7 @@ export function wirePanels({ shown, choices, times, room, help, version, notes }
       if (matchMedia('(max-width: 760px)').matches) view?.canvas.scrollIntoView({ block: 'nearest' });
     },
   };
-  const now = { time_s: times.clock.time, within: times.within };
+  const now: Now = { time_s: times.clock.time, within: times.within, seek: times.seek };
   for (const { view, index } of shown) {
     if (view) nameUnderCursor(view, (bee) => hoverText(shown[index], bee, now.within(shown[index])));
     if (!view) continue;
@@ -66,14 +63,11 @@ export function wirePanels({ shown, choices, times, room, help, version, notes }
   if (line) room.column.append(line.box);
   const histogram = histogramPanel(shown);
   const contracts = contractPanel(shown, actions);
-  const limits = limitsPanel(shown, actions, (of, time_s) => {
-    times.clock.pause();
-    times.clock.go(times.clockTime(of, time_s));
-  });
+  const limits = limitsPanel(shown, actions, times.seek);
   room.panels.append(
     summaryPanel(shown, actions),
-    ...(limits ? [limits] : []),
     pairPanelOf(shown, choices, times),
+    ...(limits ? [limits] : []),
     selectionPanel(shown, choices, now, actions),
     ...(contracts ? [contracts] : []),
     pairPanel(shown, choices, actions),

@@ -152,6 +152,41 @@ export interface Page {
   swarms: Head[];
 }
 
+/** What a swarm is drawn with. */
+export type EarlyHead = Pick<Head, 'count' | 'kind'>;
+
+/** The same of each swarm as soon as the page's head is there, before the columns are; null where it is not, or is damaged. */
+export async function headsOf(): Promise<EarlyHead[] | null> {
+  const holder = await arrived('beespace-page');
+  try {
+    return holder && (JSON.parse(holder.textContent ?? '') as Page).swarms.map(({ count, kind }) => ({ count, kind }));
+  } catch {
+    return null;
+  }
+}
+
+/** An element, once the browser has read all of it; null where the page has none. */
+function arrived(id: string): Promise<HTMLElement | null> {
+  const whole = (): HTMLElement | null => {
+    const one = document.getElementById(id);
+    return one?.nextElementSibling || document.readyState !== 'loading' ? one : null;
+  };
+  const there = whole();
+  if (there || document.readyState !== 'loading') return Promise.resolve(there);
+  return new Promise((resolve) => {
+    const look = (): void => {
+      const one = whole();
+      if (!one && document.readyState === 'loading') return;
+      watch.disconnect();
+      document.removeEventListener('DOMContentLoaded', look);
+      resolve(one);
+    };
+    const watch = new MutationObserver(look);
+    watch.observe(document.body, { childList: true });
+    document.addEventListener('DOMContentLoaded', look);
+  });
+}
+
 /** Nothing where no data were put into the page. */
 export function readPage(): Page | null {
   const holder = document.getElementById('beespace-page');

@@ -7,8 +7,9 @@ export interface ApartNow {
   distance_m: number;
   horizontal_m: number;
   height_m: number;
-  /** How fast the distance shrinks. */
+  /** How fast the distance shrinks, and how fast either moves beside the other. */
   closing_mps: number;
+  relative_mps: number;
 }
 
 type Axes = readonly [Float64Array, Float64Array, Float64Array];
@@ -61,6 +62,7 @@ export class PairWays {
       horizontal_m: this.height ? Math.hypot(x, y, z) : Math.hypot(x, y),
       height_m: Math.abs(this.height ? along(this.height) : z),
       closing_mps: distance_m > 0 ? -outward / distance_m : 0,
+      relative_mps: Math.hypot(...speeds),
     };
   }
 

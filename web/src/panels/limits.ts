@@ -86,7 +86,6 @@ function cueList(head: RecordingHead, shown: Shown, toTime: (shown: Shown, time_
       'li',
       {},
       button(timeText(head, time_s), { class: 'link' }, () => toTime(shown, time_s)),
-      ' ',
       nameElement(name),
     ),
   );

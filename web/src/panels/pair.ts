@@ -1,21 +1,30 @@
 // The selected pair: how far apart the two are now and over time, how fast they close, and a look at it in slow motion.
+import type { ApartNow } from '../data/pair_ways';
 import { pairsOf } from '../data/swarm';
 import type { Choices, Selected } from '../state/choices';
 import { formatHorizontal, formatVertical } from '../text/apart';
 import { button, element, panel } from '../text/element';
 import { isolate, nameElement } from '../text/names';
-import { decimalsWithin, formatBelow, formatDigits, formatDuration, formatTime } from '../text/numbers';
+import { decimalsWithin, formatBelow, formatDuration, formatStep, formatTime } from '../text/numbers';
+import { formatSpeed } from '../text/speeds';
 import type { Recording } from '../data/recording';
 import type { LinkedTimes } from '../time/linked_times';
-import { pairChart, type PairChart } from '../time/pair_chart';
+import { pairChart } from '../time/pair_chart';
+import { seekable, type TimeChart } from '../time/time_chart';
 import type { Shown } from './shown';
 
+/**
+ * Who closes slower than this, or than this share of the speed, does not; in the closest moment, which is told to a tick, than
+ * the other share.
+ */
 const kStill_mps = 5e-4;
+const kStillShare = 1e-4;
+const kStillShareWhenClosest = 1e-2;
 
 type Fact = [label: string, value: string, risky?: boolean];
 
 /** So long before and after the closest moment one looks: longer for what lasts longer. */
-const kAround_s = [5, 30, 60];
+const kAround_s = [5, 30, 60, 300, 1800, 7200, 21600];
 
 /** Where the way of the pair stands in the list of ways; null where there is none. */
 function wayOf(swarm: Recording, { place }: Selected): number | null {
@@ -48,6 +57,15 @@ function limitFacts(shown: Shown, apart: { distance_m: number; horizontal_m: num
   ];
 }
 
+/** Ways of pairs are kept to so much of the threshold: less than that is nothing. */
+const kKept = 1e-5;
+
+function rounded(apart: ApartNow, threshold_m: number): ApartNow {
+  const least_m = kKept * threshold_m;
+  const told = (metres: number): number => (metres < least_m ? 0 : metres);
+  return { ...apart, horizontal_m: told(apart.horizontal_m), height_m: told(apart.height_m) };
+}
+
 /** What is known of a pair of a snapshot, or of the closest moment of a conflict. */
 function stillFacts(shown: Shown, { bee, other, place }: Selected): Fact[] {
   const { swarm } = shown;
@@ -71,14 +89,15 @@ function closestText(swarm: Recording, place: number): string {
 function nowFacts(shown: Shown, swarm: Recording, way: number, within_s: number): Fact[] {
   const apart = swarm.pairWays.at(way, within_s);
   if (!apart) return [['Now', 'beyond the time that is kept of this pair']];
-  // In the closest moment, which is told to a tick, it is as close as its row says.
-  if (swarm.conflicts.closest_s[way] === within_s) apart.distance_m = swarm.conflicts.distance_m[way];
+  // In the closest moment it is as close as its row says.
+  const closest = swarm.conflicts.closest_s[way] === within_s;
+  if (closest) apart.distance_m = swarm.conflicts.distance_m[way];
   // What rounding leaves of nothing is nothing.
-  const closing = Math.abs(apart.closing_mps) < kStill_mps ? 0 : apart.closing_mps;
-  const speed = `${formatDigits(Math.abs(closing), 3)}\u202fm/s`;
+  const still_mps = Math.max(kStill_mps, (closest ? kStillShareWhenClosest : kStillShare) * apart.relative_mps);
+  const closing = Math.abs(apart.closing_mps) < still_mps ? 0 : apart.closing_mps;
   return [
-    ...limitFacts(shown, apart),
-    [closing >= 0 ? 'Closing' : 'Parting', swarm.head.heights?.in_feet ? `${speed} · ${formatDigits(Math.abs(closing) / 0.514444, 3)}\u202fkt` : speed],
+    ...limitFacts(shown, rounded(apart, swarm.head.threshold_m)),
+    [closing >= 0 ? 'Closing' : 'Parting', formatSpeed(Math.abs(closing), swarm.head.heights)],
   ];
 }
 
@@ -92,7 +111,7 @@ export function pairPanelOf(all: Shown[], choices: Choices, times: LinkedTimes):
   const body = element('div');
   const box = panel('pair', 'Selected pair', body);
   const facts = element('dl', { class: 'facts compact' });
-  let chart: PairChart | null = null;
+  let chart: TimeChart | null = null;
 
   const follow = (): void => {
     const selected = choices.selected.value;
@@ -126,7 +145,7 @@ export function pairPanelOf(all: Shown[], choices: Choices, times: LinkedTimes):
       }
     }
     parts.push(facts);
-    if (chart) parts.push(seekable(chart, shown, times));
+    if (chart) parts.push(seekable(chart, (time_s) => times.seek(shown, time_s)));
     body.replaceChildren(...parts);
     follow();
   });
@@ -134,34 +153,17 @@ export function pairPanelOf(all: Shown[], choices: Choices, times: LinkedTimes):
   return box;
 }
 
-/** A press or a drag on the chart goes to that time. */
-function seekable(chart: PairChart, shown: Shown, times: LinkedTimes): SVGSVGElement {
-  const { svg } = chart;
-  const seek = (event: PointerEvent): void => {
-    if (event.buttons === 0) return;
-    const { left, width } = svg.getBoundingClientRect();
-    times.clock.pause();
-    times.clock.go(times.clockTime(shown, chart.timeAt((event.clientX - left) / width)));
-  };
-  svg.addEventListener('pointerdown', seek);
-  svg.addEventListener('pointermove', seek);
-  return svg;
-}
-
 function replayButton(shown: Shown, swarm: Recording, { place }: Selected, way: number, times: LinkedTimes): HTMLElement {
   const around_s = aroundOf(swarm, place);
   const closest_s = swarm.conflicts.closest_s[way] ?? swarm.head.risk.closest?.time_s ?? 0;
   const middle = times.clockTime(shown, closest_s);
-  const text = `Replay ±${around_s}\u202fs`;
+  const text = `Replay ±${formatStep(around_s)}`;
   return element(
     'p',
     { class: 'tools' },
     button(text, { title: 'From before they are closest to after it, in slow motion around it' }, () =>
       times.clock.replay(middle - around_s, middle + around_s, around_s / 5),
     ),
-    button('To the closest moment', {}, () => {
-      times.clock.pause();
-      times.clock.go(middle);
-    }),
+    button('To the closest moment', {}, () => times.seek(shown, closest_s)),
   );
 }

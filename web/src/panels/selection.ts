@@ -1,8 +1,10 @@
 // The selected bee: its numbers, and the bees that are too close to it.
 import { geographicOf } from '../data/earth';
 import type { Fleet } from '../data/fleet';
+import { flownBy, stretchAt, type Flown } from '../data/flown';
 import { positionOf } from '../data/positions';
-import { counterpart, pairsOf } from '../data/swarm';
+import type { Recording } from '../data/recording';
+import { counterpart, pairsOf, type Swarm } from '../data/swarm';
 import type { Choices, Selected } from '../state/choices';
 import type { Signal } from '../state/signal';
 import { button, element, panel } from '../text/element';
@@ -19,6 +21,9 @@ import {
   formatMetres,
   formatTime,
 } from '../text/numbers';
+import { formatClimb, formatSpeed } from '../text/speeds';
+import { beeChart } from '../time/bee_chart';
+import { seekable, type TimeChart } from '../time/time_chart';
 import type { Actions, Shown } from './shown';
 
 const kListed = 100;
@@ -28,6 +33,7 @@ export interface Now {
   time_s: Signal<number>;
   /** The clock's time as seconds from the beginning of a swarm. */
   within: (shown: Shown) => number;
+  seek: (shown: Shown, within_s: number) => void;
 }
 
 type Fact = [label: string, value: string, kind?: string];
@@ -56,6 +62,23 @@ function placeNow(shown: Shown, bee: number, now: Now): [number, number, number]
   const [x, y, z] = [new Float32Array(1), new Float32Array(1), new Float32Array(1)];
   if (!swarm.fixes.place(bee, now.within(shown), x, y, z, 0)) return null;
   return positionOf({ ...swarm.fixes.positions, x, y, z } as never, 0);
+}
+
+/** Of the bee that was asked for last, as it is asked for at each moment. */
+let lastFlown: { swarm: Recording; bee: number; flown: Flown } | null = null;
+
+/** How fast it flies along the ground and up; nothing where it stands between no two fixes. */
+function speedFacts(swarm: Recording, bee: number, within_s: number): Fact[] {
+  if (lastFlown?.swarm !== swarm || lastFlown.bee !== bee) lastFlown = { swarm, bee, flown: flownBy(swarm, bee) };
+  const { flown } = lastFlown;
+  const place = stretchAt(flown, within_s);
+  if (place < 0) return [];
+  const { head, fixes } = swarm;
+  // What rounding of the shown positions leaves of nothing is nothing.
+  const rounding = Math.hypot(...fixes.positions.step) / (flown.to_s[place] - flown.from_s[place]);
+  const told = (speed: number): number => (Math.abs(speed) <= rounding ? 0 : speed);
+  const speed: Fact = [head.flat ? 'Speed' : head.origin ? 'Ground speed' : 'Horizontal speed', formatSpeed(told(flown.horizontal_mps[place]), head.heights)];
+  return head.flat ? [speed] : [speed, ['Climb', formatClimb(told(flown.climb_mps[place]), head.heights)]];
 }
 
 /** What the planner of the fleet says of a bee. */
@@ -96,8 +119,22 @@ function factsOf(shown: Shown, bee: number, now: Now): Fact[] {
   }
   const place = placeNow(shown, bee, now);
   if (swarm.kind === 'recording' && swarm.fleet) facts.push(...fleetFacts(swarm.fleet, bee, now.within(shown), place));
+  if (swarm.kind === 'recording') facts.push(...speedFacts(swarm, bee, now.within(shown)));
   facts.push(...positionFacts(shown, place));
   return facts;
+}
+
+/** How high and how fast the bee flies over time, and the other one of a pair beside it. */
+function chartOf(swarm: Swarm, { bee, other }: Selected): TimeChart | null {
+  if (swarm.kind !== 'recording') return null;
+  const names = [bee, ...(other === null ? [] : [other])].map((one) => isolate(swarm.names.of(one)));
+  return beeChart(swarm, bee, other, `How ${swarm.head.flat ? '' : 'high and how '}fast ${names.join(' and ')} ${names.length > 1 ? 'fly' : 'flies'} over time`);
+}
+
+function chartKey(swarm: Swarm, { bee, other }: Selected): HTMLElement | null {
+  if (other === null) return null;
+  const line = (kind: string, one: number): HTMLElement => element('span', { class: `key ${kind}` }, nameElement(swarm.names.of(one)));
+  return element('p', { class: 'chart-key' }, line('key-solid', bee), line('key-dashed', other));
 }
 
 function factList(facts: Fact[]): HTMLElement {
@@ -194,9 +231,11 @@ export function selectionPanel(all: Shown[], choices: Choices, now: Now, actions
   const box = panel('selection', 'Selected bee', body, live);
 
   const facts = element('div');
+  let chart: TimeChart | null = null;
   const tellFacts = (): void => {
     const selected = choices.selected.value;
     if (!selected) return;
+    chart?.follow(now.within(all[selected.swarm]));
     const sides = all.map((shown) => {
       const bee = counterpart(all[selected.swarm].swarm, selected.bee, shown.swarm);
       return { label: shown.label, facts: bee === null ? null : factsOf(shown, bee, now) };
@@ -205,6 +244,7 @@ export function selectionPanel(all: Shown[], choices: Choices, now: Now, actions
   };
 
   choices.selected.watch((selected) => {
+    chart = null;
     if (!selected) {
       box.removeAttribute('data-selected-bee');
       box.removeAttribute('data-selected-name');
@@ -240,10 +280,13 @@ export function selectionPanel(all: Shown[], choices: Choices, now: Now, actions
       const list = bee === null ? null : neighbourList(shown, bee, shown === home ? selected.place : null, actions);
       return element('div', {}, list);
     });
+    chart = chartOf(home.swarm, selected);
+    const curves = chart ? [chartKey(home.swarm, selected), seekable(chart, (within_s) => now.seek(home, within_s))] : [];
     body.replaceChildren(
       element('p', { class: 'who-it-is' }, nameElement(name), number),
       tools,
       facts,
+      ...curves.filter((part) => part !== null),
       ...lists,
     );
     tellFacts();

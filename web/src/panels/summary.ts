@@ -1,6 +1,7 @@
 // The summary: which bees are at risk, how many, how close. Two swarms stand beside each other.
-import type { RecordingRisk, SnapshotRisk } from '../data/page';
+import type { ClosestPair, Head, RecordingRisk, SnapshotRisk } from '../data/page';
 import { pairsOf } from '../data/swarm';
+import { formatHorizontal, formatVertical, limitsOf } from '../text/apart';
 import { element, button, panel } from '../text/element';
 import { isolate, nameElement } from '../text/names';
 import { formatBelow, formatCount, formatDuration, formatMetres, formatShare } from '../text/numbers';
@@ -9,7 +10,11 @@ import type { Actions, Shown } from './shown';
 
 interface Row {
   label: string;
+  /** Below the names of the closest pair. */
+  ofClosest?: string;
   value: string;
+  limit?: string;
+  risky?: boolean;
   /** For the difference between before and after. */
   number?: number;
   unit?: 'count' | 'metres' | 'seconds';
@@ -17,6 +22,9 @@ interface Row {
 
 /** Rows that the headline of a swarm alone tells already. */
 const kInHeadline = ['Bees', 'At risk', 'Share at risk', 'In conflict at some time'];
+
+/** What is longer reads from the left, below its name. */
+const kLong = 40;
 
 function countRow(label: string, count: number): Row {
   return { label, value: formatCount(count), number: count, unit: 'count' };
@@ -58,19 +66,29 @@ function rowsOf(shown: Shown): Row[] {
     head.kind === 'snapshot'
       ? snapshotRows(head.risk, head.count)
       : recordingRows(head.risk, head.count, head.time.ends_s - head.time.begins_s);
-  const closest = head.risk.closest;
-  if (closest) {
+  return [...rows, ...closestRows(head, head.risk.closest)];
+}
+
+/** How close the closest two are: in a straight line, or horizontally and in height where each has its limit. */
+function closestRows(head: Head, closest: ClosestPair | undefined): Row[] {
+  if (!closest) return [];
+  const label = head.kind === 'snapshot' ? 'Closest pair' : 'Closest encounter';
+  const { distance_m, horizontal_m = NaN, height_m = NaN } = closest;
+  const { threshold_m, vertical_m } = head;
+  const unit = 'metres';
+  // Where that is not known, the page says no number of it.
+  if (vertical_m === undefined || !Number.isFinite(horizontal_m) || !Number.isFinite(height_m)) {
     const none = head.kind === 'snapshot' ? head.risk.at_risk === 0 : head.risk.conflicts === 0;
     // In a cylinder two may be near each other and keep apart in height.
-    const apart = none && head.vertical_m !== undefined ? ', not too close' : '';
-    rows.push({
-      label: head.kind === 'snapshot' ? 'Closest pair' : 'Closest encounter',
-      value: formatBelow(closest.distance_m, head.threshold_m) + apart,
-      number: closest.distance_m,
-      unit: 'metres',
-    });
+    const apart = none && vertical_m !== undefined ? ', not too close' : '';
+    return [{ label, value: formatBelow(distance_m, threshold_m) + apart, number: distance_m, unit }];
   }
-  return rows;
+  const limits = limitsOf(head);
+  const risky = head.kind === 'snapshot' ? head.risk.at_risk > 0 : head.risk.conflicts > 0;
+  return [
+    { label: `${label}, horizontally`, ofClosest: 'horizontally', value: formatHorizontal(horizontal_m, head), limit: limits.horizontal, risky, number: horizontal_m, unit },
+    { label: `${label}, in height`, ofClosest: 'in height', value: formatVertical(height_m, head), limit: limits.vertical, risky, number: height_m, unit },
+  ];
 }
 
 function headline(shown: Shown): HTMLElement {
@@ -121,17 +139,36 @@ function change(before: Row, after: Row): string {
   return sign + formatCount(size);
 }
 
+/** The closest pair: how close, and who; with two limits first who, then each separation beside its own. */
+function closestFacts(rows: Row[], link: HTMLElement | null): HTMLElement[] {
+  const fact = (label: string, kind: string, ...children: (Node | string | null)[]): HTMLElement =>
+    element('div', {}, element('dt', kind ? { class: kind } : {}, label), element('dd', {}, ...children));
+  const who = link && element('span', { class: 'who' }, link);
+  const [first] = rows;
+  if (!first) return [];
+  if (!first.ofClosest) return [fact(first.label, '', element('span', { class: 'figure' }, first.value), who)];
+  return [
+    fact(first.label.split(',')[0], '', who),
+    ...rows.map(({ ofClosest = '', value, limit = '', risky }) =>
+      fact(ofClosest, 'of-closest', element('span', { class: risky ? 'figure risky' : 'figure' }, value), element('span', { class: 'own-limit' }, ` limit ${limit}`)),
+    ),
+  ];
+}
+
 function single(shown: Shown, actions: Actions): Node[] {
-  const list = element('dl', { class: 'facts' });
   const rows = rowsOf(shown).filter(({ label }) => !kInHeadline.includes(label));
   // How close, and who, comes first.
   const isClosest = ({ label }: Row): boolean => label.startsWith('Closest');
-  for (const { label, value } of [...rows.filter(isClosest), ...rows.filter((row) => !isClosest(row))]) {
-    const link = label.startsWith('Closest') ? closestButton(shown, actions) : null;
-    const fact = element('dd', {}, element('span', { class: 'figure' }, value));
-    if (link) fact.append(element('span', { class: 'who' }, link));
-    list.append(element('div', {}, element('dt', {}, label), fact));
-  }
+  const list = element(
+    'dl',
+    { class: 'facts' },
+    ...closestFacts(rows.filter(isClosest), closestButton(shown, actions)),
+    ...rows
+      .filter((row) => !isClosest(row))
+      .map(({ label, value }) =>
+        element('div', {}, element('dt', {}, label), element('dd', value.length > kLong ? { class: 'long' } : {}, element('span', { class: 'figure' }, value))),
+      ),
+  );
   return [headline(shown), element('p', { class: 'rule' }, `Too close: ${tooClose(shown.swarm.head)}.`), ...flatWord([shown]), list];
 }
 

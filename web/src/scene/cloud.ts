@@ -1,11 +1,13 @@
 // The swarm itself: all bees as points, those at risk once more on top, lines between pairs that are too close.
-// The three share their positions on the graphics card and differ in which bees they draw.
+// The three share their positions on the graphics card and differ in which bees they draw. Of bees that rest all are there;
+// of those that move only the ones that are drawn, anew with every moment.
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Group, LineSegments, Matrix4, Points } from 'three';
 import type { RawShaderMaterial } from 'three';
 import type { Colouring } from './colouring';
 import { InSight } from './in_sight';
 import { crowdMaterial, lineMaterial, riskMaterial, vectorOf } from './materials';
 import type { Frame } from './frame';
+import { Packed } from './packed';
 import type { Palette } from './palette';
 import type { Placement } from './placement';
 
@@ -45,6 +47,8 @@ export class Cloud {
   #inSight: InSight | null = null;
   #culled = false;
   readonly #seenFrom = new Matrix4();
+  /** Of a swarm that moves. */
+  #packed: Packed | null = null;
 
   constructor(
     count: number,
@@ -63,7 +67,6 @@ export class Cloud {
 
   place(placement: Placement): void {
     if (this.#placed?.x !== placement.x) this.#setPositions(placement);
-    else if (placement.x instanceof Float32Array) this.#refreshPositions();
     this.#placed = placement;
     this.#stale = true;
     // Where very many lie over one another, their number is visible too, and the bees behind them.
@@ -95,30 +98,43 @@ export class Cloud {
       this.#inSight.look(placed, this.frame, toScreen);
     }
     const seen = culled ? this.#inSight : null;
-    this.#drawCrowd(seen ? seen.of(placed.shown) : placed.shown);
-    this.#draw(this.#risk.geometry, seen ? seen.of(placed.atRisk) : placed.atRisk, 0);
-    this.#draw(this.#lines.geometry, seen ? seen.ofLines(placed.lines) : placed.lines, 0);
-  }
-
-  #drawCrowd(bees: Uint32Array | null): void {
-    const all = bees ? bees.length : this.#count;
-    const stride = this.#thin ? Math.ceil(all / kThinned) : 1;
-    if (stride === 1) {
-      this.#draw(this.#crowd.geometry, bees, this.#count);
+    const crowd = this.#thinned(seen ? seen.of(placed.shown) : placed.shown);
+    const risk = seen ? seen.of(placed.atRisk) : placed.atRisk;
+    const lines = seen ? seen.ofLines(placed.lines) : placed.lines;
+    if (this.#packed && crowd) {
+      this.#drawPacked(this.#packed, placed, crowd, risk, lines);
       return;
     }
-    const some = Uint32Array.from({ length: Math.ceil(all / stride) }, (_, i) => {
-      const place = i * stride;
-      return bees ? bees[place] : place;
-    });
-    this.#draw(this.#crowd.geometry, some, 0);
+    this.#draw(this.#crowd.geometry, crowd, this.#count);
+    this.#draw(this.#risk.geometry, risk, 0);
+    this.#draw(this.#lines.geometry, lines, 0);
+  }
+
+  /** Of these bees, or of all, the part that is drawn while the view moves. */
+  #thinned(bees: Uint32Array | null): Uint32Array | null {
+    const all = bees ? bees.length : this.#count;
+    const stride = this.#thin ? Math.ceil(all / kThinned) : 1;
+    if (stride === 1) return bees;
+    return Uint32Array.from({ length: Math.ceil(all / stride) }, (_, i) => (bees ? bees[i * stride] : i * stride));
+  }
+
+  #drawPacked(packed: Packed, placed: Placement, crowd: Uint32Array, risk: Uint32Array, lines: Uint32Array): void {
+    const codes = this.#colouring?.codes ?? null;
+    packed.pack(placed, crowd, [risk, lines], codes);
+    for (const { geometry } of [this.#crowd, this.#risk]) packed.giveTo(geometry, codes !== null);
+    packed.giveTo(this.#lines.geometry, false);
+    // The crowd comes first, in its order.
+    this.#draw(this.#crowd.geometry, null, crowd.length);
+    this.#draw(this.#risk.geometry, packed.slotsOf(risk), 0);
+    this.#draw(this.#lines.geometry, packed.slotsOf(lines), 0);
   }
 
   /** Colours of other meaning. Those at risk keep theirs, but for the colours of groups, which are theirs alone. */
   colourBy(colouring: Colouring): void {
     this.#colouring = colouring;
     const { codes, range } = colouring;
-    const attribute = codes && new BufferAttribute(codes, 1);
+    this.#stale = true;
+    const attribute = codes && !this.#packed ? new BufferAttribute(codes, 1) : null;
     for (const part of [this.#crowd, this.#risk]) {
       if (attribute) part.geometry.setAttribute('near', attribute);
       else part.geometry.deleteAttribute('near');
@@ -156,22 +172,18 @@ export class Cloud {
 
   #setPositions(placement: Placement): void {
     const parts = [this.#crowd, this.#risk, this.#lines];
-    for (const axis of ['x', 'y', 'z'] as const) {
-      const attribute = new BufferAttribute(placement[axis], 1);
-      if (placement.x instanceof Float32Array) attribute.setUsage(DynamicDrawUsage);
-      for (const part of parts) part.geometry.setAttribute(axis, attribute);
-    }
     for (const part of parts) {
       const { uniforms } = part.material;
       uniforms.start.value.fromArray(placement.start.map((start, axis) => start - this.frame.centre[axis]));
       uniforms.stride.value.fromArray(placement.step);
     }
-  }
-
-  #refreshPositions(): void {
-    for (const name of ['x', 'y', 'z', 'near']) {
-      const attribute = this.#crowd.geometry.getAttribute(name);
-      if (attribute) attribute.needsUpdate = true;
+    if (placement.x instanceof Float32Array) {
+      this.#packed = new Packed(this.#count);
+      return;
+    }
+    for (const axis of ['x', 'y', 'z'] as const) {
+      const attribute = new BufferAttribute(placement[axis], 1);
+      for (const part of parts) part.geometry.setAttribute(axis, attribute);
     }
   }
 

@@ -7,6 +7,7 @@ import type { Triple } from '../data/positions';
 import type { ColourBy } from '../state/choices';
 import { kFoot_m } from '../text/heights';
 import { formatCount, formatDigits, formatMetres, formatTick } from '../text/numbers';
+import { kKnot_mps } from '../text/speeds';
 import { Crowding } from './crowding';
 import type { Placement } from './placement';
 
@@ -70,7 +71,7 @@ function ofHeight(swarm: Swarm): Colouring | null {
 const kCodes = 65535;
 
 function speedText(metresPerSecond: number, inKnots: boolean): string {
-  return inKnots ? `${formatDigits(metresPerSecond / 0.514444, 3)}\u202fkt` : `${formatDigits(metresPerSecond, 2)}\u202fm/s`;
+  return inKnots ? `${formatDigits(metresPerSecond / kKnot_mps, 3)}\u202fkt` : `${formatDigits(metresPerSecond, 2)}\u202fm/s`;
 }
 
 /** Makes what is asked for once, and keeps it at the time for bees that move. */

@@ -1,6 +1,7 @@
 // The graphics card begins before the data are read: it takes as long to make its programs as the page to read them.
 import { BufferAttribute, BufferGeometry, LineSegments, PerspectiveCamera, Points, Scene } from 'three';
 import type { RawShaderMaterial } from 'three';
+import type { EarlyHead } from '../data/page';
 import { element } from '../text/element';
 import { crowdMaterial, lineMaterial, riskMaterial, shapeMaterial } from './materials';
 import { Painter } from './painter';
@@ -12,8 +13,8 @@ function bare(names: string[], size: number, Kind: typeof Uint16Array | typeof F
   return geometry;
 }
 
-/** One that has drawn a thing of each kind, of no size; null where the browser has no WebGL. */
-export function earlyRenderer({ count, kind }: { count: number; kind: 'snapshot' | 'recording' }): Painter | null {
+/** One that is set to draw a thing of each kind, of no size; null where the browser has no WebGL. */
+export function earlyRenderer({ count, kind }: EarlyHead): Painter | null {
   try {
     const renderer = new Painter(element('canvas'), count <= 20000);
     renderer.setSize(1, 1);
@@ -28,8 +29,7 @@ export function earlyRenderer({ count, kind }: { count: number; kind: 'snapshot'
     add(new Points(bare([...places, 'near'], 1, numbers), riskMaterial()));
     add(new LineSegments(bare(places, 1, numbers), lineMaterial()));
     add(new LineSegments(bare(['position'], 3), shapeMaterial(false, false)));
-    renderer.render(scene, new PerspectiveCamera());
-    renderer.getContext().flush();
+    renderer.warmUp(scene, new PerspectiveCamera());
     return renderer;
   } catch {
     return null;

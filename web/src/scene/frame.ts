@@ -50,7 +50,7 @@ export function liftFor({ least, most }: Box, threshold_m: number, vertical_m: n
   const wide = Math.max(most[0] - least[0], most[1] - least[1]);
   const high = most[2] - least[2];
   if (!(high > 0) || high >= kFlat * wide) return 1;
-  // The cylinder that is too close to a bee is not to be a tower.
-  const most_lift = vertical_m ? Math.min(kLifts[kLifts.length - 1], (3 * threshold_m) / vertical_m) : kLifts[kLifts.length - 1];
+  // What is too close to a bee, a ball or a cylinder, is not to be a tower.
+  const most_lift = threshold_m > 0 ? Math.min(kLifts[kLifts.length - 1], (3 * threshold_m) / (vertical_m ?? threshold_m)) : kLifts[kLifts.length - 1];
   return Math.max(1, niceBelow(Math.min(most_lift, (1.6 * kFlat * wide) / high)));
 }

@@ -4,6 +4,10 @@ import { element } from '../text/element';
 import { nameElement } from '../text/names';
 
 const kTagWidth = 150;
+/** How wide a name may be, and how much stands between its bee and the edge of the view beside it. */
+const kWidest = 240;
+const kNarrowest = 70;
+const kBeside = 22;
 
 export class Markers {
   readonly layer = element('div', { class: 'markers', 'aria-hidden': 'true' });
@@ -36,7 +40,12 @@ export class Markers {
     across.forEach((x, i) => {
       if (x === null) return;
       const room = x > kTagWidth;
-      this.#marks[i].classList.toggle('leftwards', x > width - kTagWidth || (room && x < rightmost));
+      const leftwards = x > width - kTagWidth || (room && x < rightmost);
+      const mark = this.#marks[i];
+      mark.classList.toggle('leftwards', leftwards);
+      // On a phone a long name has more lines.
+      const tag = mark.lastElementChild as HTMLElement;
+      tag.style.maxWidth = `${Math.max(kNarrowest, Math.min(kWidest, (leftwards ? x : width - x) - kBeside)).toFixed(0)}px`;
     });
   }
 }

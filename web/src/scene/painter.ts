@@ -7,9 +7,14 @@ type Drawable = Object3D & { geometry: BufferGeometry; material: RawShaderMateri
 
 interface Program {
   program: WebGLProgram;
-  uniforms: Map<string, WebGLUniformLocation>;
-  attributes: Map<string, number>;
+  /** Vertex and fragment shader. */
+  text: string;
+  attributes: string[];
+  /** Asked for when it draws for the first time: whoever asks waits until the graphics card has made the program. */
+  uniforms: Map<string, WebGLUniformLocation> | null;
 }
+
+const kNamed = /\b(in|uniform)\s+(?:(?:highp|mediump|lowp)\s+)?(?:float|vec\d|mat\d)\s+(\w+)/g;
 
 interface Kept {
   buffer: WebGLBuffer;
@@ -31,6 +36,7 @@ export class Painter {
   readonly #gl: WebGL2RenderingContext;
   #card = freshCard();
   #ratio = 1;
+  #warming = false;
   readonly #place = new Matrix4();
 
   /** Throws where the browser has no WebGL 2. */
@@ -65,6 +71,14 @@ export class Painter {
     this.#gl.clearColor(red, green, blue, 1);
   }
 
+  /** Has the graphics card make what it needs to draw such things, without waiting for it; nothing is seen of them. */
+  warmUp(scene: Object3D, camera: Camera): void {
+    this.#warming = true;
+    this.render(scene, camera);
+    this.#gl.flush();
+    this.#warming = false;
+  }
+
   /** All that is visible: first what hides what is behind it, then the others by their order. */
   render(scene: Object3D, camera: Camera): void {
     const gl = this.#gl;
@@ -96,11 +110,13 @@ export class Painter {
     const program = this.#programOf(material);
     gl.useProgram(program.program);
     this.#setState(material);
-    const { uniforms } = program;
-    gl.uniformMatrix4fv(uniforms.get('modelViewMatrix') ?? null, false, this.#place.multiplyMatrices(camera.matrixWorldInverse, matrixWorld).elements);
-    gl.uniformMatrix4fv(uniforms.get('projectionMatrix') ?? null, false, camera.projectionMatrix.elements);
-    for (const [name, { value }] of Object.entries(material.uniforms)) this.#setUniform(uniforms.get(name), value);
-    for (const [name, at] of program.attributes) this.#bind(geometry.getAttribute(name) as BufferAttribute | undefined, at);
+    if (!this.#warming) {
+      const uniforms = (program.uniforms ??= this.#uniformsOf(program));
+      gl.uniformMatrix4fv(uniforms.get('modelViewMatrix') ?? null, false, this.#place.multiplyMatrices(camera.matrixWorldInverse, matrixWorld).elements);
+      gl.uniformMatrix4fv(uniforms.get('projectionMatrix') ?? null, false, camera.projectionMatrix.elements);
+      for (const [name, { value }] of Object.entries(material.uniforms)) this.#setUniform(uniforms.get(name), value);
+    }
+    program.attributes.forEach((name, at) => this.#bind(geometry.getAttribute(name) as BufferAttribute | undefined, at));
     const mode = isPoints ? gl.POINTS : isLineSegments ? gl.LINES : gl.TRIANGLES;
     if (index) {
       this.#upload(index, gl.ELEMENT_ARRAY_BUFFER);
@@ -185,19 +201,18 @@ export class Painter {
       gl.compileShader(shader);
       gl.attachShader(program, shader);
     }
+    const attributes = Array.from(vertex.matchAll(kNamed)).flatMap(([, kind, name]) => (kind === 'in' ? [name] : []));
+    attributes.forEach((name, at) => gl.bindAttribLocation(program, at, name));
     gl.linkProgram(program);
-    const named = /\b(in|uniform)\s+(?:(?:highp|mediump|lowp)\s+)?(?:float|vec\d|mat\d)\s+(\w+)/g;
+    return { program, text: vertex + fragment, attributes, uniforms: null };
+  }
+
+  #uniformsOf({ program, text }: Program): Map<string, WebGLUniformLocation> {
     const uniforms = new Map<string, WebGLUniformLocation>();
-    const attributes = new Map<string, number>();
-    for (const [, kind, name] of vertex.matchAll(named)) {
-      if (kind === 'uniform') continue;
-      const at = gl.getAttribLocation(program, name);
-      if (at >= 0) attributes.set(name, at);
-    }
-    for (const [, kind, name] of (vertex + fragment).matchAll(named)) {
-      const at = kind === 'uniform' ? gl.getUniformLocation(program, name) : null;
+    for (const [, kind, name] of text.matchAll(kNamed)) {
+      const at = kind === 'uniform' ? this.#gl.getUniformLocation(program, name) : null;
       if (at) uniforms.set(name, at);
     }
-    return { program, uniforms, attributes };
+    return uniforms;
   }
 }

@@ -1,23 +1,56 @@
 // How far apart two are, horizontally and in height, each below its own limit or not.
 import type { Head } from '../data/page';
-import { formatFeet } from './heights';
-import { formatBelow, formatDigits, formatMetres } from './numbers';
+import { kFoot_m } from './heights';
+import { formatBelow, formatCount, formatDigits, formatExactly, formatMetres, formatTick, readsBelow } from './numbers';
 
-const kNauticalMile_m = 1852;
+export const kNauticalMile_m = 1852;
 
 /** 2.956 NM, and no more digits than it has. */
 export function formatMiles(metres: number): string {
   return `${Number((metres / kNauticalMile_m).toPrecision(4))}\u202fNM`;
 }
 
-/** 5,475 m, and where the input speaks of feet also 2.956 NM. */
+/** 5,475 m, and where the input speaks of feet also 2.96 NM; below the limit in either. */
 export function formatHorizontal(metres: number, head: Head): string {
-  const text = head.vertical_m === undefined ? formatMetres(metres, 4) : formatBelow(metres, head.threshold_m, 4);
-  return head.heights?.in_feet ? `${text} · ${formatDigits(metres / kNauticalMile_m, 3)}\u202fNM` : text;
+  const limited = head.vertical_m !== undefined;
+  const text = limited ? formatBelow(metres, head.threshold_m, 4) : formatMetres(metres, 4);
+  if (!head.heights?.in_feet) return text;
+  const limit = limited ? head.threshold_m / kNauticalMile_m : Infinity;
+  return `${text} · ${readsBelow(metres / kNauticalMile_m, limit, 3, formatDigits)}\u202fNM`;
 }
 
-/** 91.44 m, and where the input speaks of feet also 300 ft. */
+/** 91.44 m, and where the input speaks of feet also 300 ft; below the limit in either. */
 export function formatVertical(metres: number, head: Head): string {
-  const text = head.vertical_m === undefined ? formatMetres(metres, 4) : formatBelow(metres, head.vertical_m, 4);
-  return head.heights?.in_feet ? `${text} · ${formatFeet(metres, { in_feet: true, by_pressure: false })}` : text;
+  const limit_m = head.vertical_m;
+  const text = limit_m === undefined ? formatMetres(metres, 4) : formatBelow(metres, limit_m, 4);
+  if (!head.heights?.in_feet) return text;
+  const feet = metres / kFoot_m;
+  const whole = (value: number, more: number): string => (more === 0 ? formatCount(value) : formatDigits(value, 3 + more));
+  return `${text} · ${readsBelow(feet, (limit_m ?? Infinity) / kFoot_m, 0, whole)}\u202fft`;
+}
+
+/** What the axis of a chart is told in: metres, or where the input speaks of feet nautical miles and feet. */
+export interface AxisUnit {
+  metres: number;
+  text: (value: number) => string;
+}
+
+export const kInMetres: AxisUnit = { metres: 1, text: (value) => formatTick(Number(value.toPrecision(12))) };
+
+function inUnits(metres: number, name: string): AxisUnit {
+  const number = (value: number): string => (Math.abs(value) >= 1000 ? formatCount(value) : String(Number(value.toPrecision(5))));
+  return { metres, text: (value) => `${number(value)}\u202f${name}` };
+}
+
+export function axisUnits({ heights }: Head): { horizontal: AxisUnit; vertical: AxisUnit } {
+  if (!heights?.in_feet) return { horizontal: kInMetres, vertical: kInMetres };
+  return { horizontal: inUnits(kNauticalMile_m, 'NM'), vertical: inUnits(kFoot_m, 'ft') };
+}
+
+/** What they must keep, in the words of those who made the input: 5 NM and 1,000 ft, or metres. */
+export function limitsOf(head: Head): { horizontal: string; vertical: string } {
+  const vertical_m = head.vertical_m ?? 0;
+  if (!head.heights?.in_feet) return { horizontal: formatExactly(head.threshold_m), vertical: formatExactly(vertical_m) };
+  const feet = Number((vertical_m / kFoot_m).toPrecision(5));
+  return { horizontal: formatMiles(head.threshold_m), vertical: `${Number.isInteger(feet) ? formatCount(feet) : feet}\u202fft` };
 }

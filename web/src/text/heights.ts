@@ -4,11 +4,14 @@ import { formatCoordinate, formatCount } from './numbers';
 
 export const kFoot_m = 0.3048;
 
+/** Below this nobody speaks of levels: transition altitudes are higher nearly everywhere. */
+const kLowestLevel_ft = 5000;
+
 /** 38,000 ft; of pressure altitudes also the level: FL380. */
 export function formatFeet(metres: number, words: HeightWords): string {
   const feet = metres / kFoot_m;
   const text = `${formatCount(feet)}\u202fft`;
-  if (!words.by_pressure || feet < 0) return text;
+  if (!words.by_pressure || feet < kLowestLevel_ft) return text;
   return `${text} · FL${String(Math.round(feet / 100)).padStart(3, '0')}`;
 }
 

@@ -11,7 +11,7 @@ export function niceBelow(most: number): number {
 export function niceTicks(least: number, most: number, wanted: number): number[] {
   if (!(most > least) || !Number.isFinite(most - least)) return [];
   let step = niceBelow((most - least) / wanted);
-  if ((most - least) / step > 1.8 * wanted) step = niceBelow((2.6 * (most - least)) / wanted);
+  if ((most - least) / step > 1.8 * wanted) step = niceBelow(2.6 * step);
   // Where numbers are so great that steps vanish in their last digits, there are none to count in.
   if (Math.max(Math.abs(least), Math.abs(most)) / step > 1e13) return [];
   const ticks: number[] = [];

@@ -29,6 +29,16 @@ export function formatMetres(metres: number, digits = 4): string {
   return `${formatDigits(metres, digits)}${kThin}m`;
 }
 
+/** A number below a limit, with so many digits that it reads as one: 4.997, not 5.00. Others have the least digits. */
+export function readsBelow(value: number, limit: number, least: number, format: (value: number, digits: number) => string): string {
+  const read = (text: string): number => parseFloat(text.replace(/,/g, ''));
+  for (let digits = least; value < limit && digits < least + 12; ++digits) {
+    const text = format(value, digits);
+    if (read(text) < limit) return text;
+  }
+  return format(value, least);
+}
+
 /** A distance below a limit, with so many digits that it reads as one: 4.9997 m, not 5.000 m. */
 export function formatBelow(metres: number, limit_m: number, digits = 4): string {
   if (!(metres < limit_m)) return formatMetres(metres, digits);
@@ -96,6 +106,12 @@ export function formatDuration(seconds: number, digits = 3): string {
   if (whole < 3600) return `${Math.floor(whole / 60)}${kThin}min\u00a0${two(whole % 60)}${kThin}s`;
   const minutes = Math.round(seconds / 60);
   return `${formatCount(Math.floor(minutes / 60))}${kThin}h\u00a0${two(minutes % 60)}${kThin}min`;
+}
+
+/** A round length of time: 5 s, 30 min, 2 h, 3 d. */
+export function formatStep(seconds: number): string {
+  const [name, unit_s] = ([['d', 86400], ['h', 3600], ['min', 60]] as const).find(([, size_s]) => seconds >= 2 * size_s && seconds % size_s === 0) ?? ['s', 1];
+  return `${Number((seconds / unit_s).toPrecision(6))}${kThin}${name}`;
 }
 
 /** A time of a recording: seconds from a zero of its own, or UTC. */

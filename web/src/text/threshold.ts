@@ -1,19 +1,15 @@
 // What counts as too close, in words.
 import type { Head } from '../data/page';
-import { formatMiles } from './apart';
-import { formatFeet } from './heights';
+import { limitsOf } from './apart';
 import { formatExactly } from './numbers';
 
-const kPlainFeet = { in_feet: true, by_pressure: false };
-
+/** In the words of those who made the input: 5 NM and 1,000 ft, then in metres. */
 export function tooClose(head: Head): string {
   const threshold = formatExactly(head.threshold_m);
-  if (head.vertical_m !== undefined) {
-    const vertical = formatExactly(head.vertical_m);
-    const text = head.inclusive
-      ? `at most ${threshold} apart horizontally and ${vertical} in height`
-      : `closer than ${threshold} horizontally and ${vertical} in height`;
-    return head.heights?.in_feet ? `${text} (${formatMiles(head.threshold_m)}, ${formatFeet(head.vertical_m, kPlainFeet)})` : text;
-  }
-  return head.inclusive ? `at most ${threshold} apart` : `closer than ${threshold}`;
+  if (head.vertical_m === undefined) return head.inclusive ? `at most ${threshold} apart` : `closer than ${threshold}`;
+  const { horizontal, vertical } = limitsOf(head);
+  const text = head.inclusive
+    ? `at most ${horizontal} apart horizontally and ${vertical} in height`
+    : `closer than ${horizontal} horizontally and ${vertical} in height`;
+  return head.heights?.in_feet ? `${text} (${threshold}, ${formatExactly(head.vertical_m)})` : text;
 }

@@ -12,6 +12,8 @@ export interface LinkedTimes {
   within: (of: { swarm: Swarm }) => number;
   /** The other way round. */
   clockTime: (of: { swarm: Swarm }, within_s: number) => number;
+  /** Rests at this many seconds from the beginning of a swarm. */
+  seek: (of: { swarm: Swarm }, within_s: number) => void;
   /** How they were laid beside each other, where that must be said. */
   note: string | null;
 }
@@ -31,6 +33,7 @@ export function linkTimes(swarms: Swarm[]): LinkedTimes {
       since1970: false,
       within: () => 0,
       clockTime: () => 0,
+      seek: () => undefined,
       note: null,
     };
   }
@@ -47,6 +50,10 @@ export function linkTimes(swarms: Swarm[]): LinkedTimes {
     since1970: overlap && one.since_1970,
     within: ({ swarm }) => clock.time.value - shift(swarm),
     clockTime: ({ swarm }, within_s) => within_s + shift(swarm),
+    seek: ({ swarm }, within_s) => {
+      clock.pause();
+      clock.go(within_s + shift(swarm));
+    },
     note: overlap ? null : 'The two recordings are of different times; both are shown from their beginning on.',
   };
 }

@@ -1,7 +1,7 @@
 // What the time line shows of how far apart bees are: a distance, or with a vertical threshold two.
 import type { Recording } from '../data/recording';
 import type { Shown } from '../panels/shown';
-import { formatHorizontal, formatVertical } from '../text/apart';
+import { axisUnits, formatHorizontal, formatVertical, kInMetres, type AxisUnit } from '../text/apart';
 import { formatBelow } from '../text/numbers';
 
 export type Recorded = Shown & { swarm: Recording };
@@ -10,6 +10,7 @@ export type Recorded = Shown & { swarm: Recording };
 export interface Measure {
   name: string;
   limit_m: number;
+  unit: AxisUnit;
   of: (swarm: Recording) => Float64Array;
   text: (metres: number, swarm: Recording) => string;
 }
@@ -19,19 +20,22 @@ export function measuresOf(recorded: Recorded[]): Measure[] {
   const limit = (of: 'threshold_m' | 'vertical_m'): number => Math.max(...recorded.map(({ swarm }) => swarm.head[of] ?? 0));
   if (!recorded.every(({ swarm }) => swarm.separation.apart)) {
     const text = (metres: number, { head }: Recording): string => formatBelow(metres, head.threshold_m, 3);
-    return [{ name: 'closest two', limit_m: limit('threshold_m'), of: ({ separation }) => separation.distance_m, text }];
+    return [{ name: 'closest two', limit_m: limit('threshold_m'), unit: kInMetres, of: ({ separation }) => separation.distance_m, text }];
   }
   const none = new Float64Array(0);
+  const { horizontal, vertical } = axisUnits(recorded[0].swarm.head);
   return [
     {
       name: 'nearest to a conflict, horizontally',
       limit_m: limit('threshold_m'),
+      unit: horizontal,
       of: ({ separation }) => separation.apart?.horizontal_m ?? none,
       text: (metres, { head }) => formatHorizontal(metres, head),
     },
     {
       name: 'in height',
       limit_m: limit('vertical_m'),
+      unit: vertical,
       of: ({ separation }) => separation.apart?.height_m ?? none,
       text: (metres, { head }) => `${formatVertical(metres, head)} in height`,
     },

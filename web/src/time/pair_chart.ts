@@ -1,9 +1,12 @@
 // How far apart a pair is around its conflict: in a straight line, or horizontally and in height, each with its limit.
 import type { ApartNow } from '../data/pair_ways';
 import type { Recording } from '../data/recording';
+import { axisUnits, kInMetres, type AxisUnit } from '../text/apart';
 import { drawing } from '../text/element';
-import { niceTicks } from '../text/nice_steps';
-import { formatExactly, formatTick } from '../text/numbers';
+import { niceBelow, niceTicks } from '../text/nice_steps';
+import { formatStep } from '../text/numbers';
+import { clockStep } from './moments';
+import type { TimeChart } from './time_chart';
 
 const kWidth = 360;
 const kLeft = 58;
@@ -18,27 +21,21 @@ const kShown = 4;
 interface Row {
   name: string;
   limit_m: number;
+  unit: AxisUnit;
   of: (apart: ApartNow) => number;
 }
 
 function rowsOf({ head }: Recording): Row[] {
-  if (head.vertical_m === undefined) return [{ name: 'Apart', limit_m: head.threshold_m, of: ({ distance_m }) => distance_m }];
+  if (head.vertical_m === undefined) return [{ name: 'Apart', limit_m: head.threshold_m, unit: kInMetres, of: ({ distance_m }) => distance_m }];
+  const { horizontal, vertical } = axisUnits(head);
   return [
-    { name: 'Horizontally', limit_m: head.threshold_m, of: ({ horizontal_m }) => horizontal_m },
-    { name: 'In height', limit_m: head.vertical_m, of: ({ height_m }) => height_m },
+    { name: 'Horizontally', limit_m: head.threshold_m, unit: horizontal, of: ({ horizontal_m }) => horizontal_m },
+    { name: 'In height', limit_m: head.vertical_m, unit: vertical, of: ({ height_m }) => height_m },
   ];
 }
 
-export interface PairChart {
-  svg: SVGSVGElement;
-  /** Puts the line of the time shown there. */
-  follow: (within_s: number) => void;
-  /** The time at a place of the picture, as a share of its width. */
-  timeAt: (share: number) => number;
-}
-
 /** Null where the way of the pair is not kept. `place` is that of the conflict. */
-export function pairChart(swarm: Recording, place: number, name: string): PairChart | null {
+export function pairChart(swarm: Recording, place: number, name: string): TimeChart | null {
   const span = swarm.pairWays.span(place);
   if (!span || !(span[1] > span[0])) return null;
   const { conflicts } = swarm;
@@ -46,23 +43,14 @@ export function pairChart(swarm: Recording, place: number, name: string): PairCh
   const rows = rowsOf(swarm);
   const xOf = (time_s: number): number => kLeft + ((time_s - span[0]) / (span[1] - span[0])) * (kWidth - kLeft - kRight);
   const height = rows.length * kRow + kBottom;
-  const svg = drawing('svg', { viewBox: `0 0 ${kWidth} ${height}`, class: 'pair-chart', role: 'img', 'aria-label': name });
+  const svg = drawing('svg', { viewBox: `0 0 ${kWidth} ${height}`, class: 'time-chart pair-chart', role: 'img', 'aria-label': name });
   const instants = swarm.pairWays.instants(place, kPieces);
   if (place < conflicts.begins_s.length) {
     const [from, to] = [xOf(Math.max(span[0], conflicts.begins_s[place])), xOf(Math.min(span[1], conflicts.ends_s[place]))];
     svg.append(drawing('rect', { class: 'band', x: from, y: kTop - 4, width: Math.max(1, to - from), height: height - kBottom - kTop + 4 }));
   }
   rows.forEach((row, i) => svg.append(...drawRow(row, i * kRow, swarm, place, instants, xOf)));
-  // The closest moment first: of the others those that have room beside it.
-  const taken: [number, number][] = [];
-  for (const after_s of niceTicks(span[0] - middle_s, span[1] - middle_s, 5).sort((a, b) => Math.abs(a) - Math.abs(b))) {
-    const text = after_s === 0 ? 'closest' : `${after_s > 0 ? '+' : '\u2212'}${Math.abs(after_s)}\u202fs`;
-    const half = 3.2 * text.length;
-    const x = Math.min(kWidth - half, xOf(middle_s + after_s));
-    if (taken.some(([at, wide]) => Math.abs(at - x) < wide + half + 4)) continue;
-    taken.push([x, half]);
-    svg.append(drawing('text', { class: 'level-text', x, y: height - 4, 'text-anchor': 'middle' }, text));
-  }
+  svg.append(...momentsAround(middle_s, span, xOf, height - 4));
   const cursor = drawing('line', { class: 'cursor', y1: kTop - 6, y2: height - kBottom + 3 });
   svg.append(cursor);
   return {
@@ -75,6 +63,23 @@ export function pairChart(swarm: Recording, place: number, name: string): PairCh
     },
     timeAt: (share) => span[0] + ((share * kWidth - kLeft) / (kWidth - kLeft - kRight)) * (span[1] - span[0]),
   };
+}
+
+/** Even steps before and after the closest moment, as many as have room. */
+function momentsAround(middle_s: number, span: [number, number], xOf: (time_s: number) => number, y: number): SVGElement[] {
+  const [from, to] = [span[0] - middle_s, span[1] - middle_s];
+  const stepFrom = (atLeast_s: number): number => (atLeast_s >= 1 ? clockStep(atLeast_s) : 2 * niceBelow(atLeast_s));
+  for (let step_s = stepFrom((to - from) / 8); ; step_s = stepFrom(1.01 * step_s)) {
+    const steps = Array.from({ length: Math.max(0, Math.floor(to / step_s) - Math.ceil(from / step_s)) + 1 }, (_, i) => i + Math.ceil(from / step_s));
+    const moments = steps.map((step) => {
+      const text = step === 0 ? 'closest' : `${step > 0 ? '+' : '\u2212'}${formatStep(Math.abs(step) * step_s)}`;
+      const half = 3.2 * text.length;
+      return { text, half, x: Math.max(half, Math.min(kWidth - half, xOf(middle_s + step * step_s))) };
+    });
+    const crowded = moments.some(({ x, half }, i) => i > 0 && x - half < moments[i - 1].x + moments[i - 1].half + 6);
+    if (crowded && step_s < to - from) continue;
+    return moments.map(({ text, x }) => drawing('text', { class: 'level-text', x, y, 'text-anchor': 'middle' }, text));
+  }
 }
 
 function drawRow(
@@ -97,15 +102,18 @@ function drawRow(
     if (Number.isFinite(value)) path += `${path === '' ? 'M' : 'L'}${xOf(instants[i]).toFixed(1)} ${yOf(value).toFixed(1)}`;
   });
   const clear = (metres: number): boolean => Math.abs(yOf(metres) - yOf(row.limit_m)) > 11;
-  const levels = niceTicks(0, most, 2).filter((metres) => clear(metres) && yOf(metres) > top + kTop - 2);
+  const { unit } = row;
+  const levels = niceTicks(0, most / unit.metres, 2)
+    .map((tick) => tick * unit.metres)
+    .filter((metres) => clear(metres) && yOf(metres) > top + kTop - 2);
   const line = (metres: number, kind: string): SVGElement =>
     drawing('line', { class: kind, x1: kLeft, x2: kWidth - kRight, y1: yOf(metres), y2: yOf(metres) });
-  const label = (metres: number, text: string, kind: string): SVGElement =>
-    drawing('text', { class: kind, x: kLeft - 5, y: yOf(metres) + 3.5, 'text-anchor': 'end' }, text);
+  const label = (metres: number, kind: string): SVGElement =>
+    drawing('text', { class: kind, x: kLeft - 5, y: yOf(metres) + 3.5, 'text-anchor': 'end' }, unit.text(metres / unit.metres));
   return [
-    ...levels.flatMap((metres) => [line(metres, 'level'), label(metres, formatTick(metres), 'level-text')]),
+    ...levels.flatMap((metres) => [line(metres, 'level'), label(metres, 'level-text')]),
     line(row.limit_m, 'limit'),
-    label(row.limit_m, formatExactly(row.limit_m), 'limit-text'),
+    label(row.limit_m, 'limit-text'),
     drawing('text', { class: 'row-name', x: kWidth - kRight, y: top + kTop - 5, 'text-anchor': 'end' }, row.name),
     drawing(
       'svg',

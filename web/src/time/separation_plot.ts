@@ -3,11 +3,11 @@
 import { sampleAt } from '../data/recording';
 import type { Shown } from '../panels/shown';
 import { drawing, element } from '../text/element';
-import { niceTicks } from '../text/nice_steps';
 import { isolate } from '../text/names';
-import { decimalsFor, decimalsWithin, formatCount, formatTick, formatTime } from '../text/numbers';
+import { decimalsFor, decimalsWithin, formatCount, formatTime } from '../text/numbers';
 import type { LinkedTimes } from './linked_times';
 import { measuresOf, type Measure, type Recorded } from './measures';
+import { momentsWithin } from './moments';
 import { conflictColumns, plotScale, type PlotScale } from './plot_scales';
 import { cueMarks, excessColumns } from './show_marks';
 
@@ -103,7 +103,7 @@ export class SeparationPlot {
       const risk = `${start}${formatCount(spans.beesAt(within_s).length)} in conflict`;
       if (sample < 0) return [risk];
       const apart = this.#measures.map(({ of, text }) => text(of(shown.swarm)[sample], shown.swarm)).join(', ');
-      const pair = [separation.first[sample], separation.second[sample]].map((bee) => isolate(names.of(bee), 20)).join(' and ');
+      const pair = [separation.first[sample], separation.second[sample]].map((bee) => isolate(names.of(bee))).join(' and ');
       return [risk, `${apart}: ${pair}`];
     });
     const when = formatTime(zero_s + time, since1970, decimalsWithin(clock.ends_s - clock.begins_s));
@@ -162,52 +162,48 @@ export class SeparationPlot {
   }
 
   #panel(measure: Measure, floor: number): SVGElement[] {
-    const distances = this.#recorded.flatMap(({ swarm }) => Array.from(measure.of(swarm)));
-    const scale = plotScale(distances, measure.limit_m);
-    const yOf = (metres: number): number => floor - this.#curve_px * scale.shareOf(metres);
+    const { unit } = measure;
+    const distances = this.#recorded.flatMap(({ swarm }) => Array.from(measure.of(swarm), (metres) => metres / unit.metres));
+    const scale = plotScale(distances, measure.limit_m / unit.metres);
+    const yOf = (metres: number): number => floor - this.#curve_px * scale.shareOf(metres / unit.metres);
     const from = floor - this.#curve_px;
     const frame = drawing('svg', { x: 0, y: from, width: this.#width, height: this.#curve_px + 1, viewBox: `0 ${from} ${this.#width} ${this.#curve_px + 1}` });
     frame.append(...this.#recorded.map((shown, row) => this.#curve(shown, measure, yOf, row)));
     const name = drawing('text', { class: 'measure', x: this.#width - kRight, y: from - 4, 'text-anchor': 'end' }, scale.byPowersOfTen ? `${measure.name}, by powers of ten` : measure.name);
-    return [...this.#levels(scale, yOf, measure.limit_m, from), frame, name];
+    return [...this.#levels(scale, yOf, measure, from), frame, name];
   }
 
-  #levels(scale: PlotScale, yOf: (metres: number) => number, limit_m: number, from: number): SVGElement[] {
+  #levels(scale: PlotScale, yOf: (metres: number) => number, { limit_m, unit }: Measure, from: number): SVGElement[] {
     const right = this.#width - kRight;
     const level = (metres: number, kind: string): SVGElement =>
       drawing('line', { class: kind, x1: kLeft, x2: right, y1: yOf(metres), y2: yOf(metres) });
-    const label = (metres: number, text: string, kind: string): SVGElement =>
-      drawing('text', { class: kind, x: kLeft - 6, y: yOf(metres) + 3.5, 'text-anchor': 'end' }, text);
-    const levels = scale.ticks.filter(
-      (metres) => Math.abs(yOf(metres) - yOf(limit_m)) > 11 && yOf(metres) > from + 2,
-    );
+    const label = (metres: number, kind: string): SVGElement =>
+      drawing('text', { class: kind, x: kLeft - 6, y: yOf(metres) + 3.5, 'text-anchor': 'end' }, unit.text(metres / unit.metres));
+    const levels = scale.ticks
+      .map((tick) => tick * unit.metres)
+      .filter((metres) => Math.abs(yOf(metres) - yOf(limit_m)) > 11 && yOf(metres) > from + 2);
     return [
-      ...levels.flatMap((metres) => [level(metres, 'level'), label(metres, formatTick(metres), 'level-text')]),
+      ...levels.flatMap((metres) => [level(metres, 'level'), label(metres, 'level-text')]),
       level(limit_m, 'limit'),
-      label(limit_m, formatTick(limit_m), 'limit-text'),
+      label(limit_m, 'limit-text'),
     ];
   }
 
   #moments(height: number): SVGElement[] {
     const { clock, zero_s, since1970 } = this.times;
-    const right = this.#width - kRight;
-    const textOf = (moment: number, decimals: number): string => {
-      const full = formatTime(moment, since1970, decimals);
-      return since1970 ? full.slice(11, 19) : full;
-    };
-    const widest = 6.3 * textOf(zero_s + clock.ends_s, 1).length;
-    const most = Math.max(1, Math.min(this.#width / 130, (right - kLeft) / (1.8 * widest)));
-    const moments = niceTicks(zero_s + clock.begins_s, zero_s + clock.ends_s, most);
+    const [begins_s, ends_s] = [zero_s + clock.begins_s, zero_s + clock.ends_s];
+    const widest = 6.3 * formatTime(ends_s, false, 1).length;
+    const room = this.#width - kRight - kLeft;
+    const most = Math.max(1, Math.min(this.#width / 130, room / (1.8 * (since1970 ? 52 : widest))));
+    const moments = momentsWithin(begins_s, ends_s, since1970, most);
     // Of long numbers only as many as have room.
     let taken = 0;
-    const decimals = moments.length > 1 ? decimalsFor(moments[1] - moments[0]) : 1;
     const unit = drawing('text', { class: 'level-text', x: kLeft - 6, y: height - 4, 'text-anchor': 'end' }, since1970 ? 'UTC' : 'time');
     return [
       unit,
-      ...moments.flatMap((moment) => {
-        const text = textOf(moment, decimals);
+      ...moments.flatMap(({ time_s, text }) => {
         const half = 3.15 * text.length;
-        const x = Math.max(kLeft + half, Math.min(this.#width - half, this.#xOf(moment - zero_s)));
+        const x = Math.max(kLeft + half, Math.min(this.#width - half, this.#xOf(time_s - zero_s)));
         if (x - half < taken) return [];
         taken = x + half + 8;
         return [drawing('text', { class: 'level-text', x, y: height - 4, 'text-anchor': 'middle' }, text)];
@@ -274,7 +270,7 @@ export class SeparationPlot {
       drawing('rect', { class: 'strip', x: kLeft, y: from, width: columns, height: kStrip }),
       ...(path ? [drawing('path', { class: 'strip-mark', d: path })] : []),
       drawing('text', { class: 'level-text', x: kLeft - 6, y: from + kStrip - 2, 'text-anchor': 'end' }, words.toLowerCase()),
-      drawing('text', { class: 'measure', x: this.#width - kRight - 2, y: from + kStrip - 4, 'text-anchor': 'end' }, `${what}up to ${formatCount(Math.max(0, ...counts))} at once`),
+      drawing('text', { class: 'measure', x: this.#width - kRight - 2, y: from + kStrip - 4, 'text-anchor': 'end' }, `${what}${counts.some((count) => count > 0) ? `up to ${formatCount(Math.max(...counts))} at once` : 'none'}`),
     ];
   }
 }

@@ -8,23 +8,25 @@ const kLetter_px = 5.8;
 
 /** A line at each cue that lies in the time, and its name where there is room. */
 export function cueMarks(recorded: Recorded[], xOf: (shown: Recorded, time_s: number) => number, room: { left: number; right: number; top: number; bottom: number }): SVGElement[] {
-  const marks: SVGElement[] = [];
+  const lines: SVGElement[] = [];
+  const texts: SVGElement[] = [];
   let taken = -Infinity;
   for (const shown of recorded) {
     const { cues = [], time } = shown.swarm.head;
     for (const { time_s, name } of [...cues].sort((a, b) => a.time_s - b.time_s)) {
       if (time_s < 0 || time_s > time.ends_s - time.begins_s) continue;
       const x = xOf(shown, time_s);
-      marks.push(drawing('line', { class: 'cue', x1: x, x2: x, y1: room.top, y2: room.bottom }));
+      lines.push(drawing('line', { class: 'cue', x1: x, x2: x, y1: room.top, y2: room.bottom }));
       const text = isolate(name, 16);
       const wide = kLetter_px * Math.min(18, name.length);
       const from = Math.min(x + 3, room.right - wide);
       if (from < taken || from < room.left) continue;
       taken = from + wide + 6;
-      marks.push(drawing('text', { class: 'cue-name', x: from, y: room.top + 8 }, text));
+      texts.push(drawing('text', { class: 'cue-name', x: from, y: room.top + 8 }, text));
     }
   }
-  return marks;
+  // No line crosses a name.
+  return [...lines, ...texts];
 }
 
 /** When any drone is beyond a limit, as columns of the time. */

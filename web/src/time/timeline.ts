@@ -47,7 +47,7 @@ function statement(shown: Shown & { swarm: Recording }, within_s: number, inConf
   const { begins_s, ends_s, since_1970 } = head.time;
   const told_s = begins_s + within_s - since_s;
   const when = since_s > kMoment_s ? ` at ${formatTime(told_s, since_1970, decimalsWithin(ends_s - begins_s))}` : '';
-  const pair = bees.map((bee) => isolate(names.of(bee), 20)).join(' and ');
+  const pair = bees.map((bee) => isolate(names.of(bee))).join(' and ');
   if (of.apart && head.vertical_m !== undefined) {
     const apart = `${formatHorizontal(of.apart.horizontal_m[place], head)} horizontally, ${formatVertical(of.apart.height_m[place], head)} in height`;
     return `${start}${risk} · nearest to a conflict: ${apart}${when} (${pair})`;

@@ -51,3 +51,24 @@ pageTest('what stands in the way is drawn, and named under the cursor', 'show', 
   assert.ok(seen.has('obstacles[1], a box'), [...seen].join(' | '));
   assert.match(await page.locator('.about').innerText(), /obstacles are drawn, and nothing is said of them/);
 });
+
+pageTest('the selected drone has its height and speeds over time, beside its limits', 'show', {}, async ({ page }) => {
+  await page.fill('#search', 'Drone 1');
+  await page.keyboard.press('Enter');
+  const chart = page.locator('.selection .bee-chart');
+  const curves = await chart.locator('.curve').evaluateAll((all) => all.map((one) => one.getAttribute('d') ?? ''));
+  assert.equal(curves.length, 3);
+  for (const curve of curves) assert.match(curve, /^M[\d.]+ [\d.]+(?:[LM][\d.]+ [\d.]+)+$/);
+  const names = (await chart.locator('.row-name').allTextContents()).map(kPlain);
+  assert.match(names[0], /^Height, m, limit 120$/);
+  assert.match(names[1], /^Horizontal speed, m\/s, limit 8$/);
+  assert.ok((await chart.locator('.limit-text').allTextContents()).includes('\u22122.4'));
+  // It descends too fast once.
+  assert.equal(await chart.locator('.band').count(), 1);
+  assert.match(await page.locator('.selection .facts').innerText(), /Horizontal speed\s+[\d.]+.m\/s\s+Climb/);
+  const box = await chart.boundingBox();
+  assert.ok(box);
+  const before = await page.evaluate(() => document.documentElement.dataset.timeS);
+  await page.mouse.click(box.x + 0.9 * box.width, box.y + box.height / 2);
+  assert.notEqual(await page.evaluate(() => document.documentElement.dataset.timeS), before);
+});

@@ -69,8 +69,15 @@ pageTest('the worst pair is marked and framed, horizontally and in height', 'wid
   // Two curves, each with its limit.
   for (const where of ['.plot', '.pair-chart']) {
     assert.equal(await page.locator(`${where} .curve`).count(), 2);
-    assert.deepEqual((await page.locator(`${where} .limit-text`).allTextContents()).map(kPlain), ['9260 m', '304.8 m']);
+    assert.deepEqual((await page.locator(`${where} .limit-text`).allTextContents()).map(kPlain), ['5 NM', '1000 ft']);
   }
+});
+
+pageTest('the summary has both separations of the closest two, each with its limit', 'wide', {}, async ({ page }) => {
+  assert.equal(await fact(page, 'summary', 'Closest encounter'), 'DLH4AB and RYR81K');
+  assert.match(await fact(page, 'summary', 'horizontally'), /^[\d.]+ k?m · [\d.]+ NM limit 5 NM$/);
+  assert.match(await fact(page, 'summary', 'in height'), /^91\.4\d m · 300 ft limit 1000 ft$/);
+  assert.equal(await page.locator('.summary .facts .risky').count(), 2);
 });
 
 pageTest('a replay goes from before to after, slowly in the middle, and rests', 'recording', {}, async ({ page }) => {

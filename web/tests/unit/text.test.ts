@@ -1,5 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import type { Head } from '../../src/data/page';
+import { formatHorizontal, formatVertical, limitsOf } from '../../src/text/apart';
 import { niceBelow, niceTicks } from '../../src/text/nice_steps';
 import { isolate, shorten } from '../../src/text/names';
 import * as numbers from '../../src/text/numbers';
@@ -22,6 +24,18 @@ test('what is below a limit reads as below it', () => {
   assert.deepEqual(shown, ['99.20 m', '99.9996 m', '< 100 m', '100.0 m', '120.0 m']);
   assert.equal(plain(numbers.formatBelow(24999.7, 25000)), '24.9997 km');
   assert.equal(plain(numbers.formatBelow(1e-9, 5)), '< 1 µm');
+});
+
+test('separations are below their limits in every unit', () => {
+  const head = { threshold_m: 9260, vertical_m: 304.8, heights: { in_feet: true, by_pressure: false } } as Head;
+  assert.deepEqual([5475.3, 9259.9, 9260, 12000].map((m) => plain(formatHorizontal(m, head))), [
+    '5,475 m · 2.96 NM', '9,259.9 m · 4.9999 NM', '9,260 m · 5.00 NM', '12,000 m · 6.48 NM',
+  ]);
+  assert.deepEqual([91.44, 304.7, 304.8, 0].map((m) => plain(formatVertical(m, head))), [
+    '91.44 m · 300 ft', '304.7 m · 999.7 ft', '304.8 m · 1,000 ft', '0 m · 0 ft',
+  ]);
+  assert.deepEqual(Object.values(limitsOf(head)).map(plain), ['5 NM', '1,000 ft']);
+  assert.deepEqual(Object.values(limitsOf({ threshold_m: 9260, vertical_m: 304.8 } as Head)).map(plain), ['9,260 m', '304.8 m']);
 });
 
 test('settings are written as they were given', () => {
@@ -78,9 +92,15 @@ test('long names are cut between characters', () => {
   assert.equal(shorten('Maya'), 'Maya');
   assert.equal(shorten(''), '(no name)');
   const bees = shorten('\u{1F41D}'.repeat(10000), 5);
-  assert.equal(bees, '\u{1F41D}\u{1F41D}\u{1F41D}\u{1F41D}…');
-  assert.equal(shorten('x'.repeat(48)), 'x'.repeat(48));
-  assert.equal(shorten('x'.repeat(49)).length, 48);
+  assert.equal(bees, '\u{1F41D}\u{1F41D}…\u{1F41D}\u{1F41D}');
+  assert.equal(shorten('x'.repeat(64)), 'x'.repeat(64));
+  assert.equal(shorten('x'.repeat(65)).length, 64);
+  assert.equal(shorten(`a\u{1F41D}\u{1F41D}\u{1F41D}bc\u{1F41D}`, 4), 'a\u{1F41D}…\u{1F41D}');
+});
+
+test('names that differ at their ends still do when they are cut', () => {
+  const [one, other] = [1, 2].map((number) => shorten(`robot-${'with-a-very-long-name-'.repeat(5)}${number}`));
+  assert.ok(one !== other && one.endsWith('1') && other.endsWith('2') && one.length === 64);
 });
 
 test('a name that turns the text around stays between its marks', () => {

@@ -1,0 +1,43 @@
+// Moments to write below a chart over time: round ones, as clocks and calendars have them.
+import { niceTicks } from '../text/nice_steps';
+import { decimalsFor, formatTime } from '../text/numbers';
+
+export interface Moment {
+  time_s: number;
+  text: string;
+}
+
+const kDay_s = 86400;
+const kClockSteps_s = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 10800, 21600, 43200, kDay_s];
+
+/** So many seconds, minutes or hours as a clock shows at a glance; of longer times whole days. */
+export function clockStep(atLeast_s: number): number {
+  const step_s = kClockSteps_s.find((one) => one >= atLeast_s);
+  if (step_s !== undefined) return step_s;
+  const ten_s = kDay_s * 10 ** Math.floor(Math.log10(atLeast_s / kDay_s));
+  return ten_s * ([1, 2, 5].find((days) => days * ten_s >= atLeast_s) ?? 10);
+}
+
+/** About as many as wanted, ascending; seconds of a recording's own zero are counted by tens. */
+export function momentsWithin(begins_s: number, ends_s: number, since1970: boolean, wanted: number): Moment[] {
+  if (!since1970 || ends_s - begins_s < wanted) {
+    const times = niceTicks(begins_s, ends_s, wanted);
+    const decimals = times.length > 1 ? decimalsFor(times[1] - times[0]) : times.every(Number.isInteger) ? 0 : 1;
+    return times.map((time_s) => ({ time_s, text: clockText(time_s, since1970, decimals, 0) }));
+  }
+  const step_s = clockStep((ends_s - begins_s) / wanted);
+  const moments: Moment[] = [];
+  for (let time_s = Math.ceil(begins_s / step_s) * step_s; time_s <= ends_s; time_s += step_s) {
+    moments.push({ time_s, text: clockText(time_s, true, 0, step_s) });
+  }
+  return moments;
+}
+
+/** Whole days are dates; whole minutes need no seconds. */
+function clockText(time_s: number, since1970: boolean, decimals: number, step_s: number): string {
+  const full = formatTime(time_s, since1970, decimals);
+  if (!since1970 || !full.endsWith(' UTC')) return full;
+  if (step_s >= kDay_s) return full.slice(0, 10);
+  const clock = full.slice(11).replace(' UTC', '');
+  return step_s >= 60 ? clock.slice(0, 5) : clock;
+}
