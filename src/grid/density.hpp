@@ -27,11 +27,21 @@ class DensitySample {
   // size and do not count.
   [[nodiscard]] double side_for(double wanted, const Bounds& bounds) const;
 
+  // The share of points that are apart: whose cell holds none of the sample, but for the point
+  // itself, where those of the sample's own points hold some on average. Of some of `asked`, or of
+  // the sample itself where that is null. Cells are at least `least_m` wide, and at most 2
+  // `most_m`.
+  [[nodiscard]] double share_apart(const PointsView* asked, double least_m, double most_m) const;
+
  private:
   struct Slot {
     std::uint64_t cell;
     std::uint32_t points;
   };
+
+  double fill_table(double cells_a_m) const;
+  [[nodiscard]] std::uint32_t sampled_around(const Point& point, double cells_a_m) const;
+  [[nodiscard]] std::size_t slot_of(std::uint64_t cell) const;
 
   std::size_t population_;
   std::size_t size_;

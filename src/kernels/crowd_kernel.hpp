@@ -72,6 +72,47 @@ struct BoxesSeen {
   }
 };
 
+// Whether a square is above so much of the threshold's that a leaf is wide: its points are told apart
+// from those of another leaf one by one, before they are compared with each of them.
+[[gnu::always_inline]] inline float wide_from(const Limits& limits) {
+  return limits.far * 0.25F;
+}
+
+// The squared longest sides of 16 boxes.
+[[gnu::always_inline]] inline Floats squared_sides(const CrowdNode& node) {
+  Ints longest{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    longest = larger(longest, lanes(node.high + axis * kCrowdLanes) -
+                                  lanes(node.low + axis * kCrowdLanes));
+  }
+  return to_floats(longest) * to_floats(longest);
+}
+
+// Which of the 16 points of a leaf are within the threshold of all points of a box, and whether
+// that is open for any. Floats lie between those of boxes around them.
+struct PointsSeen {
+  Ints near;
+  Ints open;
+
+  [[gnu::always_inline]] PointsSeen(const CrowdNode& node, std::uint32_t leaf,
+                                    const CrowdNode& others, std::uint32_t other,
+                                    const Limits& limits) {
+    Floats nearest{};
+    Floats farthest{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Ints at = lanes(node.position[axis] + std::size_t{leaf} * kCrowdLanes);
+      const Ints up = others.high[axis * kCrowdLanes + other] - at;
+      const Ints down = at - others.low[axis * kCrowdLanes + other];
+      const Floats most = to_floats(larger(up, down));
+      const Floats least = to_floats(larger(Ints{}, larger(-up, -down)));
+      farthest += most * most;
+      nearest += least * least;
+    }
+    near = farthest < limits.near;
+    open = (nearest <= limits.far) & ~near;
+  }
+};
+
 class Pairs {
  public:
   Pairs(const CrowdNode& asked, const CrowdNode& others, const Limits& limits,
@@ -108,6 +149,41 @@ class Pairs {
     if (any(open)) [[unlikely]] {
       decide(begin, end, from, Both);
     }
+  }
+
+  // The same where each point of the first leaf is near to all of the second, or to none: false,
+  // with nothing counted, if not.
+  template <bool Both>
+  [[gnu::always_inline]] bool count_asked_alike(std::uint32_t leaf, std::uint32_t other) const {
+    const PointsSeen seen(asked_, leaf, others_, other, limits_);
+    if (any(seen.open)) return false;
+    const Lanes listed(seen.near);
+    for (std::uint32_t k = 0; k < listed.count; ++k) {
+      const std::uint32_t i = leaf * kCrowdLanes + listed.lane[k];
+      sums_.of_asked[std::size_t{i} * kCrowdLanes] += others_.leaf_weights[other];
+      if constexpr (Both) {
+        sums_.of_other_leaves[other] += asked_.weights == nullptr ? 1U : asked_.weights[i];
+      }
+    }
+    return true;
+  }
+
+  // And of the second leaf with all of the first.
+  template <bool Both, bool Weighted>
+  [[gnu::always_inline]] bool count_others_alike(std::uint32_t leaf, std::uint32_t other) const {
+    const PointsSeen seen(others_, other, asked_, leaf, limits_);
+    if (any(seen.open)) return false;
+    Ints& of_leaf = lanes(sums_.of_asked_leaves + std::size_t{leaf} * kCrowdLanes);
+    if constexpr (Weighted) {
+      of_leaf += seen.near & lanes(others_.weights + std::size_t{other} * kCrowdLanes);
+    } else {
+      of_leaf -= seen.near;
+    }
+    if constexpr (Both) {
+      lanes(sums_.of_others + std::size_t{other} * kCrowdLanes) +=
+          seen.near & static_cast<std::int32_t>(asked_.leaf_weights[leaf]);
+    }
+    return true;
   }
 
  private:
@@ -160,6 +236,8 @@ void count_crowds(const CrowdNode& asked, const CrowdNode& others, const Limits&
   constexpr Ints kNumbers{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
   const Pairs pairs(asked, others, limits, sums, unsure);
   const std::uint32_t leaves = (asked.size + kCrowdLanes - 1) / kCrowdLanes;
+  const Ints asked_wide = squared_sides(asked) > wide_from(limits);
+  const Ints others_wide = squared_sides(others) > wide_from(limits);
   for (std::uint32_t leaf = 0; leaf < leaves; ++leaf) {
     BoxesSeen seen(asked, leaf, others, limits);
     Ints& of_leaf = lanes(sums.of_asked_leaves + std::size_t{leaf} * kCrowdLanes);
@@ -177,7 +255,10 @@ void count_crowds(const CrowdNode& asked, const CrowdNode& others, const Limits&
     }
     const Lanes open(seen.open);
     for (std::uint32_t k = 0; k < open.count; ++k) {
-      pairs.count<kBoth, Weighted>(leaf, open.lane[k]);
+      const std::uint32_t other = open.lane[k];
+      if (asked_wide[leaf] != 0 && pairs.count_asked_alike<kBoth>(leaf, other)) continue;
+      if (others_wide[other] != 0 && pairs.count_others_alike<kBoth, Weighted>(leaf, other)) continue;
+      pairs.count<kBoth, Weighted>(leaf, other);
     }
   }
 }

@@ -4,6 +4,7 @@
 #include "exact/exact_distance.hpp"
 #include "grid/cell_proof.hpp"
 #include "grid/neighbor_probe.hpp"
+#include "search/candidates.hpp"
 #include "search/query_grids.hpp"
 #include "sweep/box_questions.hpp"
 #include "sweep/expected_work.hpp"
@@ -124,6 +125,17 @@ void write_ids(const core::Buffer<std::uint8_t>& at_risk, std::size_t size,
   });
 }
 
+void find_among(const Candidates& candidates, const PairOptions& options,
+                const core::Resources& with, const TuningOverrides& tuning,
+                std::vector<PointId>& at_risk) {
+  if (candidates.size() < 2) return;
+  const SearchDomain domain = candidates.domain(with);
+  core::Buffer<std::uint8_t> marks(with.memory, candidates.size());
+  Search{domain, options, with, tuning}.run(marks);
+  write_ids(marks, candidates.size(), with, at_risk);
+  for (PointId& id : at_risk) id = candidates.id(id);
+}
+
 }  // namespace
 
 void find_at_risk(const SearchDomain& domain, const PairOptions& options,
@@ -131,6 +143,10 @@ void find_at_risk(const SearchDomain& domain, const PairOptions& options,
                   std::vector<PointId>& at_risk) {
   at_risk.clear();
   if (domain.others().size() < (domain.has_others() ? 1U : 2U)) return;
+  if (const auto candidates = Candidates::of(domain, options.threshold_m, with, tuning)) {
+    find_among(*candidates, options, with, tuning, at_risk);
+    return;
+  }
   core::Buffer<std::uint8_t> marks(with.memory, domain.points().size());
   Search{domain, options, with, tuning}.run(marks);
   write_ids(marks, domain.points().size(), with, at_risk);

@@ -2,6 +2,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "grid/coincident_points.hpp"
+#include "search/candidates.hpp"
 #include "search/crowded.hpp"
 #include "search/query_grids.hpp"
 #include "sweep/box_questions.hpp"
@@ -86,6 +87,21 @@ void find_roots(const SearchDomain& domain, const PairOptions& options, const co
   }
 }
 
+// What is no candidate is a set of its own.
+void find_roots_among(const Candidates& candidates, std::size_t size, const PairOptions& options,
+                      const core::Resources& with, const TuningOverrides& tuning, Roots& root_of) {
+  Roots found(with.memory, candidates.size());
+  if (candidates.size() > 0) {
+    find_roots(candidates.domain(with), options, with, tuning, found);
+  }
+  auto alone = static_cast<std::uint32_t>(candidates.size());
+  std::size_t next = 0;
+  for (PointId id = 0; id < size; ++id) {
+    const bool is_candidate = next < candidates.size() && candidates.id(next) == id;
+    root_of[id] = is_candidate ? found[next++] : alone++;
+  }
+}
+
 }  // namespace
 
 void write_groups(const Roots& root_of, std::size_t size, const core::Resources& with,
@@ -116,7 +132,11 @@ void find_conflict_groups(const SearchDomain& domain, const PairOptions& options
                           IdRows& groups) {
   const std::size_t size = domain.points().size();
   Roots root_of(with.memory, size);
-  find_roots(domain, options, with, tuning, root_of);
+  if (const auto candidates = Candidates::of(domain, options.threshold_m, with, tuning)) {
+    find_roots_among(*candidates, size, options, with, tuning, root_of);
+  } else {
+    find_roots(domain, options, with, tuning, root_of);
+  }
   write_groups(root_of, size, with, groups);
 }
 

@@ -5,7 +5,9 @@
 #include "base/dynamic_schedule.hpp"
 #include "base/stopping.hpp"
 #include "exact/exact_distance.hpp"
+#include "grid/coincident_points.hpp"
 #include "kernels/tree_walk.hpp"
+#include "search/crowded.hpp"
 #include "search/k_nearest_search.hpp"
 #include "search/shell_walk.hpp"
 #include "tree/middle_of_shell.hpp"
@@ -61,6 +63,16 @@ class Queries {
   core::Buffer<std::uint32_t> order_;
   Point middle_;
 };
+
+// Of each place, the lowest id of the points there. Places are numbered in the order of these.
+core::Buffer<PointId> lowest_ids(const core::CoincidentPoints& places, std::size_t points,
+                                 core::Memory& memory) {
+  core::Buffer<PointId> lowest(memory, places.size());
+  for (std::size_t id = points; id-- > 0;) {
+    lowest[places.place_of(static_cast<PointId>(id))] = static_cast<PointId>(id);
+  }
+  return lowest;
+}
 
 // Between two sets.
 class TreeSearch {
@@ -142,6 +154,35 @@ class TreeSearch {
   std::optional<ShellWalk> shells_;
 };
 
+void answer_all(const Queries& queries, const PointsView& others,
+                const std::optional<PairOptions>& within, const core::Resources& with,
+                const TuningOverrides& tuning, std::vector<Nearest>& nearest) {
+  TreeSearch search(others, within, with, tuning);
+  search.prepare(queries, with, tuning.nearest);
+  cpu::schedule(with.crew, queries.size(), kAtOnce,
+                [&](std::size_t begin, std::size_t end, unsigned worker) {
+                  search.answer(queries, begin, end, with.memory.of(worker), nearest);
+                });
+}
+
+// Where many of the others share their places, each place is looked at once.
+void find_in_two_sets(const SearchDomain& domain, std::span<const PointId> asked,
+                      const std::optional<PairOptions>& within, const core::Resources& with,
+                      const TuningOverrides& tuning, std::vector<Nearest>& nearest) {
+  const PointsView others = domain.original_others();
+  const Queries queries(domain.original_points(), asked, with);
+  if (!has_duplicates(domain, std::numeric_limits<double>::infinity())) {
+    return answer_all(queries, others, within, with, tuning, nearest);
+  }
+  const core::CoincidentPoints places(others, with.memory);
+  answer_all(queries, places.places(), within, with, tuning, nearest);
+  const core::Buffer<PointId> lowest = lowest_ids(places, others.size(), with.memory);
+  for (std::size_t slot = 0; slot < queries.size(); ++slot) {
+    Nearest& found = nearest[queries.id(slot)];
+    if (found.id != Nearest::kNone) found.id = lowest[found.id];
+  }
+}
+
 void find_in_one_set(const PointsView& points, const core::Resources& with,
                      const TuningOverrides& tuning, std::vector<Nearest>& nearest) {
   core::Vector<core::NearestList> lists(&with.memory);
@@ -162,13 +203,7 @@ void find_nearest_in_tree(const SearchDomain& domain, std::span<const PointId> a
   const PointsView points = domain.original_points();
   const PointsView others = domain.original_others();
   if (domain.has_others()) {
-    const Queries queries(points, asked, with);
-    TreeSearch search(others, within, with, tuning);
-    search.prepare(queries, with, tuning.nearest);
-    cpu::schedule(with.crew, queries.size(), kAtOnce,
-                  [&](std::size_t begin, std::size_t end, unsigned worker) {
-                    search.answer(queries, begin, end, with.memory.of(worker), nearest);
-                  });
+    find_in_two_sets(domain, asked, within, with, tuning, nearest);
   } else {
     find_in_one_set(points, with, tuning, nearest);
   }

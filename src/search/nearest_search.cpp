@@ -58,6 +58,7 @@ class NearestSearch {
         tuning_.nearest == TuningOverrides::Nearest::kShells) {
       return look_in_tree();
     }
+    if (radius < farthest_ && is_hopeless()) return look_in_tree();
     for (;;) {
       if (!look_within(radius, all_open)) return look_in_tree();
       settle(radius, all_open);
@@ -89,6 +90,11 @@ class NearestSearch {
     if (tuning_.nearest != TuningOverrides::Nearest::kAutomatic) return false;
     return open > domain_.points().size() / kMostOpen ||
            sorted_ > kMostSorted * static_cast<double>(domain_.others().size());
+  }
+
+  // Whether the first round would leave too many open, as many are far from where most are.
+  [[nodiscard]] bool is_hopeless() const {
+    return tuning_.nearest == TuningOverrides::Nearest::kAutomatic && domain_.is_patchy();
   }
 
   void look_in_tree() { find_nearest_in_tree(domain_, open_, within_, with_, tuning_, nearest_); }

@@ -3,6 +3,7 @@
 #include "base/pair_order.hpp"
 #include "base/resize_for.hpp"
 #include "exact/validate.hpp"
+#include "search/candidates.hpp"
 #include "search/count_in_crowds.hpp"
 #include "search/crowded.hpp"
 #include "search/query_grids.hpp"
@@ -10,6 +11,7 @@
 #include "sweep/collect_rows.hpp"
 #include "sweep/sweep_all.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace beespace::search {
@@ -84,6 +86,15 @@ Status find_crowded(const SearchDomain& domain, const PairOptions& options, cpu:
   return std::monostate{};
 }
 
+void count(const SearchDomain& domain, const PairOptions& options, const core::Resources& with,
+           const TuningOverrides& tuning, std::uint32_t* counts) {
+  if (is_crowded(domain, options.threshold_m, kCrowdedForCounts, tuning)) {
+    return count_in_crowds(domain, options, with, tuning, counts);
+  }
+  const QueryGrids grids(domain, options, with, tuning);
+  cpu::count_all(grids.question(), with, counts);
+}
+
 }  // namespace
 
 Status take_pairs(const core::Vector<core::FoundPairs>& found, core::Direction direction,
@@ -134,11 +145,12 @@ void count_neighbors(const SearchDomain& domain, const PairOptions& options,
                      const core::Resources& with, const TuningOverrides& tuning,
                      std::vector<std::uint32_t>& counts) {
   core::resize_for(counts, domain.points().size(), with.crew);
-  if (is_crowded(domain, options.threshold_m, kCrowdedForCounts, tuning)) {
-    return count_in_crowds(domain, options, with, tuning, counts.data());
-  }
-  const QueryGrids grids(domain, options, with, tuning);
-  cpu::count_all(grids.question(), with, counts.data());
+  const auto candidates = Candidates::of(domain, options.threshold_m, with, tuning);
+  if (!candidates) return count(domain, options, with, tuning, counts.data());
+  core::Buffer<std::uint32_t> found(with.memory, candidates->size());
+  count(candidates->domain(with), options, with, tuning, found.data());
+  std::fill(counts.begin(), counts.end(), 0U);
+  for (std::size_t i = 0; i < candidates->size(); ++i) counts[candidates->id(i)] = found[i];
 }
 
 }  // namespace beespace::search

@@ -92,6 +92,25 @@ double SearchDomain::expected_neighbors(double side_m) const {
   return sample_.expected_neighbors(side_m);
 }
 
+bool SearchDomain::is_patchy() const {
+  // A cell of an even swarm holds a hundred times as many others as the side says, at least one of
+  // the sample in most cells. More than a quarter of the points apart would be too many for grids.
+  constexpr double kCellInSides = 4.5;
+  constexpr double kMany = 0.3;
+  if (neighbors_side_ <= 0.0) return false;
+  return sample_.share_apart(has_others() ? &points() : nullptr, kCellInSides * neighbors_side_,
+                             widest()) > kMany;
+}
+
+core::Bounds SearchDomain::original_bounds() const {
+  core::Bounds bounds;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    bounds.low[order_[axis]] = bounds_.low[axis];
+    bounds.high[order_[axis]] = bounds_.high[axis];
+  }
+  return bounds;
+}
+
 unsigned SearchDomain::row_shift(const core::Lattice& lattice, double reach) const {
   constexpr double kMostInWindow = 1.5 * kExpectedNeighbors;
   const unsigned most = 30 - lattice.fraction_bits();

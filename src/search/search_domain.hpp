@@ -38,12 +38,16 @@ class SearchDomain {
   [[nodiscard]] bool has_others() const { return set_count_ == 2; }
   [[nodiscard]] std::span<const PointsView> sets() const { return {sets_.data(), set_count_}; }
   [[nodiscard]] const core::Bounds& bounds() const { return bounds_; }
+  [[nodiscard]] core::Bounds original_bounds() const;
 
   // The longest side of the box, and that of a cube that holds about a dozen others.
   [[nodiscard]] double widest() const { return bounds_.high[0] - bounds_.low[0]; }
   [[nodiscard]] double side_with_some() const { return neighbors_side_; }
   // The expected number of others in a cube of side `side_m` around a point's own place.
   [[nodiscard]] double expected_neighbors(double side_m) const;
+
+  // Whether many points are where there are far fewer others than around most of these, or none.
+  [[nodiscard]] bool is_patchy() const;
 
   // The width of rows, as a power of two, for searches up to `reach`: so wide that few points lie
   // beside a seam, and no wider.

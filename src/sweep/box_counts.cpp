@@ -2,6 +2,7 @@
 
 #include "base/buffer.hpp"
 #include "base/dynamic_schedule.hpp"
+#include "sweep/line_counts.hpp"
 #include "tree/box_tree.hpp"
 
 #include <algorithm>
@@ -42,6 +43,7 @@ class BoxWeights {
   }
 
   [[nodiscard]] std::uint32_t of(std::size_t number) const { return of_nodes_[number]; }
+  [[nodiscard]] const std::uint32_t* of_slots() const { return of_nodes_.data(); }
   // Null where all points are one each.
   [[nodiscard]] const std::uint32_t* of_leaf(std::size_t leaf) const {
     return are_one_ ? nullptr : of_nodes_.data() + leaf * core::kFanOut;
@@ -66,7 +68,8 @@ class BoxCounts {
  public:
   static constexpr bool kTakesLeaves = true;
 
-  BoxCounts(const BoxSide& asked, const BoxSide& others, const BoxQuery& question, BoxNumbers& sums)
+  BoxCounts(const BoxSide& asked, const BoxSide& others, const BoxQuery& question, BoxNumbers& sums,
+            core::Memory& memory)
       : asked_(asked),
         others_(others),
         both_(&asked == &others),
@@ -74,7 +77,8 @@ class BoxCounts {
         reach_(question.threshold, question.closer),
         limits_{reach_.surely_near(), reach_.surely_far()},
         kernels_(box_kernels(question.instruction_set)),
-        sums_(sums) {}
+        sums_(sums),
+        line_(question.threshold, question.closer, memory) {}
 
   [[nodiscard]] bool is_settled(const BoxNode&, const BoxNode&) const { return false; }
   void open(const BoxNode&) const {}
@@ -100,6 +104,11 @@ class BoxCounts {
       compare(asked(), lanes(asked_.tree, a), others(), lanes(others_.tree, b));
     }
   }
+  [[nodiscard]] bool take_along(const BoxNode& a, const core::Bounds& own, const BoxNode& b,
+                                const core::Bounds& other) {
+    if (!line_.suits(own, other)) return false;
+    return line_.count(line_side(asked(), a), line_side(others(), b));
+  }
   void take_points(const BoxNode& a, const BoxNode& b) {
     count_points(asked(), lanes(asked_.tree, a), others(), b);
   }
@@ -123,6 +132,10 @@ class BoxCounts {
 
   [[nodiscard]] Part asked() const { return {asked_, sums_.data()}; }
   [[nodiscard]] Part others() const { return {others_, both_ ? sums_.data() : nullptr}; }
+
+  static LineSide line_side(const Part& part, const BoxNode& node) {
+    return {part.side.tree, node, part.side.weights.of_slots(), part.sums};
+  }
 
   static Lanes lanes(const BoxTree& tree, const BoxNode& node) {
     if (node.level == 0) {
@@ -206,6 +219,7 @@ class BoxCounts {
   BoxLimits limits_;
   const BoxKernels& kernels_;
   BoxNumbers& sums_;
+  LineCounts line_;
 };
 
 using BoxSums = core::Vector<std::optional<BoxNumbers>>;
@@ -231,8 +245,8 @@ void count_between(const BoxSide& asked, const BoxSide& others, const BoxQuery& 
                    const core::Resources& with, BoxSums& sums) {
   sums[0].emplace(box_zeros(asked.tree, with.memory));
   const unsigned level = asked.tree.level_with(enough_for(with));
-  schedule(with.crew, asked.tree.nodes(level), 1, [&](std::size_t i, std::size_t, unsigned) {
-    BoxCounts task(asked, others, question, *sums[0]);
+  schedule(with.crew, asked.tree.nodes(level), 1, [&](std::size_t i, std::size_t, unsigned worker) {
+    BoxCounts task(asked, others, question, *sums[0], with.memory.of(worker));
     BoxJoin(asked.tree, others.tree, question, task).join({level, i}, others.tree.root());
   });
 }
@@ -243,7 +257,7 @@ void count_among(const BoxSide& all, const BoxQuery& question, const core::Resou
   const std::size_t nodes = all.tree.nodes(level);
   schedule(with.crew, nodes, 1, [&](std::size_t i, std::size_t, unsigned worker) {
     if (!sums[worker]) sums[worker].emplace(box_zeros(all.tree, with.memory));
-    BoxCounts task(all, all, question, *sums[worker]);
+    BoxCounts task(all, all, question, *sums[worker], with.memory.of(worker));
     BoxJoin join(all.tree, all.tree, question, task);
     join.join_within({level, i});
     for (std::size_t other = i + 1; other < nodes; ++other) join.join({level, i}, {level, other});

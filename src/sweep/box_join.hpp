@@ -41,6 +41,8 @@ inline std::size_t enough_for(const core::Resources& with) {
 //                      nodes of level 1 and 0; take_within(a) about those of one leaf, among
 //                      themselves; take_points(a, b) and take_others(a, b) about each point of the
 //                      leaf a, or b, and the whole other node, which is smaller than the leaf
+//   take_along(a, own, b, other)   whether the task has counted the pairs of two larger nodes, with
+//                      these boxes, of which some are near
 //   open(a), close(a)  around a walk through the children of a node of the first tree, or of both
 template <class Task>
 class BoxJoin {
@@ -99,6 +101,7 @@ class BoxJoin {
     if (core::is_stopping()) return;
     if constexpr (Task::kTakesLeaves) {
       if (a.level <= 1 && b.level <= 1) return task_.take_leaves(a, b);
+      if (a.level > 1 && b.level > 1 && task_.take_along(a, own, b, other)) return;
     }
     // Of two points, nothing is open.
     if (a.level != 0 && (b.level == 0 || longest_side(own) >= longest_side(other))) {

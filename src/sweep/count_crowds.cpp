@@ -173,14 +173,15 @@ class Counter {
     return true;
   }
 
-  // Each point of the query node with another node.
+  // Each point of the query node with another node. To compare a point with a box is no decision:
+  // it spares comparing it with the points there.
   void count_points_near(unsigned level, std::size_t node) {
     for (std::size_t slot = asked_.first_slot(0, node_); slot < asked_.end_slot(0, node_); ++slot) {
       count_near(slot, asked_.point(slot), level, node);
     }
   }
   void count_near(std::size_t slot, const Point& place, unsigned level, std::size_t node) {
-    if (!may_decide()) return;
+    if (gave_up()) return;
     const std::size_t number = others_.number(level, node);
     switch (boxes_(core::box_around(place), others_.box(level, node))) {
       case Reach::kFar:
@@ -207,7 +208,7 @@ class Counter {
   // The query node with each point of another node.
   void count_near_points(std::size_t node) {
     for (std::size_t i = others_.first_slot(0, node); i < others_.end_slot(0, node); ++i) {
-      if (!may_decide()) return;
+      if (gave_up()) return;
       const Point place = others_.point(i);
       switch (boxes_(asked_.box(0, node_), core::box_around(place))) {
         case Reach::kFar:

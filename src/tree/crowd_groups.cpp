@@ -186,7 +186,14 @@ class Joiner {
       return;
     }
     for (std::uint32_t i = a.begin; i < a.end; ++i) {
-      if (is_far(i, b)) continue;
+      const Reach of_point = reach(i, b);
+      if (of_point == Reach::kFar) continue;
+      if (of_point == Reach::kNear) {
+        sets_.join(i, b.begin);
+        if (!b.united) join_range(b.begin, b.end);
+        if (one_pair_will_do) return;
+        continue;
+      }
       for (std::uint32_t j = b.begin; j < b.end; ++j) {
         if (join_if_near(i, j) && one_pair_will_do) return;
       }
@@ -209,16 +216,21 @@ class Joiner {
     return farthest < limits_.surely_near ? Reach::kNear : Reach::kOpen;
   }
 
-  [[nodiscard]] bool is_far(std::uint32_t i, const Leaf& from) const {
+  // Of a point and a leaf.
+  [[nodiscard]] Reach reach(std::uint32_t i, const Leaf& from) const {
     float nearest = 0.0F;
+    float farthest = 0.0F;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::int32_t at = tree_.positions(axis)[i];
-      const std::int32_t below = from.boxes->low[axis][from.lane] - at;
-      const std::int32_t above = at - from.boxes->high[axis][from.lane];
-      const auto least = static_cast<float>(std::max({0, below, above}));
+      const std::int32_t up = from.boxes->high[axis][from.lane] - at;
+      const std::int32_t down = at - from.boxes->low[axis][from.lane];
+      const auto most = static_cast<float>(std::max(up, down));
+      const auto least = static_cast<float>(std::max(0, -std::min(up, down)));
+      farthest += most * most;
       nearest += least * least;
     }
-    return nearest > limits_.surely_far;
+    if (nearest > limits_.surely_far) return Reach::kFar;
+    return farthest < limits_.surely_near ? Reach::kNear : Reach::kOpen;
   }
 
   // Whether they are near and of one set now; what is of one set already is not looked at further.

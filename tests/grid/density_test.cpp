@@ -41,6 +41,40 @@ TEST(DensitySample, IsZeroForLonelyPoints) {
   EXPECT_EQ(DensitySample(std::vector<Point>{}, memory).expected_neighbors(1.0), 0.0);
 }
 
+double share_apart(const std::vector<Point>& points, const std::vector<Point>* asked = nullptr) {
+  test::OwnResources own;
+  const DensitySample sample(points, own.memory);
+  const Bounds bounds = *measure(points, own.with);
+  const double side = sample.side_for(12.0, bounds);
+  const double widest = bounds.high[0] - bounds.low[0];
+  if (asked == nullptr) return sample.share_apart(nullptr, 4.5 * side, widest);
+  const PointsView view(*asked);
+  return sample.share_apart(&view, 4.5 * side, widest);
+}
+
+TEST(DensitySample, SeesNoPointApartInEvenSwarmsOfAnyDimension) {
+  for (const std::size_t size : {1'000U, 30'000U, 200'000U}) {
+    SCOPED_TRACE(size);
+    test::SceneMaker make(8);
+    EXPECT_LT(share_apart(make.box(size, {0, 0, 0}, {1e3, 1e3, 1e3})), 0.05);
+    EXPECT_LT(share_apart(make.box(size, {0, 0, 5}, {1e3, 1e3, 5})), 0.05);
+    EXPECT_LT(share_apart(make.box(size, {0, 3, 5}, {1e3, 3, 5})), 0.05);
+    const std::vector<Point> asked = make.box(size, {0, 0, 0}, {1e3, 1e3, 1e3});
+    EXPECT_LT(share_apart(make.box(size, {0, 0, 0}, {1e3, 1e3, 1e3}), &asked), 0.05);
+  }
+}
+
+TEST(DensitySample, SeesWhatIsApartFromAClump) {
+  test::SceneMaker make(9);
+  std::vector<Point> points = make.box(50'000, {0, 0, 0}, {1e6, 1e6, 1e6});
+  for (std::size_t i = 0; i < points.size(); i += 2) {
+    points[i] = {make.between(0, 1), make.between(0, 1), make.between(0, 1)};
+  }
+  EXPECT_NEAR(share_apart(points), 0.5, 0.1);
+  const std::vector<Point> far = make.box(1'000, {5e6, 0, 0}, {6e6, 1e6, 1e6});
+  EXPECT_EQ(share_apart(points, &far), 1.0);
+}
+
 TEST(DensitySample, FindsTheSideThatHoldsSome) {
   test::SceneMaker make(7);
   test::OwnResources own;
