@@ -234,6 +234,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.separation = separation_of(
       {recording, tracks, *in_space, *recorded, *closest, coverage, closest->has_value()},
       *uprights, swarm);
+  stand_in_tracks(recording, *in_space);
   facts.unknown = unknown_text(coverage);
   facts.hidden = coverage.may_hide_conflicts() || !standing->empty();
   if (!standing->empty()) {

@@ -32,7 +32,9 @@ struct RecordedBee {
   // that is the metre.
   std::vector<double> stated_heights = {};
   std::optional<BezierPath> path = {};  // instead of fixes, where the input has a curve
-  std::string label = {};               // what it is called beside its id: the flight; or nothing
+  // Instead of both, of a drone of a show that never takes off: where it stands all the time.
+  std::optional<Point> stands = {};
+  std::string label = {};  // what it is called beside its id: the flight; or nothing
 };
 
 // Records that were there but are left out, since their place, height or time is missing or bad:
