@@ -143,6 +143,12 @@ std::string missing_text(const io::MissingRecords& missing) {
     text = io::grouped(missing.shared) + (missing.shared == 1 ? " id seems to be of two bees"
                                                               : " ids seem to be of two bees each");
   }
+  if (missing.files > 0) {
+    if (!text.empty()) text += ", ";
+    text +=
+        io::counted(missing.files, "file or folder beside was", "files or folders beside were") +
+        " left out";
+  }
   if (missing.count == 0) return text;
   if (!text.empty()) text += ", ";
   if (missing.nowhere > 0) {
