@@ -15,6 +15,7 @@
 #include "io/problems/text_check.hpp"
 #include "io/px4/flight_reading.hpp"
 #include "io/px4/ulog_walk.hpp"
+#include "io/recording/left_out_files.hpp"
 #include "io/recording/recording_assembly.hpp"
 #include "io/recording/recording_sources.hpp"
 #include "io/shows/show_documents.hpp"
@@ -42,23 +43,11 @@ std::optional<Error> read_table(const Bytes& bytes, const std::string& path, boo
   return read_track_table({bytes.view, stem_of(path), bare_skybrush}, assembly);
 }
 
-// What the system that packed an archive has put beside its files.
-bool is_hidden(std::string_view name) {
-  return name.substr(name.rfind('/') + 1).starts_with('.') || name.starts_with("__MACOSX/");
-}
-
-// Of an archive, what is not read beside what is; lights have no places.
-void say_unread(std::vector<std::string> names, std::string_view what,
-                RecordingAssembly& assembly) {
-  std::erase_if(names, [](const std::string& name) {
-    return is_hidden(name) || name.ends_with("/lights.json");
-  });
-  if (names.empty()) return;
-  const std::string& first = *std::min_element(names.begin(), names.end());
-  const std::string more =
-      names.size() == 1 ? " is" : " and " + std::to_string(names.size() - 1) + " more are";
-  assembly.note("of " + assembly.source_name() + ", an archive, " + std::string(what) +
-                " read: " + excerpt(first) + more + " left out");
+// Beside what is for people, what the system that packed an archive has put there.
+bool is_table_of_archive(std::string_view name) {
+  const bool hidden =
+      name.substr(name.rfind('/') + 1).starts_with('.') || name.starts_with("__MACOSX/");
+  return is_table_name(name) && !hidden && !holds_no_places(name);
 }
 
 // The tables of an archive, by name.
@@ -66,7 +55,7 @@ Result<std::vector<std::string>> tables_of(const ZipArchive& archive, const std:
   std::vector<std::string> tables;
   std::string others;
   for (const std::string& name : archive.names()) {
-    if (is_table_name(name) && !is_hidden(name)) tables.push_back(name);
+    if (is_table_of_archive(name)) tables.push_back(name);
     if (others.size() < 100) others.append(others.empty() ? "" : ", ").append(excerpt(name));
   }
   const auto foreign =
@@ -104,7 +93,7 @@ std::optional<Error> read_archive(Bytes bytes, const std::string& source,
     auto documents = ShowDocuments::from_archive(std::move(archive).value());
     if (!documents) return documents.error();
     if (auto error = read_show(*documents, assembly)) return error;
-    say_unread(documents->unread(), "what its show.json leads to is", assembly);
+    count_left_out(documents->unread(), "what its show.json leads to is", assembly);
     return std::nullopt;
   }
   const auto tables = tables_of(*archive, source);
@@ -113,7 +102,7 @@ std::optional<Error> read_archive(Bytes bytes, const std::string& source,
   std::erase_if(others, [&tables](const std::string& name) {
     return std::binary_search(tables->begin(), tables->end(), name);
   });
-  say_unread(std::move(others), "the tables are", assembly);
+  count_left_out(std::move(others), "the tables are", assembly);
   if (tables->size() > 1) assembly.expect_several();
   for (const std::string& table : *tables) {
     const std::string place = archive->place_of(table);
@@ -242,7 +231,6 @@ std::optional<Error> read_path(const std::string& path, RecordingAssembly& assem
     const auto files = recordings_in(path);
     if (!files) return files.error();
     if (files->size() > 1) assembly.expect_several();
-    if (std::string left = recordings_left_in(path); !left.empty()) assembly.note(std::move(left));
     for (const std::string& file : *files) {
       if (auto error = read_path(file, assembly)) return error;
     }
@@ -269,6 +257,7 @@ Result<Recording> load_recording(const std::vector<std::string>& paths,
   for (const std::string& path : paths) {
     if (auto error = read_path(path, assembly)) return *std::move(error);
   }
+  count_left_out(paths, assembly);
   return assembly.finish();
 }
 

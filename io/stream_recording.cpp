@@ -10,6 +10,7 @@
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/px4/ulog_walk.hpp"
+#include "io/recording/left_out_files.hpp"
 #include "io/recording/recording_sources.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
@@ -97,6 +98,7 @@ Result<RecordingStream> RecordingStream::open(const std::vector<std::string>& pa
     }
   }
   if (several) stream.assembly_->expect_several();
+  count_left_out(paths, *stream.assembly_);
   return stream;
 }
 

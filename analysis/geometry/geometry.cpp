@@ -48,9 +48,11 @@ Geometry geometry_for(const io::Recording& recording,
 }
 
 std::optional<double> vertical_in(Geometry geometry,
-                                  const std::optional<io::StatedLength>& vertical) {
+                                  const std::optional<io::StatedLength>& vertical,
+                                  io::Unit height_unit) {
   if (!vertical) return std::nullopt;
-  return geometry == Geometry::kGroundAndStatedHeight ? vertical->value : vertical->metric;
+  return geometry == Geometry::kGroundAndStatedHeight ? exactly_in(*vertical, height_unit)
+                                                      : vertical->metric;
 }
 
 double height_unit_m(Geometry geometry, io::Unit height_unit) {

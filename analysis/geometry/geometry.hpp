@@ -29,7 +29,8 @@ Geometry geometry_for(const io::Recording& recording,
 
 // The vertical threshold for that geometry, and how many metres the unit of its heights is.
 std::optional<double> vertical_in(Geometry geometry,
-                                  const std::optional<io::StatedLength>& vertical);
+                                  const std::optional<io::StatedLength>& vertical,
+                                  io::Unit height_unit);
 double height_unit_m(Geometry geometry, io::Unit height_unit);
 
 // A height as the input states it.

@@ -12,7 +12,7 @@ GroundPlaces ground_places(const io::LoadedPoints& loaded,
   if (!vertical) return places;
   const bool as_stated = compares_as_stated(vertical, height_unit);
   const bool geographic = loaded.frame == io::Frame::kWgs84;
-  places.vertical_m = as_stated ? vertical->value : vertical->metric;
+  places.vertical_m = as_stated ? exactly_in(*vertical, height_unit) : vertical->metric;
   if (!as_stated && !geographic) return places;
   std::vector<PointId> all(loaded.points.size());
   std::iota(all.begin(), all.end(), PointId{0});

@@ -18,9 +18,16 @@ void take(ClosestOfEach& closest, const Conflict& found) {
   }
 }
 
-bool all_are_found(const ClosestOfEach& closest) {
-  return std::all_of(closest.begin(), closest.end(),
-                     [](const std::optional<Conflict>& of) { return of.has_value(); });
+// Whether it is known of a bee, or never will be, as it never flies.
+bool is_found(PointId bee, const ClosestOfEach& closest, const std::vector<Track>& tracks) {
+  return closest[bee] || tracks[bee].fixes.empty();
+}
+
+bool all_are_found(const ClosestOfEach& closest, const std::vector<Track>& tracks) {
+  for (PointId bee = 0; bee < tracks.size(); ++bee) {
+    if (!is_found(bee, closest, tracks)) return false;
+  }
+  return true;
 }
 
 // No two can be farther apart.
@@ -69,11 +76,11 @@ Result<ClosestOfEach> closest_of_each(const std::vector<Track>& tracks, double t
     if (!found) break;
     // A bee that was found before keeps its pair: none other is closer.
     for (const Conflict& conflict : found->conflicts) take(closest, conflict);
-    if (all_are_found(closest) || within_m > extent_m) return closest;
+    if (all_are_found(closest, tracks) || within_m > extent_m) return closest;
     within_m *= 2.0;
   }
   for (PointId bee = 0; bee < tracks.size(); ++bee) {
-    if (closest[bee]) continue;
+    if (is_found(bee, closest, tracks)) continue;
     if (auto error = look_at_all(bee, tracks, max_gap_s, closest)) return *std::move(error);
   }
   return closest;

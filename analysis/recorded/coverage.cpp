@@ -4,6 +4,7 @@
 #include "analysis/text/bee_name.hpp"
 #include "analysis/text/moment_text.hpp"
 #include "io/bytes/number_text.hpp"
+#include "io/recording/flat_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +19,11 @@ constexpr double kLoggedTolerance_m = 1.0;  // logs are less exact than shows
 // What takes off or lands goes up and down.
 constexpr double kMostAtRest_mps = 0.5;
 
-// Drones in metres take off and land where others do. What is seen from afar, or in a plane, comes
-// and goes.
+// What has heights takes off and lands where others do, or it is not known where it stands. What is
+// seen in a plane comes and goes.
 bool may_be_cut_off(const io::Recording& recording) {
   if (recording.show) return true;
-  if (recording.frame != io::Frame::kMetres || recording.flat) return false;
+  if (recording.flat) return false;
   return std::any_of(recording.bees.begin(), recording.bees.end(), [](const auto& bee) {
     return !bee.fixes.empty() &&
            (bee.fixes.front().position.z != 0.0 || bee.fixes.back().position.z != 0.0);
@@ -30,10 +31,9 @@ bool may_be_cut_off(const io::Recording& recording) {
 }
 
 // Whether it goes nowhere over ground from one fix to the next, or the other way round.
-bool rests(const Fix& from, const Fix& to) {
-  const double apart_m =
-      std::hypot(to.position.x - from.position.x, to.position.y - from.position.y);
-  return apart_m <= kMostAtRest_mps * std::abs(to.time_s - from.time_s);
+bool rests(const Fix& from, const Fix& to, io::Frame frame) {
+  const Point apart = io::flat_offset_m(to.position, from.position, frame);
+  return std::hypot(apart.x, apart.y) <= kMostAtRest_mps * std::abs(to.time_s - from.time_s);
 }
 
 // From the first fix of all to the last one.
@@ -56,8 +56,10 @@ struct Outside {
   bool cut_off = false;
 };
 
-// A drone of a show is known while it stands on the ground.
-std::vector<Outside> outside_of(const io::Recording& recording) {
+// A drone of a show is known while it stands on the ground. Those in degrees report each at times
+// of its own: one is cut off where it is not heard of for longer than that is usual.
+std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s) {
+  const double usual_s = recording.frame == io::Frame::kWgs84 ? max_gap_s : 0.0;
   const auto whole = whole_time(recording);
   const double ground_m = ground_of(recording);
   const bool flies = may_be_cut_off(recording);
@@ -67,8 +69,8 @@ std::vector<Outside> outside_of(const io::Recording& recording) {
     const double height_m = end.position.z - ground_m;
     if (recording.show && height_m <= kStandsWithin_m) return;
     of.seconds += seconds;
-    const bool stands = height_m <= kLoggedTolerance_m && rests(end, beside);
-    of.cut_off = of.cut_off || recording.show || (flies && !stands);
+    const bool stands = height_m <= kLoggedTolerance_m && rests(end, beside, recording.frame);
+    of.cut_off = of.cut_off || recording.show || (flies && !stands && seconds > usual_s);
   };
   for (std::size_t i = 0; i < outside.size(); ++i) {
     const auto ends = ends_of(recording.bees[i]);
@@ -83,7 +85,10 @@ std::vector<Outside> outside_of(const io::Recording& recording) {
 
 std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps) {
   std::vector<double> unknown_s;
-  for (const Outside& outside : outside_of(recording)) unknown_s.push_back(outside.seconds);
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  for (const Outside& outside : outside_of(recording, kAny)) {
+    unknown_s.push_back(outside.seconds);
+  }
   for (const Gap& gap : gaps) unknown_s[gap.track] += length_of(gap);
   return unknown_s;
 }
@@ -106,7 +111,7 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
                       return a.track != b.track ? a.track < b.track : a.begins_s < b.begins_s;
                     });
   coverage.longest.erase(named, coverage.longest.end());
-  for (const Outside& outside : outside_of(recording)) {
+  for (const Outside& outside : outside_of(recording, max_gap.seconds)) {
     coverage.outside_s += outside.seconds;
     if (outside.seconds > 0.0) ++coverage.bees_partly;
     if (outside.cut_off) ++coverage.bees_cut_off;
@@ -142,6 +147,12 @@ std::string missing_text(const io::MissingRecords& missing) {
   if (missing.shared > 0) {
     text = io::grouped(missing.shared) + (missing.shared == 1 ? " id seems to be of two bees"
                                                               : " ids seem to be of two bees each");
+  }
+  if (missing.files > 0) {
+    if (!text.empty()) text += ", ";
+    text +=
+        io::counted(missing.files, "file or folder beside was", "files or folders beside were") +
+        " left out";
   }
   if (missing.count == 0) return text;
   if (!text.empty()) text += ", ";

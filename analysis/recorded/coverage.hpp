@@ -6,8 +6,9 @@
 // A bee is unknown in its gaps (see gaps.hpp), before its first fix and after its last one, from
 // the beginning of the whole recording to its end. A drone of a show is where the plan says, and
 // before and after on the ground, if it begins and ends there: otherwise it is in the air, and it
-// is not known where. Of drones in metres, whose fixes begin or end on the ground, one may be cut
-// off in the air, too; what is in degrees, or in a plane, comes and goes.
+// is not known where. What is recorded with heights may be cut off in the air, too: where its fixes
+// begin or end above the lowest place of all ends, or moving there; in degrees, where they begin
+// later or end earlier by more than a gap. What is in a plane comes and goes.
 #pragma once
 
 #include "analysis/recorded/gaps.hpp"
@@ -34,7 +35,7 @@ struct Coverage {
   std::vector<Gap> longest;  // of the gaps, at most kMostNamed
   std::size_t bees_partly =
       0;  // whose first fix is later, or whose last is earlier, than of others
-  std::size_t bees_cut_off = 0;  // of these: in the air then, where drones take off and land
+  std::size_t bees_cut_off = 0;  // of these: in the air then
   double outside_s = 0.0;        // before the first and after the last fix, summed over the bees
   io::MissingRecords missing;
 

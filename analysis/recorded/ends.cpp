@@ -6,11 +6,6 @@
 #include <vector>
 
 namespace beespace::analysis {
-namespace {
-
-constexpr double kHighestGround_m = 1.0;
-
-}  // namespace
 
 std::optional<Ends> ends_of(const io::RecordedBee& bee) {
   if (bee.path) {
@@ -33,7 +28,7 @@ double ground_of(const io::Recording& recording) {
     const auto ends = ends_of(bee);
     if (ends) lowest_m = std::min({lowest_m, ends->first.position.z, ends->last.position.z});
   }
-  return recording.show && lowest_m > kHighestGround_m ? 0.0 : lowest_m;
+  return recording.show && lowest_m > io::kHighestShowGround_m ? 0.0 : lowest_m;
 }
 
 }  // namespace beespace::analysis

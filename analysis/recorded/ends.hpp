@@ -18,7 +18,7 @@ struct Ends {
   Fix last;
 };
 
-// Nothing for a bee without fixes.
+// Nothing for a bee without fixes, as a drone that never takes off.
 std::optional<Ends> ends_of(const io::RecordedBee& bee);
 
 // A drone of a show that begins or ends as close to the ground as this stands there before or
@@ -26,8 +26,7 @@ std::optional<Ends> ends_of(const io::RecordedBee& bee);
 inline constexpr double kStandsWithin_m = 0.1;
 
 // The height of the ground: where a show says it is, or the lowest place at which a bee begins or
-// ends. Shows count heights from the ground: one of which all is higher than 1 m is no whole show,
-// and its ground is at 0.
+// ends; 0 of a show of which all is higher than io::kHighestShowGround_m.
 double ground_of(const io::Recording& recording);
 
 }  // namespace beespace::analysis

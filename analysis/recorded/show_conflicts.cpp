@@ -27,7 +27,7 @@ struct Standing {
 bool has_curves(const io::Recording& recording) {
   return !recording.bees.empty() &&
          std::all_of(recording.bees.begin(), recording.bees.end(),
-                     [](const io::RecordedBee& bee) { return bee.path.has_value(); });
+                     [](const io::RecordedBee& bee) { return bee.path || bee.stands; });
 }
 
 std::vector<Standing> standing_in(const io::Recording& recording) {
@@ -48,6 +48,9 @@ std::vector<Standing> standing_in(const io::Recording& recording) {
     }
   };
   for (std::size_t bee = 0; bee < ends.size(); ++bee) {
+    if (const auto& stands = recording.bees[bee].stands) {
+      standing.push_back({static_cast<PointId>(bee), whole, *stands});
+    }
     if (!ends[bee]) continue;
     const Ends& of = *ends[bee];
     add(bee, {whole.begins_s, of.first.time_s}, of.first.position);
@@ -175,6 +178,13 @@ Result<std::vector<Conflict>> conflicts_with_standing(const io::Recording& recor
   std::sort(conflicts.begin(), conflicts.end(),
             [](const Conflict& a, const Conflict& b) { return order_of(a) < order_of(b); });
   return conflicts;
+}
+
+void stand_in_tracks(const io::Recording& recording, std::vector<Track>& tracks) {
+  for (const Standing& one : standing_in(recording)) {
+    if (!recording.bees[one.bee].stands) continue;
+    tracks[one.bee].fixes = {{one.span.begins_s, one.at}, {one.span.ends_s, one.at}};
+  }
 }
 
 Result<std::vector<Conflict>> settled_conflicts(const io::Recording& recording,

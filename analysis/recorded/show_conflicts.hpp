@@ -2,8 +2,9 @@
 // possible ones are conflicts along the curves, and who comes too close to a drone on the ground.
 //
 // A drone stands on the ground before its path begins there, and after it ends there, as long as
-// any other flies. Two that both stand are no conflict. A table does not say when a drone stands:
-// from its first record to its last it counts as flying.
+// any other flies; one that never takes off stands all the time. Two that both stand are no
+// conflict. A table does not say when a drone stands: from its first record to its last it counts
+// as flying.
 #pragma once
 
 #include "io/recording/recording.hpp"
@@ -23,6 +24,9 @@ namespace beespace::analysis {
 Result<std::vector<Conflict>> conflicts_with_standing(const io::Recording& recording,
                                                       const std::vector<Track>& tracks,
                                                       const ConflictOptions& options);
+
+// Gives drones that never take off tracks of their own, to be drawn.
+void stand_in_tracks(const io::Recording& recording, std::vector<Track>& tracks);
 
 // Decides along the curves of which conflicts it is not certain that they are some; leaves out
 // those that are none. As they were where there are no curves.

@@ -210,13 +210,14 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   }
 
   const MaxGap max_gap = max_gap_of(recording, request.max_gap_s);
-  const ConflictOptions options{.threshold_m = swarm.threshold_m,
-                                .vertical_m = vertical_in(geometry, request.vertical),
-                                .inclusive = request.inclusive,
-                                .max_gap_s = max_gap.seconds,
-                                .threads = request.threads,
-                                .height_unit_m = height_unit_m(geometry, recording.height_unit),
-                                .stop = request.stop};
+  const ConflictOptions options{
+      .threshold_m = swarm.threshold_m,
+      .vertical_m = vertical_in(geometry, request.vertical, recording.height_unit),
+      .inclusive = request.inclusive,
+      .max_gap_s = max_gap.seconds,
+      .threads = request.threads,
+      .height_unit_m = height_unit_m(geometry, recording.height_unit),
+      .stop = request.stop};
   auto recorded = find_conflicts(tracks, options);
   if (!recorded) return std::move(recorded).error();
   auto settled = settled_conflicts(recording, options, std::move(recorded->conflicts));
@@ -234,6 +235,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.separation = separation_of(
       {recording, tracks, *in_space, *recorded, *closest, coverage, closest->has_value()},
       *uprights, swarm);
+  stand_in_tracks(recording, *in_space);
   facts.unknown = unknown_text(coverage);
   facts.hidden = coverage.may_hide_conflicts() || !standing->empty();
   if (!standing->empty()) {

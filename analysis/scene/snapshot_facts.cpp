@@ -248,7 +248,7 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
   for (const Mover& mover : snapshot->movers) points.push_back(mover.position);
   GroundPlaces apart;
   const Geometry geometry = geometry_for(recording, request.vertical);
-  apart.vertical_m = vertical_in(geometry, request.vertical);
+  apart.vertical_m = vertical_in(geometry, request.vertical, recording.height_unit);
   if (heights_apart(geometry)) {
     auto on_ground = snapshot_of(recording, geometry, kMaxAge_s, Wanted::kPlaces);
     if (!on_ground) return on_ground.error();

@@ -66,6 +66,12 @@ void append_missing(std::string& out, const io::MissingRecords& missing) {
     if (missing.shared > missing.shared_ids.size()) named += ", ...";
     append_summary_line(out, "two in one", red(printable(named)) + ": at two places in turn");
   }
+  if (missing.files > 0) {
+    std::string named;
+    for (const std::string& name : missing.file_names) named += (named.empty() ? "" : ", ") + name;
+    if (missing.files > missing.file_names.size()) named += ", ...";
+    append_summary_line(out, "not read", red(printable(named)));
+  }
   if (missing.count == 0) return;
   std::string text = red(io::counted(missing.count, "record", "records"));
   if (missing.without_id < missing.count) text += " of " + io::counted(missing.bees, "bee", "bees");
@@ -87,6 +93,7 @@ void write_missing(io::JsonWriter& json, const io::MissingRecords& missing) {
   json.member("left_out_bees", missing.bees).member("bees_known_nowhere", missing.nowhere);
   json.member("known_nowhere", missing.nowhere_ids);
   json.member("shared_id_count", missing.shared).member("shared_ids", missing.shared_ids);
+  json.member("left_out_files", missing.files).member("left_out_file_names", missing.file_names);
 }
 
 }  // namespace beespace::cli

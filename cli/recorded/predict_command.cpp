@@ -194,14 +194,14 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
   Stopwatch watch;
   const double threshold_m = moving.threshold_m.value_or(
       analysis::default_threshold(*recording, kDefaultThreshold_m).metres);
-  auto conflicts =
-      conflicts_of(*snapshot, {.threshold_m = threshold_m,
-                               .vertical_m = vertical_in(geometry, moving.vertical),
-                               .horizon_s = request.horizon_s,
-                               .inclusive = moving.inclusive,
-                               .threads = moving.threads,
-                               .max_results = moving.max_results,
-                               .height_unit_m = height_unit_m(geometry, recording->height_unit)});
+  auto conflicts = conflicts_of(
+      *snapshot, {.threshold_m = threshold_m,
+                  .vertical_m = vertical_in(geometry, moving.vertical, recording->height_unit),
+                  .horizon_s = request.horizon_s,
+                  .inclusive = moving.inclusive,
+                  .threads = moving.threads,
+                  .max_results = moving.max_results,
+                  .height_unit_m = height_unit_m(geometry, recording->height_unit)});
   if (!conflicts) return in_words_of_the_command(std::move(conflicts).error(), moving);
   const double search_s = watch.lap();
   translate(*conflicts, *snapshot);

@@ -60,7 +60,7 @@ Status write_events(const ReplayRequest& request, const analysis::Findings& find
       analysis::geometry_for(findings.recording, request.moving.vertical);
   const SwarmOptions options{
       .threshold_m = threshold_m,
-      .vertical_m = vertical_in(geometry, request.moving.vertical),
+      .vertical_m = vertical_in(geometry, request.moving.vertical, findings.recording.height_unit),
       .heights_apart = heights_apart(geometry),
       .leave_factor = request.live.leave_factor,
       .horizon_s = plan ? 0.0 : request.live.horizon_s,
@@ -140,13 +140,14 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   const double threshold_m = moving.threshold_m.value_or(
       analysis::default_threshold(*recording, kDefaultThreshold_m).metres);
   const analysis::MaxGap max_gap = max_gap_for(request, *recording);
-  const ConflictOptions options{.threshold_m = threshold_m,
-                                .vertical_m = vertical_in(geometry, moving.vertical),
-                                .inclusive = moving.inclusive,
-                                .max_gap_s = max_gap.seconds,
-                                .threads = moving.threads,
-                                .max_results = moving.max_results,
-                                .height_unit_m = height_unit_m(geometry, recording->height_unit)};
+  const ConflictOptions options{
+      .threshold_m = threshold_m,
+      .vertical_m = vertical_in(geometry, moving.vertical, recording->height_unit),
+      .inclusive = moving.inclusive,
+      .max_gap_s = max_gap.seconds,
+      .threads = moving.threads,
+      .max_results = moving.max_results,
+      .height_unit_m = height_unit_m(geometry, recording->height_unit)};
   auto recorded = find_conflicts(*tracks, options);
   if (!recorded) return in_words_of_the_command(recorded.error(), moving);
   auto of_show =

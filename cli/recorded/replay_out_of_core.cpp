@@ -160,7 +160,7 @@ class Replaying {
         analysis::default_threshold(recording_, kDefaultThreshold_m).metres);
     const ConflictOptions options = {
         .threshold_m = threshold_m_,
-        .vertical_m = analysis::vertical_in(geometry_, moving_.vertical),
+        .vertical_m = analysis::vertical_in(geometry_, moving_.vertical, stream_.height_unit()),
         .inclusive = moving_.inclusive,
         .max_gap_s = max_gap_.seconds,
         .max_results = moving_.max_results,

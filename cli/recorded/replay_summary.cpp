@@ -26,7 +26,9 @@ std::string verdict(const analysis::Findings& findings,
                 ? "; " + analysis::unknown_text(findings.coverage)
                 : "");
   if (pairs.empty() && !findings.coverage.complete()) {
-    return bold("no conflict in the known time") + "; " + analysis::unknown_text(findings.coverage);
+    return bold(findings.coverage.missing.files > 0 ? "no conflict among what was read"
+                                                    : "no conflict in the known time") +
+           "; " + analysis::unknown_text(findings.coverage);
   }
   if (pairs.empty()) return bold("keeps its distance");
   const auto& conflicts = findings.recorded.conflicts;

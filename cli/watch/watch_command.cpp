@@ -125,7 +125,7 @@ class Watch {
     height_unit_ = height_unit;
     geometry_ = analysis::geometry_for(frame, height_unit, request_.vertical);
     SwarmOptions options = request_.swarm;
-    options.vertical_m = vertical_in(geometry_, request_.vertical);
+    options.vertical_m = vertical_in(geometry_, request_.vertical, height_unit);
     options.heights_apart = heights_apart(geometry_);
     options.height_unit_m = height_unit_m(geometry_, height_unit);
     feed_.emplace(options, request_.times,

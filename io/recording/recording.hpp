@@ -32,7 +32,9 @@ struct RecordedBee {
   // that is the metre.
   std::vector<double> stated_heights = {};
   std::optional<BezierPath> path = {};  // instead of fixes, where the input has a curve
-  std::string label = {};               // what it is called beside its id: the flight; or nothing
+  // Instead of both, of a drone of a show that never takes off: where it stands all the time.
+  std::optional<Point> stands = {};
+  std::string label = {};  // what it is called beside its id: the flight; or nothing
 };
 
 // Records that were there but are left out, since their place, height or time is missing or bad:
@@ -50,8 +52,13 @@ struct MissingRecords {
   std::uint64_t shared = 0;
   std::vector<std::string> shared_ids = {};  // of the first kMostNamed of them
 
+  // Files and folders beside those that are read, whose names do not say that they are harmless
+  // (see left_out_files.hpp). Their records do not count above.
+  std::uint64_t files = 0;
+  std::vector<std::string> file_names = {};  // of the first kMostNamed of them
+
   // Whether all that was there is known.
-  [[nodiscard]] bool none() const { return count == 0 && shared == 0; }
+  [[nodiscard]] bool none() const { return count == 0 && shared == 0 && files == 0; }
 
   static constexpr std::size_t kMostNamed = 3;
 };

@@ -198,6 +198,12 @@ void RecordingAssembly::leave_out(const LeftOutReason& reason, std::string_view 
   if (!reason.harmless) miss(1, id);
 }
 
+void RecordingAssembly::leave_file_out(std::string_view name) {
+  MissingRecords& missing = recording_.missing;
+  ++missing.files;
+  if (missing.file_names.size() < MissingRecords::kMostNamed) missing.file_names.emplace_back(name);
+}
+
 void RecordingAssembly::heard_of(const LeftOutReason& reason, std::string_view id) {
   heard_.emplace_back(reason, id);
 }

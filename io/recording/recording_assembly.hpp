@@ -111,6 +111,8 @@ class RecordingAssembly {
   void miss(std::uint64_t records, std::string_view id);
   // A record of that bee is left out without being a mistake.
   void leave_out(const LeftOutReason& reason, std::string_view id);
+  // A file, or a folder, beside those that are read: who may be in it is not known.
+  void leave_file_out(std::string_view name);
   // A record says that the bee is on the ground, but not how it could be; it is kept.
   void keep_in_flight() { ++kept_in_flight_; }
   // It was heard of, though not its place: if no place comes from anywhere, a record is left out

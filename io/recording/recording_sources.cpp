@@ -1,6 +1,7 @@
 #include "io/recording/recording_sources.hpp"
 
 #include "io/bytes/characters.hpp"
+#include "io/recording/left_out_files.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -50,6 +51,19 @@ struct Listed {
   }
 };
 
+// Whether it is a folder, in which nothing may be that is looked for.
+bool is_harmless_folder(const std::filesystem::directory_entry& entry) {
+  std::error_code problem;
+  if (!entry.is_directory(problem)) return false;
+  if (entry.path().filename().string().front() == '.') return true;
+  std::filesystem::recursive_directory_iterator inside(entry.path(), problem);
+  for (; !problem && inside != std::filesystem::recursive_directory_iterator();
+       inside.increment(problem)) {
+    if (!inside->is_directory(problem) && !holds_no_places(inside->path().string())) return false;
+  }
+  return !problem;
+}
+
 Listed listed(const std::string& folder) {
   Listed found;
   std::filesystem::directory_iterator entry(folder, found.problem);
@@ -57,7 +71,11 @@ Listed listed(const std::string& folder) {
        entry.increment(found.problem)) {
     const std::string name = entry->path().filename().string();
     const std::string path = entry->path().string();
-    if (name.front() == '.') continue;
+    if (holds_no_places(name) || is_harmless_folder(*entry)) continue;
+    if (name.front() == '.') {
+      found.others.push_back(path);
+      continue;
+    }
     found.of(name, path).push_back(path);
     if (found.foreign.empty()) found.foreign = foreign_show(name);
   }
@@ -104,19 +122,19 @@ Result<std::vector<std::string>> recordings_in(const std::string& folder) {
   return std::move(chosen);
 }
 
-std::string recordings_left_in(const std::string& folder) {
+std::vector<std::string> recordings_left_in(const std::string& folder) {
   Listed found = listed(folder);
   const std::vector<std::string>* const chosen = &found.chosen();
   std::vector<std::string> left;
   for (const auto* kind : {&found.documents, &found.logs, &found.flights, &found.others}) {
     if (kind != chosen) left.insert(left.end(), kind->begin(), kind->end());
   }
-  if (left.empty()) return {};
-  const std::string& first = *std::min_element(left.begin(), left.end());
-  const std::string more =
-      left.size() == 1 ? " is" : " and " + std::to_string(left.size() - 1) + " more are";
-  return "of a folder one kind of files is read: " + first + more +
-         " left out; name them, too, if they belong to it";
+  std::erase_if(left, [&](const std::string& path) {
+    return std::any_of(chosen->begin(), chosen->end(), [&](const std::string& read) {
+      return is_other_form_of(path, read.substr(0, read.rfind('.')));
+    });
+  });
+  return left;
 }
 
 std::string stem_of(std::string_view path) {

@@ -21,12 +21,13 @@ bool is_table_name(std::string_view name);
 std::string_view foreign_show(std::string_view name);
 
 // What there is to read in the folder, by name: its tables; where there is none, its .json and
-// .ndjson files, otherwise its .tlog files, or its .ulg files. Hidden files are left out. Errors:
+// .ndjson files, otherwise its .tlog files, or its .ulg files. Hidden files are left out, and so is
+// what holds no places. Errors:
 // kCannotOpen, kNoPoints when there is nothing.
 Result<std::vector<std::string>> recordings_in(const std::string& folder);
 
-// What of a folder is not read beside what is, but for hidden files. In a sentence, or nothing.
-std::string recordings_left_in(const std::string& folder);
+// What of a folder is not read beside what is, but for what is harmless (see left_out_files.hpp).
+std::vector<std::string> recordings_left_in(const std::string& folder);
 
 // "swarm" of "data/swarm.csv.gz"; "stdin" of "-".
 std::string stem_of(std::string_view path);

@@ -33,6 +33,10 @@ struct ShowCue {
   std::string name = {};
 };
 
+// Shows count heights from the ground: one of which all is higher than this is no whole show. Its
+// ground is at 0, and who hovers still at its lowest height flies.
+inline constexpr double kHighestShowGround_m = 1.0;
+
 struct ShowFacts {
   ShowLimits limits = {};
   std::optional<ShowPlace> place = {};

@@ -20,6 +20,11 @@ bool strictly_ascending(const std::vector<Fix>& fixes) {
          }) == fixes.end();
 }
 
+// A drone of a show: a bee of its own, whatever its id.
+bool is_of_show(const RecordedBee& bee) {
+  return bee.path || bee.stands;
+}
+
 // Whether the later fix is the earlier one, said twice. With rounded times the height may have
 // been heard of anew in between: it comes by other messages than the position.
 bool is_heard_again(const Fix& earlier, const Fix& later, std::optional<double> repeat_s) {
@@ -123,6 +128,12 @@ void TrackGathering::add_path(std::string id, BezierPath path) {
   bee.recorded.path = std::move(path);
 }
 
+void TrackGathering::add_standing(std::string id, const Point& at) {
+  Bee& bee = bees_.emplace_back();
+  bee.recorded.id = std::move(id);
+  bee.recorded.stands = at;
+}
+
 Origin TrackGathering::origin(std::size_t index) const {
   for (const Bee& bee : bees_) {
     if (index < bee.origins.size()) return bee.origins[index];
@@ -212,12 +223,12 @@ std::vector<RecordedBee> TrackGathering::release() {
   released.reserve(bees_.size());
   std::unordered_set<std::string> ids;
   for (const Bee& bee : bees_) {
-    if (!bee.recorded.path) ids.insert(bee.recorded.id);
+    if (!is_of_show(bee.recorded)) ids.insert(bee.recorded.id);
   }
   std::unordered_map<std::string, std::size_t> next;
   for (Bee& bee : bees_) {
     std::string& id = bee.recorded.id;
-    if (bee.recorded.path && !ids.insert(id).second) {
+    if (is_of_show(bee.recorded) && !ids.insert(id).second) {
       std::size_t& number = next.try_emplace(id, 2).first->second;
       std::string other;
       do {

@@ -49,6 +49,8 @@ class TrackGathering {
            std::optional<double> stated_height = {});
   // A bee of its own, whatever its id.
   void add_path(std::string id, BezierPath path);
+  // The same, of a drone that never takes off.
+  void add_standing(std::string id, const Point& at);
 
   // What that bee, which has a fix, is called; the last one counts.
   void label(std::string_view id, std::string_view text);

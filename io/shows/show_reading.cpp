@@ -126,6 +126,7 @@ class ShowReading {
     for (const Drone& drone : drones_) {
       ground_m = std::min(ground_m, lowest_of(drone.trajectory, drone.ground));
     }
+    if (ground_m > kHighestShowGround_m) ground_m = 0.0;
     if (!drones_.empty()) assembly_.declare_ground(ground_m);
     const bool all = assembly_.options().grounded;
     for (Drone& drone : drones_) {
@@ -139,6 +140,7 @@ class ShowReading {
       const bool stood = !all && keep_flight(drone.trajectory, ground_m);
       if (path.pieces.empty()) {
         ++grounded_;
+        assembly_.tracks().add_standing(std::move(drone.name), path.begin);
         continue;
       }
       if (stood) ++stood_;
@@ -256,7 +258,9 @@ class ShowReading {
     }
     if (grounded_ > 0) {
       assembly_.note(drones(grounded_, " never leaves", " never leave") + " the ground and " +
-                     (grounded_ == 1 ? "is" : "are") + " left out; --grounded keeps them");
+                     (grounded_ == 1 ? "stands" : "stand") +
+                     " there for those that fly; --grounded also compares drones that stand with "
+                     "each other");
     }
   }
 

@@ -3,6 +3,7 @@
 #include "io/bytes/number_text.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace beespace::io {
@@ -33,8 +34,22 @@ std::string text_of(const StatedLength& stated) {
   return exact(stated.value) + " " + std::string(symbol_of(stated.unit));
 }
 
+std::optional<double> exactly_in(const StatedLength& stated, Unit unit) {
+  constexpr double kFeetPerLevel = 100.0;
+  if (stated.unit == unit) return stated.value;
+  if (stated.unit == Unit::kFoot && unit == Unit::kFlightLevel) {
+    const double levels = stated.value / kFeetPerLevel;
+    if (std::fma(levels, kFeetPerLevel, -stated.value) == 0.0) return levels;
+  }
+  if (stated.unit == Unit::kFlightLevel && unit == Unit::kFoot) {
+    const double feet = stated.value * kFeetPerLevel;
+    if (std::fma(stated.value, kFeetPerLevel, -feet) == 0.0) return feet;
+  }
+  return std::nullopt;
+}
+
 bool compares_as_stated(const std::optional<StatedLength>& vertical, Unit height_unit) {
-  return vertical && vertical->unit == height_unit && height_unit != Unit::kMetre;
+  return vertical && height_unit != Unit::kMetre && exactly_in(*vertical, height_unit);
 }
 
 namespace {

@@ -26,8 +26,12 @@ std::optional<double> parse_amount(std::string_view text, std::string_view words
 // "1000 ft".
 std::string text_of(const StatedLength& stated);
 
-// A vertical threshold and the heights of an input: whether they have the same unit, other than the
-// metre, so that they can be compared as they stand. What is converted is rounded.
+// In that unit, where nothing is rounded: in its own one, and a hundred feet are a flight level.
+std::optional<double> exactly_in(const StatedLength& stated, Unit unit);
+
+// A vertical threshold and the heights of an input in a unit other than the metre: whether the
+// threshold is exactly_in() that, so that they can be compared as they stand. What is converted
+// otherwise is rounded.
 bool compares_as_stated(const std::optional<StatedLength>& vertical, Unit height_unit);
 
 // To be said of that; empty where all is in metres.

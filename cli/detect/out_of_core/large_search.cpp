@@ -64,7 +64,7 @@ LargeSearch::LargeSearch(const DetectRequest& request, const std::string& folder
 void LargeSearch::set_heights(io::Unit height_unit, bool apart, TextStore* places) {
   heights_apart_ = apart;
   if (io::compares_as_stated(request_.vertical, height_unit)) {
-    options_.vertical_m = request_.vertical->value;
+    options_.vertical_m = exactly_in(*request_.vertical, height_unit);
     height_unit_m_ = io::in_metric(1.0, height_unit);
   }
   places_ = places;

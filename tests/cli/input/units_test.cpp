@@ -101,7 +101,7 @@ TEST(Units, TheSummaryAndTheDocumentSayWhichUnitWasTakenAndWhy) {
 // The suggestion is the same threshold in the unit of the heights.
 TEST(Units, TheSuggestedThresholdIsTheOneThatWasGiven) {
   const std::string levels = "id,lat,lon,altitude [FL]\na,48,2,310\nb,48,2,320\n";
-  expect_parts(run({"detect", "--threshold", "5NM", "--vertical", "1000ft"}, levels).err,
+  expect_parts(run({"detect", "--threshold", "5NM", "--vertical", "304.8"}, levels).err,
                {"(--vertical 10FL)"});
   expect_parts(run({"detect", "--vertical", "304.8"}, "id,lat,lon,alt_ft\na,48,2,1\n").err,
                {"(--vertical 1000ft)"});
@@ -125,6 +125,36 @@ TEST(Units, AThousandFeetAreExactInSnapshots) {
                {"vertical   1000 ft, compared with heights in ft as they stand\n"});
   expect_parts(run({"detect", "--vertical", "304.8"}, table("id,lat,lon,alt_ft")).err,
                {"compared in metres, to which heights in ft are rounded"});
+}
+
+// A hundred feet are a flight level: the one is as exact as the other.
+TEST(Units, AThousandFeetAreExactBetweenFlightLevels) {
+  std::string levels = "id,lat,lon,altitude [FL],time_s";
+  for (const int time_s : {0, 4}) {
+    for (int level = 10; level <= 490; level += 10) {
+      for (const int height : {level, level + 10}) {
+        levels += "\n" + std::to_string(level) + "-" + std::to_string(height) + ",48," +
+                  std::to_string(level / 10) + "," + std::to_string(height) + "," +
+                  std::to_string(time_s);
+      }
+    }
+  }
+  const auto conflicts = [&](const std::string& command, const std::string& vertical) {
+    return rows_of(
+        run({command, "--threshold", "5NM", "--vertical", vertical, "--quiet"}, levels + "\n").out);
+  };
+  EXPECT_EQ(conflicts("replay", "1000ft"), 0U);
+  EXPECT_EQ(conflicts("replay", "10FL"), 0U);
+  EXPECT_EQ(conflicts("replay", "1000.5ft"), kLevels);
+  EXPECT_EQ(
+      run({"watch", "--threshold", "5NM", "--vertical", "1000ft", "--max-age", "60"}, levels).out,
+      "");
+  const std::string now = "id,lat,lon,altitude [FL]\na,48,2,310\nb,48,2,320\n";
+  EXPECT_EQ(run({"detect", "--threshold", "5NM", "--vertical", "1000ft"}, now).out, "");
+  expect_parts(run({"detect", "--threshold", "5NM", "--vertical", "1000ft"}, now).err,
+               {"vertical   1000 ft, compared with heights in FL as they stand\n"});
+  const std::string feet = "id,lat,lon,alt_ft\na,48,2,31000\nb,48,2,32000\n";
+  EXPECT_EQ(run({"detect", "--threshold", "5NM", "--vertical", "10FL"}, feet).out, "");
 }
 
 TEST(Units, AThousandFeetAreExactWhenPredictedReplayedAndWatched) {

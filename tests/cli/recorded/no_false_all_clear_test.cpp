@@ -70,7 +70,33 @@ TEST(NoFalseAllClear, DronesThatLandAtDifferentTimesAreFine) {
       0);
 }
 
-// Who is seen in a plane, or from afar, comes and goes.
+// The same in degrees: a log may break off in a collision. Who is heard of a little later than
+// others is not cut off.
+TEST(NoFalseAllClear, WhoIsCutOffInTheAirInDegreesIsNotCertified) {
+  const auto fix = [](const char* id, double time_s, double lat, int height_m) {
+    return std::string(id) + "," + std::to_string(time_s) + ",8.0," + std::to_string(lat) + "," +
+           std::to_string(height_m) + "\n";
+  };
+  std::string all = "id,time_s,lon,lat,height_m\n";
+  std::string broken = all;
+  for (int t = 0; t <= 60; ++t) {
+    const int height_m = 500 + std::min({20, 2 * std::max(0, t - 5), 2 * std::max(0, 55 - t)});
+    all += fix("a", t, 47.0, height_m) + fix("b", t + 0.5, 47.001, height_m);
+    broken += fix("a", t, 47.0, height_m);
+    if (t < 40) broken += fix("b", t + 0.5, 47.001, height_m);
+  }
+  for (const Arguments& more : {Arguments{}, Arguments{"--memory", "64MiB"}}) {
+    const Arguments ask = Arguments{"replay", "--threshold", "5", "--fail-on-risk"} + more;
+    const Finished fine = run(ask, all);
+    EXPECT_EQ(fine.exit_code, 0) << fine.err;
+    const Finished cut = run(ask, broken);
+    EXPECT_EQ(cut.exit_code, 1) << cut.err;
+    expect_parts(cut.err, {"(1 of which begin or end in the air while others fly)\n"});
+  }
+  EXPECT_EQ(run({"verify", "--threshold", "5"}, broken).exit_code, 1);
+}
+
+// Who is seen in a plane comes and goes.
 TEST(NoFalseAllClear, WhoComesAndGoesIsKnownForAPartOnly) {
   std::string input = "id,time_s,x,y\n";
   for (int t = 0; t <= 20; ++t)

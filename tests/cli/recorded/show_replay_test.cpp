@@ -226,5 +226,47 @@ TEST_F(ShowReplay, ADroneThatStandsIsThereForThoseThatFly) {
   EXPECT_EQ(apart.exit_code, 0) << apart.out << apart.err;
 }
 
+// One that never takes off is in the way of who lands on it; of who stands beside it, it is not.
+TEST_F(ShowReplay, ADroneThatNeverTakesOffIsThereForThoseThatFly) {
+  const std::string show = R"({"version": 1, "settings": {}, "swarm": {"drones": [)" +
+                           drone("spare", "[0, [0, 0, 0], []], [60, [0, 0, 0], []]") + "," +
+                           drone("beside", "[0, [1, 0, 0], []]") + "," +
+                           drone("lands",
+                                 "[0, [20, 0, 0], []], [3, [20, 0, 5], []], [6, [-1, 0, 5], []], "
+                                 "[9, [-1, 0, 0], []]") +
+                           "]}}";
+  const std::string path = folder_.file("show.json", show);
+  const Finished finished = run({"replay", path, "--threshold", "1.5", "--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 1);
+  expect_parts(finished.err,
+               {"bees       3\n", "1 conflict of 1 pair, 1 with a drone on the ground",
+                "closest    spare and lands, 1.000 m apart"});
+  EXPECT_EQ(rows_of(run({"replay", path, "--report", "bees"}).out).size(), 3u);
+  const Finished verify = run({"verify", path, "--threshold", "1.5"});
+  EXPECT_EQ(verify.exit_code, 1);
+  expect_parts(verify.err, {"losses     1 conflict, 1 with a drone on the ground\n"});
+  const Finished page =
+      run({"report", path, "--threshold", "1.5", "--output", folder_.path("x.html")});
+  EXPECT_EQ(page.exit_code, 0) << page.err;
+}
+
+// Who hovers still at the lowest height of a show that is all in the air does not stand.
+TEST_F(ShowReplay, WhoHoversAtTheLowestHeightOfAShowInTheAirFlies) {
+  const std::string home = R"({"type": "generic", "settings": {"home": [0, 0, 10], "name": ")";
+  const auto hovers = [&](const std::string& name, const std::string& points) {
+    return home + name + R"(", "trajectory": {"version": 1, "points": [)" + points + "]}}}";
+  };
+  const std::string show = R"({"version": 1, "settings": {}, "swarm": {"drones": [)" +
+                           hovers("hovers", "[0, [10, 0, 10], []], [60, [10, 0, 10], []]") + "," +
+                           hovers("beside", "[0, [11, 0, 10], []], [60, [11, 0, 10], []]") + "," +
+                           hovers("crosses", "[0, [0, 0.5, 10], []], [60, [60, 0.5, 10], []]") +
+                           "]}}";
+  const std::string path = folder_.file("show.json", show);
+  const Finished finished = run({"replay", path, "--threshold", "2", "--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 1);
+  expect_parts(finished.err, {"bees       3\n", "3 conflicts of 3 pairs\n"});
+  EXPECT_EQ(run({"verify", path, "--threshold", "2"}).exit_code, 1);
+}
+
 }  // namespace
 }  // namespace beespace::cli_test

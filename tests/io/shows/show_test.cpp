@@ -149,8 +149,12 @@ TEST(Show, HoveringIsNoStanding) {
       show(drone("a", kTrajectory) + "," + drone("b", hovering, R"(, "home": [0, 0, 3])"))));
   ASSERT_EQ(beside.bees.size(), 2u);
   EXPECT_EQ(beside.bees[1].path->pieces.size(), 3u);
-  // The lowest of the whole show is the ground.
-  EXPECT_EQ(path_of(hovering, false, R"(, "home": [0, 0, 3], "landAt": null)").pieces.size(), 1u);
+  // Where all of the show is that high it is all in the air.
+  EXPECT_EQ(path_of(hovering, false, R"(, "home": [0, 0, 3], "landAt": null)").pieces.size(), 3u);
+  // The lowest of the whole show is the ground, up to 1 m.
+  const std::string low =
+      R"({"points": [[0, [0, 0, 1]], [1, [0, 0, 1]], [2, [5, 0, 3]], [9, [5, 0, 3]]]})";
+  EXPECT_EQ(path_of(low, false, R"(, "home": [0, 0, 1], "landAt": null)").pieces.size(), 2u);
 }
 
 TEST(Show, AConstantTrajectoryInTheAirIsFlight) {
@@ -174,7 +178,8 @@ TEST(Show, ASinglePointInTheAirDoesNotSayHowLong) {
   EXPECT_EQ(refused.error().location.record, 1u);
   const auto grounded = recording_of(load_show(
       show(drone("a", kTrajectory) + "," + drone("b", R"({"points": [[0, [0, 0, 0]]]})"))));
-  EXPECT_EQ(ids_of(grounded), Ids{"a"});
+  EXPECT_EQ(ids_of(grounded), (Ids{"a", "b"}));
+  EXPECT_TRUE(grounded.bees[1].stands.has_value());
 }
 
 TEST(Show, StandingInTheMiddleStays) {
@@ -187,12 +192,14 @@ TEST(Show, StandingInTheMiddleStays) {
   EXPECT_EQ(path.pieces.back().ends_s, 11.0);
 }
 
-TEST(Show, ADroneThatNeverFliesIsLeftOut) {
+TEST(Show, ADroneThatNeverFliesStandsAllTheTime) {
   const std::string still = R"({"points": [[0, [0, 0, 0]], [100, [0, 0, 0]]]})";
   const std::string json = show(drone("a", kTrajectory) + "," + drone("b", still));
   const auto flying = recording_of(load_show(json));
-  EXPECT_EQ(ids_of(flying), Ids{"a"});
-  EXPECT_TRUE(has_note(flying, "1 drone never leaves the ground and is left out"));
+  EXPECT_EQ(ids_of(flying), (Ids{"a", "b"}));
+  EXPECT_EQ(flying.bees[1].stands, Point{});
+  EXPECT_FALSE(flying.bees[1].path || flying.bees[0].stands);
+  EXPECT_TRUE(has_note(flying, "1 drone never leaves the ground and stands there for those that "));
   RecordingOptions grounded;
   grounded.grounded = true;
   EXPECT_EQ(ids_of(recording_of(load_show(json, grounded))), (Ids{"a", "b"}));
