@@ -143,6 +143,10 @@ std::string missing_text(const io::MissingRecords& missing) {
     text = io::grouped(missing.shared) + (missing.shared == 1 ? " id seems to be of two bees"
                                                               : " ids seem to be of two bees each");
   }
+  if (missing.jumping > 0) {
+    text += (text.empty() ? "" : ", ") + io::grouped(missing.jumping) +
+            (missing.jumping == 1 ? " bee jumps" : " bees jump");
+  }
   if (missing.count == 0) return text;
   if (!text.empty()) text += ", ";
   if (missing.nowhere > 0) {

@@ -4,6 +4,7 @@
 #include "io/problems/skipped_records.hpp"
 #include "io/recording/swapped_degrees.hpp"
 #include "io/recording/time_doubts.hpp"
+#include "io/recording/zero_places.hpp"
 
 #include <algorithm>
 #include <array>
@@ -214,12 +215,40 @@ void RecordingAssembly::share(const SharedTrack& track) {
   MissingRecords& missing = recording_.missing;
   if (++missing.shared > MissingRecords::kMostNamed) return;
   missing.shared_ids.push_back(track.id);
-  const ErrorLocation at = location_of(track.first);
-  note("bee " + excerpt(track.id) + " is at two places in turn, from " + at.source +
-       (at.record ? ", record " + std::to_string(*at.record)
-                  : ", line " + std::to_string(at.line.value_or(0))) +
+  note("bee " + excerpt(track.id) + " is at two places in turn, from " + place_text(track.first) +
        " on, " + number_text(track.time_s) +
        " s, as if two had this id: where they are is not known; give each an id of its own");
+}
+
+void RecordingAssembly::jump(const SharedTrack& track) {
+  MissingRecords& missing = recording_.missing;
+  if (++missing.jumping > MissingRecords::kMostNamed) return;
+  missing.jumping_ids.push_back(track.id);
+  note("bee " + excerpt(track.id) + " jumps to where it is in " + place_text(track.first) + ", " +
+       number_text(track.time_s) +
+       " s, faster than anything that flies, or than it says itself: a place or a time is wrong, "
+       "and where it is is not known; correct such records, or leave them out");
+}
+
+// Where no place is known, zeros may be written.
+void RecordingAssembly::leave_out_zeros() {
+  if (!facts_ || facts_->frame != Frame::kWgs84 || frame_is_settled_) return;
+  ZeroPlaces zeros;
+  for (const Point& at : tracks_.positions()) zeros.look_at(at);
+  tracks_.leave_out([&zeros](const Fix& fix) { return zeros.is_none(fix.position); },
+                    [this](const std::string& id) { leave_out(kZeroPlace, id); });
+}
+
+// Once all is settled.
+void RecordingAssembly::find_doubtful_tracks() {
+  std::unordered_set<std::string> shared;
+  for (const SharedTrack& track : tracks_.shared(facts_->frame)) {
+    share(track);
+    shared.insert(track.id);
+  }
+  for (const SharedTrack& track : tracks_.jumping(facts_->frame)) {
+    if (!shared.contains(track.id)) jump(track);
+  }
 }
 
 // Once all is read.
@@ -268,6 +297,12 @@ ErrorLocation RecordingAssembly::location_of(Origin origin) const {
   return location;
 }
 
+std::string RecordingAssembly::place_text(Origin origin) const {
+  const ErrorLocation at = location_of(origin);
+  return at.source + (at.record ? ", record " + std::to_string(*at.record)
+                                : ", line " + std::to_string(at.line.value_or(0)));
+}
+
 void RecordingAssembly::declare_show(ShowFacts facts) {
   auto& show = recording_.show;
   if (!show) {
@@ -294,10 +329,7 @@ void RecordingAssembly::declare_ground(double height_m) {
 }
 
 Error RecordingAssembly::conflict_error(const TimeConflict& conflict) const {
-  const ErrorLocation at = location_of(conflict.first);
-  const std::string first =
-      at.source + (at.record ? ", record " + std::to_string(*at.record)
-                             : ", line " + std::to_string(at.line.value_or(0)));
+  const std::string first = place_text(conflict.first);
   std::string message = "bee " + excerpt(conflict.id) + " is at another place at the same time";
   if (facts_ && facts_->has_time) {
     message += ", " + number_text(conflict.time_s) + " s, in " + first +
@@ -413,8 +445,10 @@ std::optional<Error> RecordingAssembly::doubtful_times() const {
 Result<Recording> RecordingAssembly::finish() {
   settle_heard();
   if (tracks_.empty()) return nothing_left();
-  if (auto error = settle_times()) return *std::move(error);
   if (auto error = settle_frame()) return *std::move(error);
+  leave_out_zeros();
+  if (tracks_.empty()) return nothing_left();
+  if (auto error = settle_times()) return *std::move(error);
   if (facts_) {
     recording_.frame = facts_->frame;
     recording_.frame_reason = facts_->frame_reason;
@@ -426,7 +460,7 @@ Result<Recording> RecordingAssembly::finish() {
     recording_.heights = facts_->heights;
     if (!several_height_units_) recording_.height_unit = facts_->height_unit;
   }
-  for (const SharedTrack& track : tracks_.shared(recording_.frame)) share(track);
+  if (facts_ && !frame_is_settled_) find_doubtful_tracks();
   recording_.missing = missing();
   recording_.bees = tracks_.release();
   if (auto error = doubtful_times()) return *std::move(error);

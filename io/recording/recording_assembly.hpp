@@ -118,6 +118,8 @@ class RecordingAssembly {
   void heard_of(const LeftOutReason& reason, std::string_view id);
   // Two bees seem to share that id: they are not known.
   void share(const SharedTrack& track);
+  // That bee jumps: where it is is not known all the time.
+  void jump(const SharedTrack& track);
   // How many records without any id came before, over all inputs.
   [[nodiscard]] std::uint64_t nameless() const { return nameless_; }
   void add_nameless(std::uint64_t count) { nameless_ += count; }
@@ -127,8 +129,11 @@ class RecordingAssembly {
 
  private:
   [[nodiscard]] ErrorLocation location_of(Origin origin) const;
+  [[nodiscard]] std::string place_text(Origin origin) const;
   std::optional<Error> settle_times();
   std::optional<Error> settle_frame();
+  void leave_out_zeros();
+  void find_doubtful_tracks();
   void settle_heard();
   [[nodiscard]] MissingRecords missing() const;
   [[nodiscard]] std::optional<Error> doubtful_times() const;

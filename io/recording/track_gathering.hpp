@@ -34,7 +34,7 @@ struct TimeConflict {
   Origin second;  // behind the first in the input
 };
 
-// An id that two bees seem to share, as the first jump to and fro shows it.
+// An id that two bees seem to share, as the first jump to and fro shows it; or one that jumps.
 struct SharedTrack {
   std::string id;
   double time_s;
@@ -88,8 +88,14 @@ class TrackGathering {
   // How many bees got another id since theirs was taken already ("drone", "drone#2").
   [[nodiscard]] std::uint64_t renamed() const { return renamed_; }
 
-  // Once all is settled.
+  // Leaves out all fixes that are at no place, each of which `told` hears of by its bee; of who has
+  // no other fix nothing is left.
+  void leave_out(const std::function<bool(const Fix&)>& is_none,
+                 const std::function<void(const std::string& id)>& told);
+
+  // Once all is settled; of each bee the first jump.
   [[nodiscard]] std::vector<SharedTrack> shared(Frame frame) const;
+  [[nodiscard]] std::vector<SharedTrack> jumping(Frame frame) const;
 
   // In the order in which they came first. Nothing is left here.
   std::vector<RecordedBee> release();

@@ -1,0 +1,103 @@
+// Places that are none, and places where nothing can be so fast.
+#include "io/recording/jumps.hpp"
+#include "io/stream_recording.hpp"
+#include "tests/io/tracks/recording_loading.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace beespace::io {
+namespace {
+
+const std::string kDegrees = "id,time_s,lon,lat,height_m\n";
+
+// A bee that moves 1 m a second or so, and one that is elsewhere at 3 s.
+std::string with_place(const std::string& at_3_s) {
+  std::string text = kDegrees;
+  for (int t = 0; t < 8; ++t) {
+    text += "a," + std::to_string(t) + ",8.5000" + std::to_string(t) + ",47,100\n";
+    text += "b," + std::to_string(t) + "," + (t == 3 ? at_3_s : "8.6,47,100") + "\n";
+  }
+  return text;
+}
+
+Recording streamed(const std::string& text) {
+  const TemporaryFolder folder;
+  auto stream = RecordingStream::open({folder.write("bees.csv", text)}, {}, 64);
+  EXPECT_TRUE(stream.has_value());
+  std::vector<StreamedFix> fixes;
+  do {
+    EXPECT_TRUE(stream->next(fixes));
+    for (const StreamedFix& fix : fixes) EXPECT_NE(fix.fix.position.y, 0.0);
+  } while (!fixes.empty());
+  return recording_of(stream->finish(0));
+}
+
+TEST(ZeroPlaces, AreLeftOutAndCounted) {
+  for (const char* const zero : {"0,0,0", "0.0,-0.0,100", "-180,-90,0"}) {
+    const auto read = recording_of(record(with_place(zero)));
+    EXPECT_EQ(read.missing.count, 1u) << zero;
+    EXPECT_EQ(read.missing.jumping, 0u) << zero;
+    EXPECT_EQ(times_of(read.bees[1]), (std::vector<double>{0, 1, 2, 4, 5, 6, 7})) << zero;
+    EXPECT_TRUE(has_note(read, "1 record at longitude 0 and latitude 0 exactly")) << zero;
+    EXPECT_EQ(streamed(with_place(zero)).missing.count, 1u) << zero;
+  }
+}
+
+TEST(ZeroPlaces, AreKeptWhereOthersAreNear) {
+  const auto read = recording_of(
+      record(kDegrees + "a,0,0,0,100\na,1,0.00001,0,100\nb,0,0.5,-0.5,100\nb,1,0,0,100\n"));
+  EXPECT_TRUE(read.missing.none());
+  EXPECT_EQ(read.bees[0].fixes.size() + read.bees[1].fixes.size(), 4u);
+}
+
+TEST(ZeroPlaces, ABeeThatIsNowhereElseIsKnownNowhere) {
+  const auto read = recording_of(record(with_place("8.6,47,1") + "c,0,0,0,0\nc,1,0,0,0\n"));
+  EXPECT_EQ(ids_of(read), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(read.missing.nowhere_ids, std::vector<std::string>{"c"});
+  const auto none = record(kDegrees + "c,0,0,0,0\nc,1,0,0,0\n");
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().code, ErrorCode::kNoPoints);
+}
+
+TEST(ZeroPlaces, OfMetresIsAPlace) {
+  EXPECT_TRUE(recording_of(record("id,time_s,x_m,y_m\na,0,0,0\nb,0,5,5\n")).missing.none());
+}
+
+TEST(JumpsOfTracks, AreSaidAndNotKnown) {
+  const auto read = recording_of(record(with_place("8.9,47,100")));
+  EXPECT_EQ(read.missing.jumping_ids, std::vector<std::string>{"b"});
+  EXPECT_FALSE(read.missing.none());
+  EXPECT_TRUE(has_note(read, "bee 'b' jumps to where it is in bees.csv, line 9, 3 s"));
+  EXPECT_EQ(streamed(with_place("8.9,47,100")).missing.jumping, 1u);
+  // 750 m in a second is possible.
+  EXPECT_TRUE(recording_of(record(with_place("8.61,47,100"))).missing.none());
+}
+
+TEST(JumpsOfTracks, BeginAtTheGreatestSpeed) {
+  const double most_m = Jumps::kMostSpeed_mps * (1.0 + Jumps::kTimesDiffer_s);
+  const auto jumps = [](double by_m, const Velocity* velocity) {
+    Jumps track;
+    EXPECT_FALSE(track.take({0.0, {0, 0, 0}}, velocity));
+    return track.take({1.0, {by_m, 0, 0}}, velocity);
+  };
+  EXPECT_FALSE(jumps(most_m, nullptr));
+  EXPECT_TRUE(jumps(std::nextafter(most_m, 1e9), nullptr));
+  // Who says that it does 4 m/s does not do 140 m/s.
+  const Velocity slow = {0, 4, std::nan("")};
+  EXPECT_FALSE(jumps(140.0 * 1.5, &slow));
+  EXPECT_TRUE(jumps(140.1 * 1.5, &slow));
+  const Velocity none = {0, 0, 0};
+  EXPECT_FALSE(jumps(most_m, &none));
+}
+
+TEST(JumpsOfTracks, SatellitesDoNot) {
+  Jumps track;
+  EXPECT_FALSE(track.take({0.0, {7'000'000, 0, 0}}, nullptr));
+  EXPECT_FALSE(track.take({10.0, {7'000'000, 75'000, 0}}, nullptr));
+  EXPECT_TRUE(track.take({20.0, {0, 0, 0}}, nullptr));
+}
+
+}  // namespace
+}  // namespace beespace::io
