@@ -144,6 +144,22 @@ std::optional<Error> RecordingAssembly::agree_on_axes(std::string_view name) {
                {}};
 }
 
+std::optional<Error> RecordingAssembly::agree_on_zone(std::string_view stated,
+                                                      std::string_view zone) {
+  if (!zone_) {
+    zone_ = zone;
+    stated_zone_ = stated;
+    note("eastings and northings are of UTM zone " + excerpt(stated) + ", all of them");
+  }
+  if (*zone_ == zone) return std::nullopt;
+  return Error{ErrorCode::kUnknownFrame,
+               "this easting and northing are of UTM zone " + excerpt(stated) +
+                   ", but those before are of " + excerpt(stated_zone_) +
+                   ": they cannot be compared; take longitude and latitude, as with --columns "
+                   "lon=...,lat=..., or bring all into one zone",
+               {}};
+}
+
 // Each is converted by its own; heights as they are stated can be compared only in one unit.
 void RecordingAssembly::agree_on_units(const SourceFacts& facts) {
   for (const UnitTaken& taken : facts.units) {

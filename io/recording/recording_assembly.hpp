@@ -86,6 +86,9 @@ class RecordingAssembly {
   // Of ROS: positions are counted in axes of that name, which must be one for all. Errors:
   // kUnknownFrame.
   std::optional<Error> agree_on_axes(std::string_view name);
+  // Of eastings and northings, as the input calls their zone and as all of that zone are called.
+  // Errors: kUnknownFrame.
+  std::optional<Error> agree_on_zone(std::string_view stated, std::string_view zone);
   // What they agree on so far; null where nothing was read.
   [[nodiscard]] const SourceFacts* facts() const { return facts_ ? &*facts_ : nullptr; }
   // The midnight that all inputs without a time zone count from: that of the first of them.
@@ -168,6 +171,8 @@ class RecordingAssembly {
   std::uint64_t nameless_ = 0;
   std::optional<std::string> axes_name_;
   std::string axes_source_;  // who said so first
+  std::optional<std::string> zone_;
+  std::string stated_zone_;
   bool several_height_units_ = false;
 };
 

@@ -340,6 +340,7 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   if (auto problem = read_id(record)) return problem;
   if (record.left_out != nullptr) return std::nullopt;
   read_label(record);
+  if (layout_.zone) record.zone = without_padding(fields_[TrackSlot::kZone].text);
   if (layout_.axes_name) record.axes_name = without_padding(fields_[TrackSlot::kAxesName].text);
   record.left_out = reason_to_leave_out();
   record.flies_on_ground = record.left_out == nullptr && layout_.on_ground &&
