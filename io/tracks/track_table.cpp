@@ -136,7 +136,8 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     if (record.left_out != nullptr) {
       assembly.leave_out(*record.left_out, record.id);
       // Who is nowhere else is known nowhere.
-      const bool no_place = record.left_out == &kUnknownPlace || record.left_out == &kOutlier;
+      const bool no_place = record.left_out == &kUnknownPlace || record.left_out == &kOutlier ||
+                            record.left_out == &kNoFix;
       if (no_place) assembly.heard_of(kNeverPlaced, record.id);
       continue;
     }

@@ -99,5 +99,37 @@ TEST(JumpsOfTracks, SatellitesDoNot) {
   EXPECT_TRUE(track.take({20.0, {0, 0, 0}}, nullptr));
 }
 
+void expect_one_left_out(const std::string& header, const std::string& good,
+                         const std::string& bad) {
+  std::string text = header + "\n";
+  for (int t = 0; t < 5; ++t) {
+    text += "a," + std::to_string(t) + ",8.5,47,100," + (t == 2 ? bad : good) + "\n";
+  }
+  const auto read = recording_of(record(text));
+  EXPECT_EQ(times_of(read.bees[0]), (std::vector<double>{0, 1, 3, 4})) << header << " " << bad;
+  EXPECT_EQ(read.missing.count, 1u) << header << " " << bad;
+  EXPECT_TRUE(has_note(read, "1 record of receivers that say that they had no fix")) << header;
+}
+
+TEST(FixQuality, OfReceiversIsLookedAt) {
+  const std::string columns = "id,time_s,lon,lat,height_m,";
+  expect_one_left_out(columns + "status.status", "0", "-1");
+  expect_one_left_out(columns + "field.status.status", "2", "-1");
+  expect_one_left_out(columns + "Status,NSats,HDop", "3,9,1.2", "1,9,99");
+  expect_one_left_out(columns + "fix_type", "3", "0");
+  expect_one_left_out(columns + "GPS_RAW_INT.fix_type", "2", "1");
+  expect_one_left_out(columns + "gps:fix-type", "3D", "no fix");
+  expect_one_left_out(columns + "fix", "1", "0");
+  // Any other status says something else.
+  EXPECT_TRUE(recording_of(record(columns + "status\na,0,8,47,100,0\n")).missing.none());
+}
+
+TEST(FixQuality, WhoIsMissingInAPictureOfTRexIsKnownNowhereThen) {
+  const auto read = recording_of(
+      record("frame,missing,time,X (cm),Y (cm)\n0,0,0,1,1\n1,1,0.1,9,9\n2,0,0.2,1,1\n"));
+  EXPECT_EQ(times_of(read.bees[0]), (std::vector<double>{0, 0.2}));
+  EXPECT_TRUE(has_note(read, "1 record without a place"));
+}
+
 }  // namespace
 }  // namespace beespace::io
