@@ -102,8 +102,9 @@ TEST(PoseTable, TracksOfSleapAreAnimals) {
       "track,frame_idx,instance.score,thorax.x,thorax.y,thorax.score\n"
       "track_0,0,0.9,1,2,0.9\ntrack_1,0,0.9,3,4,0.2\ntrack_0,2,0.9,1.5,2,0.9\n";
   const Recording recording = recording_of(record(table, of_video()));
-  ASSERT_EQ(ids_of(recording), (Ids{"track_0", "track_1"}));
+  ASSERT_EQ(ids_of(recording), Ids{"track_0"});
   EXPECT_EQ(times_of(recording.bees[0]), (std::vector<double>{0.0, 1.0}));
+  EXPECT_EQ(recording.missing.nowhere_ids, Ids{"track_1"});
   EXPECT_TRUE(has_note(recording, "as SLEAP writes them: each animal is where its 'thorax' is"));
   EXPECT_TRUE(has_note(recording, "1 place has a likelihood below 0.6"));
   // Whose it is, is not known.
