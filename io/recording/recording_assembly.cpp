@@ -74,8 +74,9 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
                     std::string("there are ") + (facts.dimensions == 2 ? "no " : "") +
                         "heights here, but " + (facts.dimensions == 2 ? "" : "none ") + "in " +
                         facts_source_ +
-                        "; give heights to all, or leave them out of all with --columns x=...,"
-                        "y=..., or read them apart");
+                        "; give heights to all, or leave them out of all with --columns " +
+                        (facts.frame == Frame::kWgs84 ? "lon=...,lat=..." : "x=...,y=...") +
+                        ", or read them apart");
   }
   if (facts.has_time != facts_->has_time) {
     return disagree(ErrorCode::kMissingColumn,

@@ -124,6 +124,25 @@ TEST(FixQuality, OfReceiversIsLookedAt) {
   EXPECT_TRUE(recording_of(record(columns + "status\na,0,8,47,100,0\n")).missing.none());
 }
 
+TEST(Columns, DegreesAreNotTakenForMetres) {
+  const std::string table = "id,time_s,location-long,location-lat\na,0,8.5,47\nb,0,8.6,47\n";
+  expect_error(record(table, columns_are("x=location-long,y=location-lat")),
+               {ErrorCode::kInvalidArgument, "bees.csv",
+                "x is in metres, but column 3 'location-long' is a longitude; write lon=...,lat="});
+  EXPECT_EQ(recording_of(record(table, columns_are("lon=3,lat=4"))).frame, Frame::kWgs84);
+  RecordingOptions lengths = columns_are("x=3,y=4");
+  lengths.frame = Frame::kMetres;
+  EXPECT_EQ(recording_of(record(table, lengths)).frame, Frame::kMetres);
+}
+
+TEST(Columns, ARecordWithoutAnAnimalIsMissing) {
+  const auto read =
+      recording_of(record("timestamp,location-long,location-lat,individual-local-identifier\n"
+                          "2024-05-01 10:00:00.000,8.9,47,A\n2024-05-01 10:00:00.000,8.8,47,\n"));
+  EXPECT_EQ(read.missing.without_id, 1u);
+  EXPECT_FALSE(read.missing.none());
+}
+
 TEST(FixQuality, WhoIsMissingInAPictureOfTRexIsKnownNowhereThen) {
   const auto read = recording_of(
       record("frame,missing,time,X (cm),Y (cm)\n0,0,0,1,1\n1,1,0.1,9,9\n2,0,0.2,1,1\n"));
