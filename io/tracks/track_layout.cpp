@@ -20,6 +20,7 @@
 #include "io/tracks/track_sets.hpp"
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
+#include "io/tracks/unclear_id.hpp"
 #include "io/tracks/utm_zone.hpp"
 
 #include <algorithm>
@@ -390,6 +391,9 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
                            column_text(layout.table, layout.quality->column));
   }
   if (layout.frame != Frame::kWgs84) layout.zone = find_utm_zone(layout.table);
+  if (!said) {
+    if (auto problem = unclear_id(text, header, layout)) return *std::move(problem);
+  }
   layout.show = layout.time && layout.frame != Frame::kWgs84 && names_colours(layout.table);
   if (layout.time) {
     layout.notes.push_back(

@@ -124,6 +124,51 @@ TEST(FixQuality, OfReceiversIsLookedAt) {
   EXPECT_TRUE(recording_of(record(columns + "status\na,0,8,47,100,0\n")).missing.none());
 }
 
+// Two that stand 3 km apart, and are heard in turn.
+std::string in_turn(const std::string& header, const std::string& one, const std::string& other) {
+  std::string text = header + ",time_s,lon,lat\n";
+  for (int t = 0; t < 20; ++t) {
+    text += (t % 2 == 0 ? one : other) + "," + std::to_string(600 * t) +
+            (t % 2 == 0 ? ",8.5,47.000" : ",8.54,47.000") + std::to_string(t) + "\n";
+  }
+  return text;
+}
+
+TEST(Columns, AnIdThatIsNotUnderstoodIsAskedFor) {
+  for (const char* const header : {"Wirt", "Sender", "track"}) {
+    expect_error(
+        record(in_turn(header, "Anna", "Clara")),
+        {ErrorCode::kMissingColumn, "bees.csv",
+         "but column 1 '" + std::string(header) +
+             "' ('Anna', 'Clara') may: taken for one "
+             "bee, the records go to and fro between its values; say --columns id=1, or, if "
+             "all are of one bee, --columns time=2,lon=3,lat=4"});
+  }
+  expect_error(record(in_turn("Nr", "1", "2")), {ErrorCode::kMissingColumn, "bees.csv", "id=1"});
+  RecordingOptions options;
+  options.columns = "id=1";
+  EXPECT_EQ(recording_of(record(in_turn("Wirt", "Anna", "Clara"), options)).bees.size(), 2u);
+  options.columns = "time=2,lon=3,lat=4";
+  EXPECT_EQ(recording_of(record(in_turn("Wirt", "Anna", "Clara"), options)).bees.size(), 1u);
+}
+
+TEST(Columns, WhatABeeDoesIsNoId) {
+  std::string text = "behaviour,time_s,lon,lat\n";
+  for (int t = 0; t < 40; ++t) {
+    text += std::string(t / 2 % 2 == 0 ? "flies" : "walks") + "," + std::to_string(t) +
+            ",8.5,47.00" + std::to_string(10 + t) + "\n";
+  }
+  EXPECT_EQ(ids_of(recording_of(record(text))), std::vector<std::string>{"bees"});
+}
+
+TEST(Columns, WordsOfManyForIds) {
+  for (const char* const name :
+       {"AnimalID", "TagID", "DeviceID", "TrackID", "trackId", "CollarID", "collar", "particle",
+        "ring", "band", "mouse", "sysid", "trajectory", "Tier"}) {
+    EXPECT_EQ(recording_of(record(in_turn(name, "1", "2"))).bees.size(), 2u) << name;
+  }
+}
+
 TEST(Columns, DegreesAreNotTakenForMetres) {
   const std::string table = "id,time_s,location-long,location-lat\na,0,8.5,47\nb,0,8.6,47\n";
   expect_error(record(table, columns_are("x=location-long,y=location-lat")),
