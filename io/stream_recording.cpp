@@ -223,6 +223,7 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
           last_ = origin;
           ++fixes_;
           look_for_doubt(bee, fix, origin);
+          assembly_->reach(fix.position.z);
           if (witness_) witness_->look_at(std::span(&fix.position, 1));
           fixes.push_back({bee, fix, stated});
         });

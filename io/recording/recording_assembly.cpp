@@ -459,6 +459,24 @@ std::optional<Error> RecordingAssembly::doubtful_times() const {
   return error;
 }
 
+// Heights without a unit that are metres of nothing that flies: they may be feet.
+std::optional<Error> RecordingAssembly::doubtful_heights() const {
+  constexpr double kHighest_m = 20'000.0;
+  if (!facts_ || facts_->frame != Frame::kWgs84) return std::nullopt;
+  const auto& units = recording_.units;
+  const bool unsaid = std::any_of(units.begin(), units.end(), [](const UnitTaken& taken) {
+    return taken.of == "heights" && taken.evidence == UnitEvidence::kUsual;
+  });
+  const double highest_m = std::max(highest_m_, tracks_.highest_m());
+  if (!unsaid || !(highest_m > kHighest_m)) return std::nullopt;
+  return Error{
+      ErrorCode::kInvalidArgument,
+      "heights go up to " + number_text(highest_m) +
+          ", but no unit is named: are they metres, or feet? Say it in the header, or with "
+          "--units height=ft or height=m",
+      {facts_source_}};
+}
+
 Result<Recording> RecordingAssembly::finish() {
   settle_heard();
   if (tracks_.empty()) return nothing_left();
@@ -466,6 +484,7 @@ Result<Recording> RecordingAssembly::finish() {
   leave_out_zeros();
   if (tracks_.empty()) return nothing_left();
   if (auto error = settle_times()) return *std::move(error);
+  if (auto error = doubtful_heights()) return *std::move(error);
   if (facts_) {
     recording_.frame = facts_->frame;
     recording_.frame_reason = facts_->frame_reason;

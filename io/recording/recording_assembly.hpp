@@ -16,6 +16,7 @@
 
 #include <beespace/result.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -95,6 +96,8 @@ class RecordingAssembly {
   [[nodiscard]] WallClock common_clock(const WallClock& clock) const;
   // Whether heights as they are stated have several units.
   [[nodiscard]] bool several_height_units() const { return several_height_units_; }
+  // A fix of those that are not kept until the end is so high.
+  void reach(double height_m) { highest_m_ = std::max(highest_m_, height_m); }
   // Of sources that were begun.
   [[nodiscard]] Error conflict_error(const TimeConflict& conflict) const;
   // Says it once, however often it is handed in.
@@ -140,6 +143,7 @@ class RecordingAssembly {
   void settle_heard();
   [[nodiscard]] MissingRecords missing() const;
   [[nodiscard]] std::optional<Error> doubtful_times() const;
+  [[nodiscard]] std::optional<Error> doubtful_heights() const;
   void note_counts();
   [[nodiscard]] Error nothing_left() const;
   std::optional<Error> agree_on_heights(HeightDatum heights);
@@ -171,6 +175,7 @@ class RecordingAssembly {
   std::uint64_t nameless_ = 0;
   std::optional<std::string> axes_name_;
   std::string axes_source_;  // who said so first
+  double highest_m_ = 0.0;
   std::optional<std::string> zone_;
   std::string stated_zone_;
   bool several_height_units_ = false;

@@ -143,6 +143,14 @@ std::vector<Point> TrackGathering::positions() const {
   return points;
 }
 
+double TrackGathering::highest_m() const {
+  double highest_m = 0.0;
+  for (const Bee& bee : bees_) {
+    for (const Fix& fix : bee.recorded.fixes) highest_m = std::max(highest_m, fix.position.z);
+  }
+  return highest_m;
+}
+
 void TrackGathering::settle(const std::function<void(const TimeConflict&)>& conflict) {
   for (Bee& bee : bees_) {
     if (repeat_s_ || !strictly_ascending(bee.recorded.fixes)) settle(bee, conflict);

@@ -62,6 +62,8 @@ class TrackGathering {
   // Where fix `index` comes from, counted bee by bee, and all their positions in that order.
   [[nodiscard]] Origin origin(std::size_t index) const;
   [[nodiscard]] std::vector<Point> positions() const;
+  // 0 where none is higher.
+  [[nodiscard]] double highest_m() const;
 
   // Brings each bee's fixes into the order of time: stable, and of the same fix said twice one is
   // kept. Of two at the same time but at different places the second in the input is left out and

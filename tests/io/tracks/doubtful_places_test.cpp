@@ -124,6 +124,26 @@ TEST(FixQuality, OfReceiversIsLookedAt) {
   EXPECT_TRUE(recording_of(record(columns + "status\na,0,8,47,100,0\n")).missing.none());
 }
 
+TEST(Heights, WithoutAUnitAreAskedAboutWhereNothingFliesSoHigh) {
+  const auto at = [](const std::string& name, const std::string& height) {
+    return "id,time_s,lon,lat," + name + "\na,0,8,47," + height + "\na,1,8,47," + height + "\n";
+  };
+  expect_error(record(at("Altitude", "35000")),
+               {ErrorCode::kInvalidArgument, "bees.csv", "heights go up to 35000, but no unit"});
+  EXPECT_TRUE(recording_of(record(at("Altitude", "20000"))).missing.none());
+  EXPECT_TRUE(recording_of(record(at("Altitude [m]", "35000"))).missing.none());
+  RecordingOptions options;
+  options.units.spoken_of = "--separation enroute";
+  expect_error(record(at("Altitude", "900"), options),
+               {ErrorCode::kInvalidArgument, "bees.csv",
+                "column 5 'Altitude' holds the height, but in which unit? --separation enroute "
+                "speaks of aviation, where it may be ft or m"});
+  EXPECT_TRUE(recording_of(record(at("Altitude [m]", "900"), options)).missing.none());
+  options.units.height = Unit::kFoot;
+  EXPECT_DOUBLE_EQ(
+      recording_of(record(at("Altitude", "1000"), options)).bees[0].fixes[0].position.z, 304.8);
+}
+
 // Two that stand 3 km apart, and are heard in turn.
 std::string in_turn(const std::string& header, const std::string& one, const std::string& other) {
   std::string text = header + ",time_s,lon,lat\n";
