@@ -33,6 +33,7 @@ constexpr Wording kWordings[] = {
     {"--time-zone", "time_zone"},
     {"--scale", "scale"},
     {"--fps", "fps"},
+    {" (--least-likelihood)", ""},
     {"--skip-bad", "skip_bad"},
     {"--columns", "columns"},
     {"--crs", "frame"},

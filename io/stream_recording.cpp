@@ -215,12 +215,17 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
     if (auto status = read_lines(); !status) return status;
     assembly_->tracks().drain(
         [&](std::size_t bee, const Fix& fix, const std::optional<double>& stated, Origin origin) {
+          if (is_nowhere(fix)) {
+            assembly_->leave_out(kZeroPlace, id(bee));
+            return;
+          }
           const bool follows =
               last_ && last_->source == origin.source && last_->line + 1 == origin.line;
           if (!follows) places_.push_back({fixes_, origin});
           last_ = origin;
           ++fixes_;
-          look_for_two(bee, fix, origin);
+          look_for_doubt(bee, fix, origin);
+          assembly_->reach(fix.position.z);
           if (witness_) witness_->look_at(std::span(&fix.position, 1));
           fixes.push_back({bee, fix, stated});
         });
@@ -234,11 +239,26 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
 }
 
 // Of fixes in the order of the input; those that go back in time count for nothing.
-void RecordingStream::look_for_two(std::size_t bee, const Fix& fix, Origin origin) {
-  if (bee >= shared_.size()) shared_.resize(bee + 1);
+void RecordingStream::look_for_doubt(std::size_t bee, const Fix& fix, Origin origin) {
+  if (bee >= shared_.size()) {
+    shared_.resize(bee + 1);
+    jumps_.resize(bee + 1);
+    jumping_.resize(bee + 1);
+  }
+  if (!jumping_[bee] && jumps_[bee].take(fix, nullptr, frame())) {
+    jumping_[bee] = true;
+    assembly_->jump({id(bee), fix.time_s, origin});
+  }
   if (shared_[bee].found()) return;
   shared_[bee].take(fix, frame());
   if (shared_[bee].found()) assembly_->share({id(bee), fix.time_s, origin});
+}
+
+// Judged by what came before.
+bool RecordingStream::is_nowhere(const Fix& fix) {
+  if (frame() != Frame::kWgs84) return false;
+  zeros_.look_at(fix.position);
+  return zeros_.is_none(fix.position);
 }
 
 Origin RecordingStream::origin_of(std::uint64_t fix) const {

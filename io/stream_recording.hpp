@@ -9,10 +9,12 @@
 #include "io/bytes/byte_stream.hpp"
 #include "io/bytes/progress.hpp"
 #include "io/frames/frame_witness.hpp"
+#include "io/recording/jumps.hpp"
 #include "io/recording/recording.hpp"
 #include "io/recording/recording_assembly.hpp"
 #include "io/recording/recording_options.hpp"
 #include "io/recording/shared_id.hpp"
+#include "io/recording/zero_places.hpp"
 #include "io/tracks/track_table.hpp"
 
 #include <beespace/result.hpp>
@@ -71,7 +73,8 @@ class RecordingStream {
   [[nodiscard]] std::string_view pending() const { return pending_->view().substr(at_); }
   [[nodiscard]] std::string_view beginning() const;
   [[nodiscard]] Origin origin_of(std::uint64_t fix) const;
-  void look_for_two(std::size_t bee, const Fix& fix, Origin origin);
+  [[nodiscard]] bool is_nowhere(const Fix& fix);
+  void look_for_doubt(std::size_t bee, const Fix& fix, Origin origin);
 
   std::unique_ptr<RecordingOptions> options_;
   Progress* progress_;  // of bytes of files, packed as they are
@@ -97,6 +100,9 @@ class RecordingStream {
   std::optional<Origin> last_;
   std::optional<FrameWitness> witness_;  // where values may contradict names
   std::vector<SharedId> shared_;         // by bee
+  std::vector<Jumps> jumps_;             // the same
+  std::vector<bool> jumping_;            // whose jumps have been told
+  ZeroPlaces zeros_;
 };
 
 }  // namespace beespace::io

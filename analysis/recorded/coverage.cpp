@@ -154,6 +154,10 @@ std::string missing_text(const io::MissingRecords& missing) {
         io::counted(missing.files, "file or folder beside was", "files or folders beside were") +
         " left out";
   }
+  if (missing.jumping > 0) {
+    text += (text.empty() ? "" : ", ") + io::grouped(missing.jumping) +
+            (missing.jumping == 1 ? " bee jumps" : " bees jump");
+  }
   if (missing.count == 0) return text;
   if (!text.empty()) text += ", ";
   if (missing.nowhere > 0) {

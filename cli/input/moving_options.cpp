@@ -22,6 +22,13 @@ Result<io::TimeZone> read_time_zone(const Typed& typed) {
   });
 }
 
+Result<double> read_likelihood(const Typed& typed) {
+  const auto least = io::parse_number(typed.text);
+  if (least && *least >= 0.0 && *least <= 1.0) return *least;
+  return usage_error(typed.command, "--least-likelihood is a number from 0 to 1, as 0.9; '" +
+                                        typed.text + "' is none");
+}
+
 Result<io::StatedLength> read_pixel(const Typed& typed) {
   const auto stated = io::parse_stated(typed.text, io::Quantity::kLength);
   if (stated && stated->metric > 0.0 && std::isfinite(stated->metric)) return *stated;
@@ -76,6 +83,9 @@ void add_input_options(Command& command, MovingRequest& request) {
                  "By number or name: id=1,time=2,x=3,y=4,z=5,vx=6");
   add_time_unit_option(command, request.load.time_unit);
   add_clock_and_pixel_options(command, request.load);
+  command.option(
+      "--least-likelihood", "N", request.load.least_likelihood, read_likelihood,
+      "Of poses (DeepLabCut, SLEAP): places less likely count\nas unknown (default: 0.6)");
   command.flag("--grounded", request.load.grounded,
                "Count those that stand on the ground as well (shows, aircraft)");
   add_units_options(command, request.load.units, request.load.heights);
@@ -147,6 +157,8 @@ Status settle(MovingRequest& request, const char* command) {
     return settled;
   }
   take_heights_of(request.separation, request.load.heights);
+  request.load.units.spoken_of =
+      spoken_of_aviation(request.separation, request.threshold, request.vertical);
   if (request.threshold) request.threshold_m = request.threshold->metric;
   if (request.vertical) request.vertical_m = request.vertical->metric;
   return std::monostate{};

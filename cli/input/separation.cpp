@@ -57,6 +57,16 @@ Status settle_separation(const char* command, const UsualSeparation* usual,
   return std::monostate{};
 }
 
+std::string spoken_of_aviation(const UsualSeparation* usual,
+                               const std::optional<io::StatedLength>& threshold,
+                               const std::optional<io::StatedLength>& vertical) {
+  if (usual != nullptr) return std::string("--separation ") + usual->name;
+  if (threshold && threshold->unit == io::Unit::kNauticalMile) return "--threshold in NM";
+  const bool feet =
+      vertical && (vertical->unit == io::Unit::kFoot || vertical->unit == io::Unit::kFlightLevel);
+  return feet ? "--vertical in ft" : "";
+}
+
 void take_heights_of(const UsualSeparation* usual, io::HeightSource& heights) {
   if (usual == nullptr || !usual->by_pressure || heights != io::HeightSource::kAuto) return;
   heights = io::HeightSource::kRatherPressure;

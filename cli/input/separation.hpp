@@ -37,6 +37,11 @@ Status settle_separation(const char* command, const UsualSeparation* usual,
                          std::optional<io::StatedLength>& threshold,
                          std::optional<io::StatedLength>& vertical);
 
+// What of these speaks of aviation: "--separation enroute", "--threshold in NM"; or nothing.
+std::string spoken_of_aviation(const UsualSeparation* usual,
+                               const std::optional<io::StatedLength>& threshold,
+                               const std::optional<io::StatedLength>& vertical);
+
 // Heights by pressure, where the input has them, for minima that are of these, unless heights are
 // chosen.
 void take_heights_of(const UsualSeparation* usual, io::HeightSource& heights);

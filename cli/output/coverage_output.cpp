@@ -4,7 +4,22 @@
 #include "cli/console/terminal.hpp"
 #include "io/bytes/number_text.hpp"
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
 namespace beespace::cli {
+namespace {
+
+// The first ids of so many.
+std::string named(const std::vector<std::string>& ids, std::uint64_t count) {
+  std::string text;
+  for (const std::string& id : ids) text += (text.empty() ? "" : ", ") + id;
+  if (count > ids.size()) text += ", ...";
+  return text;
+}
+
+}  // namespace
 
 void append_coverage(std::string& out, const analysis::Coverage& coverage,
                      const io::Recording& recording) {
@@ -61,16 +76,18 @@ void write_coverage(io::JsonWriter& json, const analysis::Coverage& coverage,
 
 void append_missing(std::string& out, const io::MissingRecords& missing) {
   if (missing.shared > 0) {
-    std::string named;
-    for (const std::string& id : missing.shared_ids) named += (named.empty() ? "" : ", ") + id;
-    if (missing.shared > missing.shared_ids.size()) named += ", ...";
-    append_summary_line(out, "two in one", red(printable(named)) + ": at two places in turn");
+    append_summary_line(
+        out, "two in one",
+        red(printable(named(missing.shared_ids, missing.shared))) + ": at two places in turn");
+  }
+  if (missing.jumping > 0) {
+    append_summary_line(out, "jumps",
+                        red(printable(named(missing.jumping_ids, missing.jumping))) +
+                            ": faster than anything that flies, or than it says itself");
   }
   if (missing.files > 0) {
-    std::string named;
-    for (const std::string& name : missing.file_names) named += (named.empty() ? "" : ", ") + name;
-    if (missing.files > missing.file_names.size()) named += ", ...";
-    append_summary_line(out, "not read", red(printable(named)));
+    append_summary_line(out, "not read",
+                        red(printable(named(missing.file_names, missing.files))));
   }
   if (missing.count == 0) return;
   std::string text = red(io::counted(missing.count, "record", "records"));
@@ -82,10 +99,8 @@ void append_missing(std::string& out, const io::MissingRecords& missing) {
   }
   append_summary_line(out, "left out", text + ": place, height or time is missing or bad");
   if (missing.nowhere == 0) return;
-  std::string named;
-  for (const std::string& id : missing.nowhere_ids) named += (named.empty() ? "" : ", ") + id;
-  if (missing.nowhere > missing.nowhere_ids.size()) named += ", ...";
-  append_summary_line(out, "", "known nowhere: " + printable(named));
+  append_summary_line(out, "",
+                      "known nowhere: " + printable(named(missing.nowhere_ids, missing.nowhere)));
 }
 
 void write_missing(io::JsonWriter& json, const io::MissingRecords& missing) {
@@ -94,6 +109,7 @@ void write_missing(io::JsonWriter& json, const io::MissingRecords& missing) {
   json.member("known_nowhere", missing.nowhere_ids);
   json.member("shared_id_count", missing.shared).member("shared_ids", missing.shared_ids);
   json.member("left_out_files", missing.files).member("left_out_file_names", missing.file_names);
+  json.member("jumping_count", missing.jumping).member("jumping_ids", missing.jumping_ids);
 }
 
 }  // namespace beespace::cli

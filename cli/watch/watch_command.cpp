@@ -12,7 +12,9 @@
 #include "cli/watch/watch_tally.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/live/report_lines.hpp"
+#include "io/recording/jumps.hpp"
 #include "io/recording/shared_id.hpp"
+#include "io/recording/zero_places.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -77,6 +79,13 @@ class Watch {
   }
 
  private:
+  // What speaks against a track being that of one bee.
+  struct Doubts {
+    io::SharedId shared = {};
+    io::Jumps jumps = {};
+    bool jumping = false;
+  };
+
   // By a clock that never goes back, when the last line came, or nothing did; 0 where only the
   // clock of the reports counts.
   [[nodiscard]] double wall_s() const { return live_ ? came_s_ : 0.0; }
@@ -199,9 +208,10 @@ class Watch {
       note_placed(at.id);
       const auto bee = feed_ ? feed_->leave(at.id) : std::nullopt;
       if (bee && advice_) advice_->remove(*bee);
-      if (bee && *bee < shared_.size()) shared_[*bee] = {};
+      if (bee && *bee < tracks_.size()) tracks_[*bee] = {};
       return std::monostate{};
     }
+    if (is_nowhere(at)) return std::monostate{};
     if (!feed_) begin(at.frame, at.height_unit);
     const auto metres = in_metres(at.position, at.velocity, at.frame, geometry_,
                                   {at.stated_height, at.height_unit});
@@ -218,7 +228,8 @@ class Watch {
       note_bad(feed_->too_many());
       return std::monostate{};
     }
-    look_for_two(*number, {time_of(at), metres->position});
+    look_for_doubt(*number, {time_of(at), metres->position},
+                   metres->velocity ? &*metres->velocity : nullptr);
     Status taken = feed_->take({*number, time_of(at), metres->position, metres->velocity,
                                 metres->height_m, metres->climb_mps},
                                wall_s());
@@ -256,20 +267,51 @@ class Watch {
     return came_s_ + since_1970_;
   }
 
-  // Two that report in turn under one id: it is not known where either is.
-  void look_for_two(AgentId number, const Fix& fix) {
-    if (number >= shared_.size()) shared_.resize(number + 1);
-    io::SharedId& shared = shared_[number];
-    if (shared.found()) return;
-    shared.take(fix);
-    if (!shared.found()) return;
+  // Zeros that are written where no place is known; whether other places are near them is judged by
+  // the reports before.
+  bool is_nowhere(const io::ReportLine& at) {
+    if (at.frame != io::Frame::kWgs84) return false;
+    zeros_.look_at(at.position);
+    if (!zeros_.is_none(at.position)) return false;
+    note_heard_of(at.id);
+    Error error{ErrorCode::kOutsideDomain,
+                "this report is " + std::string(io::kZeroPlace.which) + " and counts as none",
+                {request_.input == "-" ? "<stdin>" : request_.input}};
+    (lines_.in_frames() ? error.location.record : error.location.line) = line_number();
+    note_bad(error);
+    return true;
+  }
+
+  // Of the report that was read last; of a log, the number of its record.
+  [[nodiscard]] std::uint64_t line_number() const {
+    return lines_.lines() - (lines_.in_frames() ? 1 : 0);
+  }
+  [[nodiscard]] std::string line_text() const {
+    return (lines_.in_frames() ? "record " : "line ") + std::to_string(line_number());
+  }
+
+  // Two that report in turn under one id, and one that is somewhere else too fast: it is not known
+  // where they are.
+  void look_for_doubt(AgentId number, const Fix& fix, const Velocity* velocity) {
+    if (number >= tracks_.size()) tracks_.resize(number + 1);
+    Doubts& doubts = tracks_[number];
+    if (doubts.jumps.take(fix, velocity) && !std::exchange(doubts.jumping, true)) {
+      if (advice_) advice_->note_unplaced(many_unplaced_ = true);
+      if (++left_out_.jumping <= kMostBadLinesSaid && !request_.quiet) {
+        say("beespace: " + printable(feed_->name(number).id) + " jumps in " + line_text() + ", " +
+            io::exact(fix.time_s) +
+            " s, faster than anything that flies, or than it says itself: a place or a time is "
+            "wrong\n");
+      }
+    }
+    if (doubts.shared.found()) return;
+    doubts.shared.take(fix);
+    if (!doubts.shared.found()) return;
     if (advice_) advice_->note_unplaced(many_unplaced_ = true);
     if (++left_out_.shared > kMostBadLinesSaid || request_.quiet) return;
-    const bool frames = lines_.in_frames();
-    const std::uint64_t number_of_line = lines_.lines() - (frames ? 1 : 0);
     say("beespace: " + printable(feed_->name(number).id) + " is at two places in turn, up to " +
-        (frames ? "record " : "line ") + std::to_string(number_of_line) + ", " +
-        io::exact(fix.time_s) + " s, as if two had this id: where they are is not known\n");
+        line_text() + ", " + io::exact(fix.time_s) +
+        " s, as if two had this id: where they are is not known\n");
   }
 
   void note_contrary(const PositionReport& report) {
@@ -383,7 +425,8 @@ class Watch {
                                     std::chrono::steady_clock::now().time_since_epoch())
           .count();
   LeftOutOfWatch left_out_;
-  std::vector<io::SharedId> shared_;             // by number
+  std::vector<Doubts> tracks_;  // by number
+  io::ZeroPlaces zeros_;
   std::set<std::string, std::less<>> unplaced_;  // ids, for advice
   bool many_unplaced_ = false;                   // more than are kept
   std::uint64_t unadvised_looks_ = 0;

@@ -199,6 +199,8 @@ Status settle(const Command& command, Asked& asked) {
     return settled;
   }
   take_heights_of(request.separation, request.lines.heights);
+  request.lines.units.spoken_of =
+      spoken_of_aviation(request.separation, request.threshold, request.vertical);
   if (request.threshold) swarm.threshold_m = request.threshold->metric;
   if (request.vertical) swarm.vertical_m = request.vertical->metric;
   swarm.leave_factor = asked.live.leave_factor;

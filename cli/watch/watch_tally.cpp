@@ -37,6 +37,7 @@ std::vector<std::string> untaken(const analysis::LiveFeed& feed, const LeftOutOf
   add(left_out.lines, "line was left out", "lines were left out");
   add(left_out.nowhere, "bee is known nowhere", "bees are known nowhere");
   add(left_out.shared, "id seems to be of two bees", "ids seem to be of two bees each");
+  add(left_out.jumping, "bee jumps", "bees jump");
   add(feed.counts().late, "report came too late", "reports came too late");
   add(left_out.contrary, "report contradicts another one", "reports contradict others");
   add(feed.clocks().left_out(), "report was left out for its time",

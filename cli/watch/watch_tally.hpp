@@ -19,6 +19,7 @@ struct LeftOutOfWatch {
   std::uint64_t contrary = 0;  // reports of a bee that is elsewhere at that time
   std::uint64_t nowhere = 0;   // bees of which no line says where they are
   std::uint64_t shared = 0;    // ids that two bees seem to share
+  std::uint64_t jumping = 0;   // bees that are somewhere else faster than anything flies
 };
 
 class WatchTally {

@@ -8,6 +8,7 @@
 #include "io/table/fields.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_record.hpp"
+#include "io/tracks/utm_zone.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -154,6 +155,16 @@ class TableLines final : public LineReader {
       left_out_.add(*record_.left_out);
       return std::optional<ReportLine>();
     }
+    if (layout_.zone) {
+      const std::string zone = utm_zone_of(record_.zone);
+      if (!zone_) zone_ = zone;
+      if (*zone_ != zone) {
+        return Error{ErrorCode::kUnknownFrame,
+                     "this easting and northing are of another UTM zone, " + excerpt(record_.zone) +
+                         ", than those before",
+                     {}};
+      }
+    }
     ReportLine report;
     report.id = record_.id;
     report.label = record_.label;
@@ -193,6 +204,7 @@ class TableLines final : public LineReader {
   bool hides_ = false;
   std::optional<TrackRecordReader> reader_;
   TrackRecord record_;
+  std::optional<std::string> zone_;  // of UTM
 };
 
 }  // namespace

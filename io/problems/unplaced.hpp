@@ -15,7 +15,10 @@ inline constexpr LeftOutReason kNeverPlaced = {"of an animal that is known nowhe
 inline constexpr LeftOutReason kUnknownHeight = {
     "without a height", "--columns with x and y, or lon and lat, only takes all as flat"};
 inline constexpr LeftOutReason kOutlier = {"with visible=false (outliers)", {}, true};
-inline constexpr LeftOutReason kNoAnimal = {"of tags that are on no animal", {}, true};
+inline constexpr LeftOutReason kNoFix = {"of receivers that say that they had no fix"};
+inline constexpr LeftOutReason kNoAnimal = {
+    "whose id of an animal is empty (of tags that are on none)",
+    "where a tag was on one, fill it in, or take the tag's with --columns id=..."};
 inline constexpr LeftOutReason kNoTime = {"without the time of the position"};
 inline constexpr LeftOutReason kOnGround = {"of aircraft on the ground",
                                             "--grounded keeps those that tell a height", true};

@@ -57,8 +57,13 @@ struct MissingRecords {
   std::uint64_t files = 0;
   std::vector<std::string> file_names = {};  // of the first kMostNamed of them
 
+  // Ids of bees that jump (see jumps.hpp): of none of these is it known where they are all the
+  // time.
+  std::uint64_t jumping = 0;
+  std::vector<std::string> jumping_ids = {};  // of the first kMostNamed of them
+
   // Whether all that was there is known.
-  [[nodiscard]] bool none() const { return count == 0 && shared == 0 && files == 0; }
+  [[nodiscard]] bool none() const { return count == 0 && shared == 0 && files == 0 && jumping == 0; }
 
   static constexpr std::size_t kMostNamed = 3;
 };

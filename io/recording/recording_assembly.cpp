@@ -4,6 +4,7 @@
 #include "io/problems/skipped_records.hpp"
 #include "io/recording/swapped_degrees.hpp"
 #include "io/recording/time_doubts.hpp"
+#include "io/recording/zero_places.hpp"
 
 #include <algorithm>
 #include <array>
@@ -73,8 +74,9 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
                     std::string("there are ") + (facts.dimensions == 2 ? "no " : "") +
                         "heights here, but " + (facts.dimensions == 2 ? "" : "none ") + "in " +
                         facts_source_ +
-                        "; give heights to all, or leave them out of all with --columns x=...,"
-                        "y=..., or read them apart");
+                        "; give heights to all, or leave them out of all with --columns " +
+                        (facts.frame == Frame::kWgs84 ? "lon=...,lat=..." : "x=...,y=...") +
+                        ", or read them apart");
   }
   if (facts.has_time != facts_->has_time) {
     return disagree(ErrorCode::kMissingColumn,
@@ -140,6 +142,22 @@ std::optional<Error> RecordingAssembly::agree_on_axes(std::string_view name) {
                "this position is in the frame " + excerpt(name) + " of ROS, but others, as in " +
                    axes_source_ + ", are in " + excerpt(*axes_name_) +
                    ": they cannot be compared; bring all into one, as by the transforms of /tf",
+               {}};
+}
+
+std::optional<Error> RecordingAssembly::agree_on_zone(std::string_view stated,
+                                                      std::string_view zone) {
+  if (!zone_) {
+    zone_ = zone;
+    stated_zone_ = stated;
+    note("eastings and northings are of UTM zone " + excerpt(stated) + ", all of them");
+  }
+  if (*zone_ == zone) return std::nullopt;
+  return Error{ErrorCode::kUnknownFrame,
+               "this easting and northing are of UTM zone " + excerpt(stated) +
+                   ", but those before are of " + excerpt(stated_zone_) +
+                   ": they cannot be compared; take longitude and latitude, as with --columns "
+                   "lon=...,lat=..., or bring all into one zone",
                {}};
 }
 
@@ -220,12 +238,40 @@ void RecordingAssembly::share(const SharedTrack& track) {
   MissingRecords& missing = recording_.missing;
   if (++missing.shared > MissingRecords::kMostNamed) return;
   missing.shared_ids.push_back(track.id);
-  const ErrorLocation at = location_of(track.first);
-  note("bee " + excerpt(track.id) + " is at two places in turn, from " + at.source +
-       (at.record ? ", record " + std::to_string(*at.record)
-                  : ", line " + std::to_string(at.line.value_or(0))) +
+  note("bee " + excerpt(track.id) + " is at two places in turn, from " + place_text(track.first) +
        " on, " + number_text(track.time_s) +
        " s, as if two had this id: where they are is not known; give each an id of its own");
+}
+
+void RecordingAssembly::jump(const SharedTrack& track) {
+  MissingRecords& missing = recording_.missing;
+  if (++missing.jumping > MissingRecords::kMostNamed) return;
+  missing.jumping_ids.push_back(track.id);
+  note("bee " + excerpt(track.id) + " jumps to where it is in " + place_text(track.first) + ", " +
+       number_text(track.time_s) +
+       " s, faster than anything that flies, or than it says itself: a place or a time is wrong, "
+       "and where it is is not known; correct such records, or leave them out");
+}
+
+// Where no place is known, zeros may be written.
+void RecordingAssembly::leave_out_zeros() {
+  if (!facts_ || facts_->frame != Frame::kWgs84 || frame_is_settled_) return;
+  ZeroPlaces zeros;
+  for (const Point& at : tracks_.positions()) zeros.look_at(at);
+  tracks_.leave_out([&zeros](const Fix& fix) { return zeros.is_none(fix.position); },
+                    [this](const std::string& id) { leave_out(kZeroPlace, id); });
+}
+
+// Once all is settled.
+void RecordingAssembly::find_doubtful_tracks() {
+  std::unordered_set<std::string> shared;
+  for (const SharedTrack& track : tracks_.shared(facts_->frame)) {
+    share(track);
+    shared.insert(track.id);
+  }
+  for (const SharedTrack& track : tracks_.jumping(facts_->frame)) {
+    if (!shared.contains(track.id)) jump(track);
+  }
 }
 
 // Once all is read.
@@ -274,6 +320,12 @@ ErrorLocation RecordingAssembly::location_of(Origin origin) const {
   return location;
 }
 
+std::string RecordingAssembly::place_text(Origin origin) const {
+  const ErrorLocation at = location_of(origin);
+  return at.source + (at.record ? ", record " + std::to_string(*at.record)
+                                : ", line " + std::to_string(at.line.value_or(0)));
+}
+
 void RecordingAssembly::declare_show(ShowFacts facts) {
   auto& show = recording_.show;
   if (!show) {
@@ -300,10 +352,7 @@ void RecordingAssembly::declare_ground(double height_m) {
 }
 
 Error RecordingAssembly::conflict_error(const TimeConflict& conflict) const {
-  const ErrorLocation at = location_of(conflict.first);
-  const std::string first =
-      at.source + (at.record ? ", record " + std::to_string(*at.record)
-                             : ", line " + std::to_string(at.line.value_or(0)));
+  const std::string first = place_text(conflict.first);
   std::string message = "bee " + excerpt(conflict.id) + " is at another place at the same time";
   if (facts_ && facts_->has_time) {
     message += ", " + number_text(conflict.time_s) + " s, in " + first +
@@ -416,11 +465,32 @@ std::optional<Error> RecordingAssembly::doubtful_times() const {
   return error;
 }
 
+// Heights without a unit that are metres of nothing that flies: they may be feet.
+std::optional<Error> RecordingAssembly::doubtful_heights() const {
+  constexpr double kHighest_m = 20'000.0;
+  if (!facts_ || facts_->frame != Frame::kWgs84) return std::nullopt;
+  const auto& units = recording_.units;
+  const bool unsaid = std::any_of(units.begin(), units.end(), [](const UnitTaken& taken) {
+    return taken.of == "heights" && taken.evidence == UnitEvidence::kUsual;
+  });
+  const double highest_m = std::max(highest_m_, tracks_.highest_m());
+  if (!unsaid || !(highest_m > kHighest_m)) return std::nullopt;
+  return Error{
+      ErrorCode::kInvalidArgument,
+      "heights go up to " + number_text(highest_m) +
+          ", but no unit is named: are they metres, or feet? Say it in the header, or with "
+          "--units height=ft or height=m",
+      {facts_source_}};
+}
+
 Result<Recording> RecordingAssembly::finish() {
   settle_heard();
   if (tracks_.empty()) return nothing_left();
-  if (auto error = settle_times()) return *std::move(error);
   if (auto error = settle_frame()) return *std::move(error);
+  leave_out_zeros();
+  if (tracks_.empty()) return nothing_left();
+  if (auto error = settle_times()) return *std::move(error);
+  if (auto error = doubtful_heights()) return *std::move(error);
   if (facts_) {
     recording_.frame = facts_->frame;
     recording_.frame_reason = facts_->frame_reason;
@@ -432,7 +502,7 @@ Result<Recording> RecordingAssembly::finish() {
     recording_.heights = facts_->heights;
     if (!several_height_units_) recording_.height_unit = facts_->height_unit;
   }
-  for (const SharedTrack& track : tracks_.shared(recording_.frame)) share(track);
+  if (facts_ && !frame_is_settled_) find_doubtful_tracks();
   recording_.missing = missing();
   recording_.bees = tracks_.release();
   if (auto error = doubtful_times()) return *std::move(error);

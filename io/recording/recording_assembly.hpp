@@ -16,6 +16,7 @@
 
 #include <beespace/result.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -86,12 +87,17 @@ class RecordingAssembly {
   // Of ROS: positions are counted in axes of that name, which must be one for all. Errors:
   // kUnknownFrame.
   std::optional<Error> agree_on_axes(std::string_view name);
+  // Of eastings and northings, as the input calls their zone and as all of that zone are called.
+  // Errors: kUnknownFrame.
+  std::optional<Error> agree_on_zone(std::string_view stated, std::string_view zone);
   // What they agree on so far; null where nothing was read.
   [[nodiscard]] const SourceFacts* facts() const { return facts_ ? &*facts_ : nullptr; }
   // The midnight that all inputs without a time zone count from: that of the first of them.
   [[nodiscard]] WallClock common_clock(const WallClock& clock) const;
   // Whether heights as they are stated have several units.
   [[nodiscard]] bool several_height_units() const { return several_height_units_; }
+  // A fix of those that are not kept until the end is so high.
+  void reach(double height_m) { highest_m_ = std::max(highest_m_, height_m); }
   // Of sources that were begun.
   [[nodiscard]] Error conflict_error(const TimeConflict& conflict) const;
   // Says it once, however often it is handed in.
@@ -120,6 +126,8 @@ class RecordingAssembly {
   void heard_of(const LeftOutReason& reason, std::string_view id);
   // Two bees seem to share that id: they are not known.
   void share(const SharedTrack& track);
+  // That bee jumps: where it is is not known all the time.
+  void jump(const SharedTrack& track);
   // How many records without any id came before, over all inputs.
   [[nodiscard]] std::uint64_t nameless() const { return nameless_; }
   void add_nameless(std::uint64_t count) { nameless_ += count; }
@@ -129,11 +137,15 @@ class RecordingAssembly {
 
  private:
   [[nodiscard]] ErrorLocation location_of(Origin origin) const;
+  [[nodiscard]] std::string place_text(Origin origin) const;
   std::optional<Error> settle_times();
   std::optional<Error> settle_frame();
+  void leave_out_zeros();
+  void find_doubtful_tracks();
   void settle_heard();
   [[nodiscard]] MissingRecords missing() const;
   [[nodiscard]] std::optional<Error> doubtful_times() const;
+  [[nodiscard]] std::optional<Error> doubtful_heights() const;
   void note_counts();
   [[nodiscard]] Error nothing_left() const;
   std::optional<Error> agree_on_heights(HeightDatum heights);
@@ -165,6 +177,9 @@ class RecordingAssembly {
   std::uint64_t nameless_ = 0;
   std::optional<std::string> axes_name_;
   std::string axes_source_;  // who said so first
+  double highest_m_ = 0.0;
+  std::optional<std::string> zone_;
+  std::string stated_zone_;
   bool several_height_units_ = false;
 };
 

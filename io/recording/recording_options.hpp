@@ -25,6 +25,9 @@ struct RecordingOptions : ColumnOptions {
   // Of dates and times that name none; and in which people are told what counts from 1970.
   std::optional<TimeZone> time_zone = {};
   std::optional<double> frames_per_second = {};  // of tables that count the pictures of a video
+  // Of tables of poses: places of a smaller likelihood are as if they were not there. DeepLabCut
+  // does not draw what is below 0.6, if it is not told otherwise.
+  double least_likelihood = 0.6;
   // Of shows, keep the time in which a drone stands on the ground; aircraft on the ground, too.
   bool grounded = false;
   Progress* progress = nullptr;  // optional; must outlive the call

@@ -1,6 +1,7 @@
 #include "io/recording/track_gathering.hpp"
 
 #include "io/frames/track_domain.hpp"
+#include "io/recording/jumps.hpp"
 #include "io/recording/shared_id.hpp"
 
 #include <algorithm>
@@ -153,6 +154,14 @@ std::vector<Point> TrackGathering::positions() const {
   return points;
 }
 
+double TrackGathering::highest_m() const {
+  double highest_m = 0.0;
+  for (const Bee& bee : bees_) {
+    for (const Fix& fix : bee.recorded.fixes) highest_m = std::max(highest_m, fix.position.z);
+  }
+  return highest_m;
+}
+
 void TrackGathering::settle(const std::function<void(const TimeConflict&)>& conflict) {
   for (Bee& bee : bees_) {
     if (repeat_s_ || !strictly_ascending(bee.recorded.fixes)) settle(bee, conflict);
@@ -216,6 +225,56 @@ std::vector<SharedTrack> TrackGathering::shared(Frame frame) const {
     }
   }
   return shared;
+}
+
+std::vector<SharedTrack> TrackGathering::jumping(Frame frame) const {
+  std::vector<SharedTrack> jumping;
+  for (const Bee& bee : bees_) {
+    const RecordedBee& recorded = bee.recorded;
+    Jumps jumps;
+    for (std::size_t i = 0; i < recorded.fixes.size(); ++i) {
+      const Velocity* const velocity =
+          recorded.velocities.empty() ? nullptr : &recorded.velocities[i];
+      if (!jumps.take(recorded.fixes[i], velocity, frame)) continue;
+      jumping.push_back({recorded.id, recorded.fixes[i].time_s, bee.origins[i]});
+      break;
+    }
+  }
+  return jumping;
+}
+
+void TrackGathering::leave_out(const std::function<bool(const Fix&)>& is_none,
+                               const std::function<void(const std::string& id)>& told) {
+  const auto empties = [&](Bee& bee) {
+    RecordedBee& recorded = bee.recorded;
+    const auto first = std::find_if(recorded.fixes.begin(), recorded.fixes.end(), is_none);
+    if (first == recorded.fixes.end()) return false;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < recorded.fixes.size(); ++i) {
+      if (is_none(recorded.fixes[i])) {
+        told(recorded.id);
+        continue;
+      }
+      recorded.fixes[kept] = recorded.fixes[i];
+      bee.origins[kept] = bee.origins[i];
+      if (!recorded.velocities.empty()) recorded.velocities[kept] = recorded.velocities[i];
+      if (!recorded.stated_heights.empty()) {
+        recorded.stated_heights[kept] = recorded.stated_heights[i];
+      }
+      ++kept;
+    }
+    recorded.fixes.resize(kept);
+    bee.origins.resize(kept);
+    if (!recorded.velocities.empty()) recorded.velocities.resize(kept);
+    if (!recorded.stated_heights.empty()) recorded.stated_heights.resize(kept);
+    return kept == 0;
+  };
+  if (std::erase_if(bees_, empties) == 0) return;
+  index_.clear();
+  for (std::size_t i = 0; i < bees_.size(); ++i) {
+    if (!bees_[i].recorded.path) index_.emplace(bees_[i].recorded.id, i);
+  }
+  last_ = 0;
 }
 
 std::vector<RecordedBee> TrackGathering::release() {

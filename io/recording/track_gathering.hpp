@@ -34,7 +34,7 @@ struct TimeConflict {
   Origin second;  // behind the first in the input
 };
 
-// An id that two bees seem to share, as the first jump to and fro shows it.
+// An id that two bees seem to share, as the first jump to and fro shows it; or one that jumps.
 struct SharedTrack {
   std::string id;
   double time_s;
@@ -64,6 +64,8 @@ class TrackGathering {
   // Where fix `index` comes from, counted bee by bee, and all their positions in that order.
   [[nodiscard]] Origin origin(std::size_t index) const;
   [[nodiscard]] std::vector<Point> positions() const;
+  // 0 where none is higher.
+  [[nodiscard]] double highest_m() const;
 
   // Brings each bee's fixes into the order of time: stable, and of the same fix said twice one is
   // kept. Of two at the same time but at different places the second in the input is left out and
@@ -90,8 +92,14 @@ class TrackGathering {
   // How many bees got another id since theirs was taken already ("drone", "drone#2").
   [[nodiscard]] std::uint64_t renamed() const { return renamed_; }
 
-  // Once all is settled.
+  // Leaves out all fixes that are at no place, each of which `told` hears of by its bee; of who has
+  // no other fix nothing is left.
+  void leave_out(const std::function<bool(const Fix&)>& is_none,
+                 const std::function<void(const std::string& id)>& told);
+
+  // Once all is settled; of each bee the first jump.
   [[nodiscard]] std::vector<SharedTrack> shared(Frame frame) const;
+  [[nodiscard]] std::vector<SharedTrack> jumping(Frame frame) const;
 
   // In the order in which they came first. Nothing is left here.
   std::vector<RecordedBee> release();

@@ -2,6 +2,7 @@
 
 #include "io/bytes/characters.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/table/column_names.hpp"
 #include "io/table/record_problems.hpp"
 
 #include <algorithm>
@@ -137,6 +138,31 @@ Result<std::size_t> find_column(const ColumnOverride& wanted, const TableLayout&
   return missing_column("there is no column named " + excerpt(text) + "; " + list_columns(table));
 }
 
+// A column whose name says that it holds degrees is not taken for metres, unless --crs says so.
+std::optional<Error> degrees_as_metres(const ColumnSchema& schema, const TableLayout& table,
+                                       const ColumnsByRole& columns) {
+  for (const auto& [axis, degrees] :
+       {std::pair(Role::kX, Role::kLongitude), std::pair(Role::kX, Role::kLatitude),
+        std::pair(Role::kY, Role::kLongitude), std::pair(Role::kY, Role::kLatitude)}) {
+    const auto column = columns[index_of(axis)];
+    if (!column || *column >= table.names.size()) continue;
+    const std::string& name = table.names[*column];
+    const RoleFacts* const facts = schema.find(degrees);
+    if (facts == nullptr || read_column_name(schema, name).role != degrees) continue;
+    const std::vector<std::string> words = split_words(name);
+    if (std::none_of(words.begin(), words.end(), [facts](const std::string& word) {
+          return is_one_of(facts->resembling, word);
+        })) {
+      continue;
+    }
+    return invalid(std::string(schema.name_of(axis)) + " is in metres, but " +
+                   column_text(table, *column) + " is a " +
+                   (degrees == Role::kLongitude ? "longitude" : "latitude") +
+                   "; write lon=...,lat=... for degrees, or say --crs metres if these are lengths");
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<std::vector<ColumnOverride>> read_column_overrides(const ColumnSchema& schema,
@@ -162,6 +188,9 @@ Result<ColumnsByRole> find_overrides(const ColumnSchema& schema, const ColumnOpt
     columns[index_of(wanted.role)] = *column;
   }
   if (auto problem = doubly_used(schema, columns)) return *std::move(problem);
+  if (options.frame == Frame::kAuto) {
+    if (auto problem = degrees_as_metres(schema, table, columns)) return *std::move(problem);
+  }
   return columns;
 }
 

@@ -95,6 +95,12 @@ NamePattern id_word() {
   pattern.words = {
       {Says::kNoun, "id name identifier uuid label hexid", Role::kId, "English"},
       {Says::kNoun, "icao icao24 hex callsign", Role::kId, "aviation"},
+      // Movebank's move and move2, Vectronic, and others who join the words.
+      {Says::kNoun,
+       "animalid individualid tagid ringid collarid deviceid sensorid transmitterid birdid fishid "
+       "trackid trajectoryid particleid objectid agentid beeid",
+       Role::kId, "biology"},
+      {Says::kNoun, "droneid uavid vehicleid robotid sysid systemid", Role::kId, "robotics"},
       {Says::kNoun, "nombre", Role::kId, "Spanish"},
       {Says::kNoun, "nom", Role::kId, "French"},
       {Says::kOther, "frame child_frame", Role::kNone, "robotics"},  // whose axes, or which picture
@@ -110,7 +116,12 @@ NamePattern mover() {
   pattern.words = {
       {Says::kNoun, "bee boid agent object", Role::kId, "English"},
       {Says::kNoun, "drone uav vehicle robot aircraft", Role::kId, "robotics"},
-      {Says::kNoun, "animal individual subject fish bird ant bat insect tag", Role::kId, "biology"},
+      {Says::kNoun,
+       "animal individual subject fish bird ant bat insect mouse rat tag collar ring band "
+       "transmitter",
+       Role::kId, "biology"},
+      {Says::kNoun, "particle trajectory", Role::kId, "particle tracking"},
+      {Says::kNoun, "tier vogel ringnummer sendernummer", Role::kId, "German"},
       {Says::kNoun, "abeja", Role::kId, "Spanish"},
       {Says::kNoun, "biene", Role::kId, "German"},
       {Says::kNoun, "abeille", Role::kId, "French"},

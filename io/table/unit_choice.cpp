@@ -33,17 +33,21 @@ UnitChoice::UnitChoice(const std::vector<std::string>& names, const UnitOverride
 }
 
 Error UnitChoice::unknown(UnitRole role, std::size_t column) const {
-  const std::string name = names_[column];
+  const std::string name = column < names_.size() ? names_[column] : std::string();
   const std::string word(role_name(role));
   const std::string unit(symbol_of(usual(role)));
   const std::string metric(symbol_of(ours(role)));
   return at_column(
       ErrorCode::kInvalidArgument,
-      "column " + std::to_string(column + 1) + " " + excerpt(name) + " holds the " + word +
-          ", but in which unit? The header speaks of aviation (" + aviation_ +
-          "), where it may be " + unit + " or " + metric + "; say it in the header, as in " +
-          excerpt(name + " [" + unit + "]") + " or " + excerpt(name + " [" + metric + "]") +
-          ", or with --units " + word + "=" + unit + " or " + word + "=" + metric +
+      "column " + std::to_string(column + 1) + (name.empty() ? "" : " " + excerpt(name)) +
+          " holds the " + word + ", but in which unit? " +
+          (aviation_.empty() ? overrides_.spoken_of + " speaks of aviation"
+                             : "The header speaks of aviation (" + aviation_ + ")") +
+          ", where it may be " + unit + " or " + metric + "; say it " +
+          (name.empty() ? ""
+                        : "in the header, as in " + excerpt(name + " [" + unit + "]") + " or " +
+                              excerpt(name + " [" + metric + "]") + ", or ") +
+          "with --units " + word + "=" + unit + " or " + word + "=" + metric +
           (role == UnitRole::kPosition ? "" : "; --units aviation says ft, kt and ft/min of all"),
       column);
 }
@@ -86,6 +90,7 @@ Result<UnitTaken> UnitChoice::choose(UnitRole role, const std::string& of, std::
   if (!aviation_.empty() && !name.empty()) {
     return unknown(role, column);
   }
+  if (!overrides_.spoken_of.empty() && role != UnitRole::kPosition) return unknown(role, column);
   if (convention == UnitConvention::kAviation) {
     return at_column(ErrorCode::kInvalidArgument,
                      "--units aviation does not say in which unit x, y and z are; add it, as in "

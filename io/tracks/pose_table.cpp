@@ -2,6 +2,7 @@
 
 #include "io/bytes/characters.hpp"
 #include "io/bytes/number.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/points/record_reading.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/problems/text_check.hpp"
@@ -27,8 +28,6 @@ namespace {
 
 constexpr char kUnit = '\x1F';
 constexpr std::array<std::string_view, 3> kCoords = {"x", "y", "z"};
-// Below that, DeepLabCut does not draw a place, if it is not told otherwise.
-constexpr double kSureLikelihood = 0.6;
 
 // A place of the body of an animal.
 struct BodyPart {
@@ -197,7 +196,8 @@ struct LongTable {
   std::uint64_t unsure = 0;
 };
 
-LongTable long_table(std::string_view text, const PoseLayout& pose, std::size_t dimensions) {
+LongTable long_table(std::string_view text, const PoseLayout& pose, std::size_t dimensions,
+                     double least_likelihood) {
   LongTable out;
   std::vector<std::string_view> fields;
   std::uint64_t lines = 0;
@@ -217,14 +217,15 @@ LongTable long_table(std::string_view text, const PoseLayout& pose, std::size_t 
       out.text.append(fields[pose.frame]) += kUnit;
       const bool named = pose.id || !part.animal.empty();
       if (named) out.text.append(pose.id ? fields[*pose.id] : part.animal) += kUnit;
-      for (std::size_t axis = 0; axis < dimensions; ++axis) {
-        out.text.append(fields[*part.axes[axis]]) += kUnit;
-      }
-      out.text.back() = '\n';
       double likelihood = 1.0;
       const bool told = part.likelihood &&
                         parse_number(fields[*part.likelihood], likelihood) == NumberKind::kNumber;
-      if (told && likelihood < kSureLikelihood) ++out.unsure;
+      const bool unsure = told && likelihood < least_likelihood;
+      if (unsure) ++out.unsure;
+      for (std::size_t axis = 0; axis < dimensions; ++axis) {
+        out.text.append(unsure ? std::string_view() : fields[*part.axes[axis]]) += kUnit;
+      }
+      out.text.back() = '\n';
     }
   }
   return out;
@@ -249,8 +250,8 @@ void say_choice(const PoseLayout& pose, const std::string& part, std::uint64_t u
                 " writes them: each animal is where its " + excerpt(part) + " is");
   if (unsure == 0) return;
   assembly.note(std::to_string(unsure) + (unsure == 1 ? " place has" : " places have") +
-                " a likelihood below 0.6 and " + (unsure == 1 ? "is" : "are") +
-                " taken all the same; empty those of which you are not sure");
+                " a likelihood below " + exact(assembly.options().least_likelihood) + " and " +
+                (unsure == 1 ? "is" : "are") + " as if not there (--least-likelihood)");
 }
 
 // Animals that have no such place are known nowhere; "single" has the places of none, as corners of
@@ -283,7 +284,7 @@ std::optional<Error> read_pose_table(std::string_view text, const std::string& s
   const bool high = std::all_of(pose->parts.begin(), pose->parts.end(),
                                 [](const BodyPart& of) { return of.axes[2].has_value(); });
   const std::size_t dimensions = high ? 3 : 2;
-  const LongTable records = long_table(text, *pose, dimensions);
+  const LongTable records = long_table(text, *pose, dimensions, options.least_likelihood);
   if (records.text.empty()) {
     return Error{ErrorCode::kNoPoints, "there are rows that name columns and none after them", {}};
   }

@@ -17,8 +17,10 @@ void settle_animals(const Header& header, TrackLayout& layout) {
   layout.ids_may_be_empty = true;
   layout.infinite_is_unknown = source->infinite_is_unknown;
   for (std::size_t i = 0; i < header.size(); ++i) {
-    if (split_words(header.table().names[i]) == std::vector<std::string>{"visible"}) {
-      layout.visible = i;
+    const auto words = split_words(header.table().names[i]);
+    if (words == std::vector<std::string>{"visible"}) layout.visible = i;
+    if (layout.infinite_is_unknown && words == std::vector<std::string>{"missing"}) {
+      layout.not_seen = i;
     }
   }
 }

@@ -20,6 +20,8 @@
 #include "io/tracks/track_sets.hpp"
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
+#include "io/tracks/unclear_id.hpp"
+#include "io/tracks/utm_zone.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -313,6 +315,9 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   if (layout.other_height) fill(*layout.other_height, TrackSlot::kOtherHeight);
   if (layout.on_ground) fill(*layout.on_ground, TrackSlot::kOnGround);
   if (layout.axes_name) fill(*layout.axes_name, TrackSlot::kAxesName);
+  if (layout.quality) fill(layout.quality->column, TrackSlot::kQuality);
+  if (layout.not_seen) fill(*layout.not_seen, TrackSlot::kNotSeen);
+  if (layout.zone) fill(*layout.zone, TrackSlot::kZone);
   if (layout.no_height_yet) fill(*layout.no_height_yet, TrackSlot::kLateHeight);
   for (std::size_t i = 0; layout.velocity && i < layout.velocity->dimensions; ++i) {
     fill(layout.velocity->columns[i], TrackSlot::kVelocity + i);
@@ -380,6 +385,15 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   settle_aircraft(header, options, layout);
   settle_animals(header, layout);
   settle_sets(header, layout);
+  layout.quality = find_fix_quality(layout.table);
+  if (layout.quality) {
+    layout.notes.push_back("whether there was a fix is read from " +
+                           column_text(layout.table, layout.quality->column));
+  }
+  if (layout.frame != Frame::kWgs84) layout.zone = find_utm_zone(layout.table);
+  if (!said) {
+    if (auto problem = unclear_id(text, header, layout)) return *std::move(problem);
+  }
   layout.show = layout.time && layout.frame != Frame::kWgs84 && names_colours(layout.table);
   if (layout.time) {
     layout.notes.push_back(

@@ -7,6 +7,7 @@
 #include "io/recording/recording_options.hpp"
 #include "io/recording/wall_clock.hpp"
 #include "io/table/table_layout.hpp"
+#include "io/tracks/fix_quality.hpp"
 #include "io/units/time_zone.hpp"
 #include "io/units/unit_taken.hpp"
 
@@ -90,6 +91,9 @@ struct TrackLayout {
   std::optional<std::size_t> label = {};          // what each is called beside its id: the flight
   std::optional<std::size_t> on_ground = {};      // of those that are left out
   std::optional<std::size_t> axes_name = {};      // of ROS: what x, y, z are counted in ("map")
+  std::optional<FixQuality> quality = {};         // whether there was a fix
+  std::optional<std::size_t> not_seen = {};       // of TRex: "missing"
+  std::optional<std::size_t> zone = {};           // of UTM, in which x and y are counted
   std::vector<std::size_t> sets = {};             // within which ids are unique: studies, days
   std::optional<std::size_t> no_height_yet = {};  // of heights that the beginning has none of
   std::vector<UnitTaken> units = {};              // of positions and velocities
@@ -115,7 +119,10 @@ struct TrackSlot {
   static constexpr std::size_t kAxesName = 13;
   static constexpr std::size_t kLateHeight = 14;
   static constexpr std::size_t kOtherHeight = 15;
-  static constexpr std::size_t kSets = 16;  // as many as kMostSets
+  static constexpr std::size_t kZone = 16;
+  static constexpr std::size_t kQuality = 17;
+  static constexpr std::size_t kNotSeen = 18;
+  static constexpr std::size_t kSets = 19;  // as many as kMostSets
   static constexpr std::size_t kMostSets = 6;
   static constexpr std::size_t kNothing =
       kSets + kMostSets;  // where columns go that are not asked for

@@ -126,6 +126,10 @@ void TrackRecordReader::read_sets(TrackRecord& record) {
 // Of what aircraft say of themselves: what is not known is no mistake.
 const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
   if (layout_.visible && says_no(fields_[TrackSlot::kVisible].text)) return &kOutlier;
+  if (layout_.quality && says_no_fix(*layout_.quality, fields_[TrackSlot::kQuality].text)) {
+    return &kNoFix;
+  }
+  if (layout_.not_seen && says_yes(fields_[TrackSlot::kNotSeen].text)) return &kUnknownPlace;
   if (!layout_.of_aircraft && !layout_.places_may_be_unknown) return nullptr;
   const auto unknown = [this](std::size_t slot) {
     const std::string_view text = without_padding(fields_[slot].text);
@@ -340,6 +344,7 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   if (auto problem = read_id(record)) return problem;
   if (record.left_out != nullptr) return std::nullopt;
   read_label(record);
+  if (layout_.zone) record.zone = without_padding(fields_[TrackSlot::kZone].text);
   if (layout_.axes_name) record.axes_name = without_padding(fields_[TrackSlot::kAxesName].text);
   record.left_out = reason_to_leave_out();
   record.flies_on_ground = record.left_out == nullptr && layout_.on_ground &&

@@ -31,6 +31,7 @@ struct TrackRecord {
   Velocity velocity = {};           // not-a-number where it is unknown
   std::string_view set = {};        // study, trial: within which the id is unique; as the line
   std::string_view axes_name = {};  // of ROS: what the position is counted in; as long as the line
+  std::string_view zone = {};       // of UTM; as long as the line
   std::string_view late_height = {};  // where there were none before (TrackLayout::no_height_yet)
 };
 

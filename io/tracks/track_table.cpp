@@ -6,6 +6,7 @@
 #include "io/table/record_walk.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_record.hpp"
+#include "io/tracks/utm_zone.hpp"
 
 #include <algorithm>
 #include <string>
@@ -136,7 +137,8 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     if (record.left_out != nullptr) {
       assembly.leave_out(*record.left_out, record.id);
       // Who is nowhere else is known nowhere.
-      const bool no_place = record.left_out == &kUnknownPlace || record.left_out == &kOutlier;
+      const bool no_place = record.left_out == &kUnknownPlace || record.left_out == &kOutlier ||
+                            record.left_out == &kNoFix;
       if (no_place) assembly.heard_of(kNeverPlaced, record.id);
       continue;
     }
@@ -148,6 +150,12 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     }
     if (layout.axes_name) {
       if (auto error = assembly.agree_on_axes(record.axes_name)) {
+        place(*error, line, rows_before + walk.row(), place_of, layout);
+        return error;
+      }
+    }
+    if (layout.zone) {
+      if (auto error = assembly.agree_on_zone(record.zone, utm_zone_of(record.zone))) {
         place(*error, line, rows_before + walk.row(), place_of, layout);
         return error;
       }

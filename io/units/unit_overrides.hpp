@@ -7,6 +7,7 @@
 #include <beespace/result.hpp>
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace beespace::io {
@@ -38,6 +39,9 @@ struct UnitOverrides {
   Unit speed = Unit::kUnstated;
   Unit climb = Unit::kUnstated;
   UnitConvention convention = UnitConvention::kNone;
+  // What else of the question speaks of aviation, as "--separation enroute": then a unit that is
+  // not said is asked for.
+  std::string spoken_of = {};
 
   // Whether a unit is said by role.
   [[nodiscard]] bool any() const;

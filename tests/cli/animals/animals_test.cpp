@@ -37,13 +37,15 @@ TEST(Animals, MovebankIsReadAsItComes) {
   const Finished finished = run({"replay", table("movebank.csv"), "--threshold", "100", "--csv"});
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   expect_closest(finished, "Anna", "Bert", 1441869883.778540, 54.132138);
-  expect_parts(finished.err, {"are of UTC: the header is that of Movebank", "bees       2\n",
-                              "above the WGS84 ellipsoid", "heights in m",
-                              "1 record with visible=false (outliers) is left out",
-                              "1 record without a place (empty, NA or NaN) is left out",
-                              "1 record of tags that are on no animal is left out",
-                              "from       2015-09-10T07:00:00.000Z to 2015-09-10T07:55:00.000Z",
-                              "at 2015-09-10T07:24:43.779Z"});
+  expect_parts(
+      finished.err,
+      {"are of UTC: the header is that of Movebank", "bees       2\n", "above the WGS84 ellipsoid",
+       "heights in m", "1 record with visible=false (outliers) is left out",
+       "1 record without a place (empty, NA or NaN) is left out",
+       "1 record whose id of an animal is empty (of tags that are on none) is left",
+       "1 record of unknown bees",
+       "from       2015-09-10T07:00:00.000Z to 2015-09-10T07:55:00.000Z",
+       "at 2015-09-10T07:24:43.779Z"});
 }
 
 // Of one name in two studies, and a metre apart: two animals.

@@ -42,12 +42,17 @@ TEST(PoseTable, OneOfSeveralPlacesOfTheBodyIsAskedFor) {
 TEST(PoseTable, OfOneAnimalTheFileIsTheName) {
   const Recording recording = recording_of(record(kMouse, of_video("x=snout.x,y=snout.y")));
   ASSERT_EQ(ids_of(recording), Ids{"bees"});
-  EXPECT_EQ(times_of(recording.bees[0]), (std::vector<double>{0.0, 0.5}));
-  EXPECT_EQ(recording.bees[0].fixes[1].position, (Point{0.011, 0.020, 0.0}));
+  EXPECT_EQ(times_of(recording.bees[0]), std::vector<double>{0.0});
   EXPECT_TRUE(recording.flat);
   EXPECT_TRUE(
       has_note(recording, "as DeepLabCut writes them: each animal is where its 'snout' is"));
-  EXPECT_TRUE(has_note(recording, "1 place has a likelihood below 0.6 and is taken all the same"));
+  EXPECT_TRUE(has_note(recording, "1 place has a likelihood below 0.6 and is as if not there"));
+  RecordingOptions unsure = of_video("x=snout.x,y=snout.y");
+  unsure.least_likelihood = 0.0;
+  const Recording all = recording_of(record(kMouse, unsure));
+  EXPECT_EQ(times_of(all.bees[0]), (std::vector<double>{0.0, 0.5}));
+  EXPECT_EQ(all.bees[0].fixes[1].position, (Point{0.011, 0.020, 0.0}));
+  EXPECT_FALSE(has_note(all, "likelihood"));
   const Recording tail = recording_of(record(kMouse, of_video("x=tailbase.x,y=tailbase.y")));
   EXPECT_EQ(tail.bees[0].fixes[1].position, (Point{0.030, 0.040, 0.0}));
   EXPECT_FALSE(has_note(tail, "likelihood"));
@@ -97,8 +102,9 @@ TEST(PoseTable, TracksOfSleapAreAnimals) {
       "track,frame_idx,instance.score,thorax.x,thorax.y,thorax.score\n"
       "track_0,0,0.9,1,2,0.9\ntrack_1,0,0.9,3,4,0.2\ntrack_0,2,0.9,1.5,2,0.9\n";
   const Recording recording = recording_of(record(table, of_video()));
-  ASSERT_EQ(ids_of(recording), (Ids{"track_0", "track_1"}));
+  ASSERT_EQ(ids_of(recording), Ids{"track_0"});
   EXPECT_EQ(times_of(recording.bees[0]), (std::vector<double>{0.0, 1.0}));
+  EXPECT_EQ(recording.missing.nowhere_ids, Ids{"track_1"});
   EXPECT_TRUE(has_note(recording, "as SLEAP writes them: each animal is where its 'thorax' is"));
   EXPECT_TRUE(has_note(recording, "1 place has a likelihood below 0.6"));
   // Whose it is, is not known.

@@ -1,0 +1,34 @@
+// Whether a bee jumps: whether it is farther from one fix to the next than anything flies, so that
+// one of the two places is wrong, or its time is.
+//
+// Nothing that flies below space is faster than kMostSpeed_mps. Who tells a speed flies at
+// kTimesOwnSpeed times that, and kBesideOwnSpeed_mps, at most. Times may be rounded, or be those of
+// arrival, by kTimesDiffer_s.
+#pragma once
+
+#include "io/frames/coordinate_frame.hpp"
+
+#include <beespace/mover.hpp>
+#include <beespace/track.hpp>
+
+#include <optional>
+
+namespace beespace::io {
+
+class Jumps {
+ public:
+  static constexpr double kMostSpeed_mps = 1'500.0;
+  static constexpr double kTimesOwnSpeed = 10.0;
+  static constexpr double kBesideOwnSpeed_mps = 100.0;
+  static constexpr double kTimesDiffer_s = 0.5;
+
+  // Fixes in the order of time, each with a velocity or none, which may have not-a-numbers; whether
+  // the bee jumps to this one. One that goes back in time is the first of those to come.
+  bool take(const Fix& fix, const Velocity* velocity, Frame frame = Frame::kMetres);
+
+ private:
+  std::optional<Fix> last_ = {};
+  std::optional<double> own_mps_ = {};  // of the last one, where it tells that it moves
+};
+
+}  // namespace beespace::io

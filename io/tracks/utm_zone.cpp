@@ -1,0 +1,48 @@
+#include "io/tracks/utm_zone.hpp"
+
+#include "io/bytes/characters.hpp"
+#include "io/table/column_names.hpp"
+
+#include <algorithm>
+
+namespace beespace::io {
+namespace {
+
+bool has(const std::vector<std::string>& words, std::string_view any_of) {
+  return std::any_of(words.begin(), words.end(),
+                     [any_of](const std::string& word) { return is_one_of(any_of, word); });
+}
+
+}  // namespace
+
+std::optional<std::size_t> find_utm_zone(const TableLayout& table) {
+  const std::size_t x = table.choice.axes[0];
+  if (x >= table.names.size()) return std::nullopt;
+  const bool easting = has(split_words(table.names[x]), "easting east utm e rechtswert");
+  for (std::size_t i = 0; i < table.names.size(); ++i) {
+    const auto words = split_words(table.names[i]);
+    const bool zone = has(words, "zone utmzone");
+    if (zone && (words.size() == 1 ? easting || words[0] == "utmzone" : has(words, "utm grid"))) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string utm_zone_of(std::string_view text) {
+  std::string zone;
+  for (const char c : lower_case(text)) {
+    if (c != ' ' && (c != '0' || !zone.empty())) zone += c;
+  }
+  if (zone.empty()) return zone;
+  const std::string hemisphere =
+      zone.substr(std::min(zone.find_first_not_of("0123456789"), zone.size()));
+  const std::string number = zone.substr(0, zone.size() - hemisphere.size());
+  // Bands of latitude: C to M south, N to X north of the equator, of which S reads as "south", too.
+  if (hemisphere.size() != 1 || hemisphere == "s") return zone;
+  const char band = hemisphere.front();
+  if (band >= 'n' && band <= 'x') return number + "n";
+  return band >= 'c' && band <= 'm' ? number + "south" : zone;
+}
+
+}  // namespace beespace::io

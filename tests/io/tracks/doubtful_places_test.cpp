@@ -1,0 +1,219 @@
+// Places that are none, and places where nothing can be so fast.
+#include "io/recording/jumps.hpp"
+#include "io/stream_recording.hpp"
+#include "tests/io/tracks/recording_loading.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace beespace::io {
+namespace {
+
+const std::string kDegrees = "id,time_s,lon,lat,height_m\n";
+
+// A bee that moves 1 m a second or so, and one that is elsewhere at 3 s.
+std::string with_place(const std::string& at_3_s) {
+  std::string text = kDegrees;
+  for (int t = 0; t < 8; ++t) {
+    text += "a," + std::to_string(t) + ",8.5000" + std::to_string(t) + ",47,100\n";
+    text += "b," + std::to_string(t) + "," + (t == 3 ? at_3_s : "8.6,47,100") + "\n";
+  }
+  return text;
+}
+
+Recording streamed(const std::string& text) {
+  const TemporaryFolder folder;
+  auto stream = RecordingStream::open({folder.write("bees.csv", text)}, {}, 64);
+  EXPECT_TRUE(stream.has_value());
+  std::vector<StreamedFix> fixes;
+  do {
+    EXPECT_TRUE(stream->next(fixes));
+    for (const StreamedFix& fix : fixes) EXPECT_NE(fix.fix.position.y, 0.0);
+  } while (!fixes.empty());
+  return recording_of(stream->finish(0));
+}
+
+TEST(ZeroPlaces, AreLeftOutAndCounted) {
+  for (const char* const zero : {"0,0,0", "0.0,-0.0,100", "-180,-90,0"}) {
+    const auto read = recording_of(record(with_place(zero)));
+    EXPECT_EQ(read.missing.count, 1u) << zero;
+    EXPECT_EQ(read.missing.jumping, 0u) << zero;
+    EXPECT_EQ(times_of(read.bees[1]), (std::vector<double>{0, 1, 2, 4, 5, 6, 7})) << zero;
+    EXPECT_TRUE(has_note(read, "1 record at longitude 0 and latitude 0 exactly")) << zero;
+    EXPECT_EQ(streamed(with_place(zero)).missing.count, 1u) << zero;
+  }
+}
+
+TEST(ZeroPlaces, AreKeptWhereOthersAreNear) {
+  const auto read = recording_of(
+      record(kDegrees + "a,0,0,0,100\na,1,0.00001,0,100\nb,0,0.5,-0.5,100\nb,1,0,0,100\n"));
+  EXPECT_TRUE(read.missing.none());
+  EXPECT_EQ(read.bees[0].fixes.size() + read.bees[1].fixes.size(), 4u);
+}
+
+TEST(ZeroPlaces, ABeeThatIsNowhereElseIsKnownNowhere) {
+  const auto read = recording_of(record(with_place("8.6,47,1") + "c,0,0,0,0\nc,1,0,0,0\n"));
+  EXPECT_EQ(ids_of(read), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(read.missing.nowhere_ids, std::vector<std::string>{"c"});
+  const auto none = record(kDegrees + "c,0,0,0,0\nc,1,0,0,0\n");
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().code, ErrorCode::kNoPoints);
+}
+
+TEST(ZeroPlaces, OfMetresIsAPlace) {
+  EXPECT_TRUE(recording_of(record("id,time_s,x_m,y_m\na,0,0,0\nb,0,5,5\n")).missing.none());
+}
+
+TEST(JumpsOfTracks, AreSaidAndNotKnown) {
+  const auto read = recording_of(record(with_place("8.9,47,100")));
+  EXPECT_EQ(read.missing.jumping_ids, std::vector<std::string>{"b"});
+  EXPECT_FALSE(read.missing.none());
+  EXPECT_TRUE(has_note(read, "bee 'b' jumps to where it is in bees.csv, line 9, 3 s"));
+  EXPECT_EQ(streamed(with_place("8.9,47,100")).missing.jumping, 1u);
+  // 750 m in a second is possible.
+  EXPECT_TRUE(recording_of(record(with_place("8.61,47,100"))).missing.none());
+}
+
+TEST(JumpsOfTracks, BeginAtTheGreatestSpeed) {
+  const double most_m = Jumps::kMostSpeed_mps * (1.0 + Jumps::kTimesDiffer_s);
+  const auto jumps = [](double by_m, const Velocity* velocity) {
+    Jumps track;
+    EXPECT_FALSE(track.take({0.0, {0, 0, 0}}, velocity));
+    return track.take({1.0, {by_m, 0, 0}}, velocity);
+  };
+  EXPECT_FALSE(jumps(most_m, nullptr));
+  EXPECT_TRUE(jumps(std::nextafter(most_m, 1e9), nullptr));
+  // Who says that it does 4 m/s does not do 140 m/s.
+  const Velocity slow = {0, 4, std::nan("")};
+  EXPECT_FALSE(jumps(140.0 * 1.5, &slow));
+  EXPECT_TRUE(jumps(140.1 * 1.5, &slow));
+  const Velocity none = {0, 0, 0};
+  EXPECT_FALSE(jumps(most_m, &none));
+}
+
+TEST(JumpsOfTracks, SatellitesDoNot) {
+  Jumps track;
+  EXPECT_FALSE(track.take({0.0, {7'000'000, 0, 0}}, nullptr));
+  EXPECT_FALSE(track.take({10.0, {7'000'000, 75'000, 0}}, nullptr));
+  EXPECT_TRUE(track.take({20.0, {0, 0, 0}}, nullptr));
+}
+
+void expect_one_left_out(const std::string& header, const std::string& good,
+                         const std::string& bad) {
+  std::string text = header + "\n";
+  for (int t = 0; t < 5; ++t) {
+    text += "a," + std::to_string(t) + ",8.5,47,100," + (t == 2 ? bad : good) + "\n";
+  }
+  const auto read = recording_of(record(text));
+  EXPECT_EQ(times_of(read.bees[0]), (std::vector<double>{0, 1, 3, 4})) << header << " " << bad;
+  EXPECT_EQ(read.missing.count, 1u) << header << " " << bad;
+  EXPECT_TRUE(has_note(read, "1 record of receivers that say that they had no fix")) << header;
+}
+
+TEST(FixQuality, OfReceiversIsLookedAt) {
+  const std::string columns = "id,time_s,lon,lat,height_m,";
+  expect_one_left_out(columns + "status.status", "0", "-1");
+  expect_one_left_out(columns + "field.status.status", "2", "-1");
+  expect_one_left_out(columns + "Status,NSats,HDop", "3,9,1.2", "1,9,99");
+  expect_one_left_out(columns + "fix_type", "3", "0");
+  expect_one_left_out(columns + "GPS_RAW_INT.fix_type", "2", "1");
+  expect_one_left_out(columns + "gps:fix-type", "3D", "no fix");
+  expect_one_left_out(columns + "fix", "1", "0");
+  // Any other status says something else.
+  EXPECT_TRUE(recording_of(record(columns + "status\na,0,8,47,100,0\n")).missing.none());
+}
+
+TEST(Heights, WithoutAUnitAreAskedAboutWhereNothingFliesSoHigh) {
+  const auto at = [](const std::string& name, const std::string& height) {
+    return "id,time_s,lon,lat," + name + "\na,0,8,47," + height + "\na,1,8,47," + height + "\n";
+  };
+  expect_error(record(at("Altitude", "35000")),
+               {ErrorCode::kInvalidArgument, "bees.csv", "heights go up to 35000, but no unit"});
+  EXPECT_TRUE(recording_of(record(at("Altitude", "20000"))).missing.none());
+  EXPECT_TRUE(recording_of(record(at("Altitude [m]", "35000"))).missing.none());
+  RecordingOptions options;
+  options.units.spoken_of = "--separation enroute";
+  expect_error(record(at("Altitude", "900"), options),
+               {ErrorCode::kInvalidArgument, "bees.csv",
+                "column 5 'Altitude' holds the height, but in which unit? --separation enroute "
+                "speaks of aviation, where it may be ft or m"});
+  EXPECT_TRUE(recording_of(record(at("Altitude [m]", "900"), options)).missing.none());
+  options.units.height = Unit::kFoot;
+  EXPECT_DOUBLE_EQ(
+      recording_of(record(at("Altitude", "1000"), options)).bees[0].fixes[0].position.z, 304.8);
+}
+
+// Two that stand 3 km apart, and are heard in turn.
+std::string in_turn(const std::string& header, const std::string& one, const std::string& other) {
+  std::string text = header + ",time_s,lon,lat\n";
+  for (int t = 0; t < 20; ++t) {
+    text += (t % 2 == 0 ? one : other) + "," + std::to_string(600 * t) +
+            (t % 2 == 0 ? ",8.5,47.000" : ",8.54,47.000") + std::to_string(t) + "\n";
+  }
+  return text;
+}
+
+TEST(Columns, AnIdThatIsNotUnderstoodIsAskedFor) {
+  for (const char* const header : {"Wirt", "Sender", "track"}) {
+    expect_error(
+        record(in_turn(header, "Anna", "Clara")),
+        {ErrorCode::kMissingColumn, "bees.csv",
+         "but column 1 '" + std::string(header) +
+             "' ('Anna', 'Clara') may: taken for one "
+             "bee, the records go to and fro between its values; say --columns id=1, or, if "
+             "all are of one bee, --columns time=2,lon=3,lat=4"});
+  }
+  expect_error(record(in_turn("Nr", "1", "2")), {ErrorCode::kMissingColumn, "bees.csv", "id=1"});
+  RecordingOptions options;
+  options.columns = "id=1";
+  EXPECT_EQ(recording_of(record(in_turn("Wirt", "Anna", "Clara"), options)).bees.size(), 2u);
+  options.columns = "time=2,lon=3,lat=4";
+  EXPECT_EQ(recording_of(record(in_turn("Wirt", "Anna", "Clara"), options)).bees.size(), 1u);
+}
+
+TEST(Columns, WhatABeeDoesIsNoId) {
+  std::string text = "behaviour,time_s,lon,lat\n";
+  for (int t = 0; t < 40; ++t) {
+    text += std::string(t / 2 % 2 == 0 ? "flies" : "walks") + "," + std::to_string(t) +
+            ",8.5,47.00" + std::to_string(10 + t) + "\n";
+  }
+  EXPECT_EQ(ids_of(recording_of(record(text))), std::vector<std::string>{"bees"});
+}
+
+TEST(Columns, WordsOfManyForIds) {
+  for (const char* const name :
+       {"AnimalID", "TagID", "DeviceID", "TrackID", "trackId", "CollarID", "collar", "particle",
+        "ring", "band", "mouse", "sysid", "trajectory", "Tier"}) {
+    EXPECT_EQ(recording_of(record(in_turn(name, "1", "2"))).bees.size(), 2u) << name;
+  }
+}
+
+TEST(Columns, DegreesAreNotTakenForMetres) {
+  const std::string table = "id,time_s,location-long,location-lat\na,0,8.5,47\nb,0,8.6,47\n";
+  expect_error(record(table, columns_are("x=location-long,y=location-lat")),
+               {ErrorCode::kInvalidArgument, "bees.csv",
+                "x is in metres, but column 3 'location-long' is a longitude; write lon=...,lat="});
+  EXPECT_EQ(recording_of(record(table, columns_are("lon=3,lat=4"))).frame, Frame::kWgs84);
+  RecordingOptions lengths = columns_are("x=3,y=4");
+  lengths.frame = Frame::kMetres;
+  EXPECT_EQ(recording_of(record(table, lengths)).frame, Frame::kMetres);
+}
+
+TEST(Columns, ARecordWithoutAnAnimalIsMissing) {
+  const auto read =
+      recording_of(record("timestamp,location-long,location-lat,individual-local-identifier\n"
+                          "2024-05-01 10:00:00.000,8.9,47,A\n2024-05-01 10:00:00.000,8.8,47,\n"));
+  EXPECT_EQ(read.missing.without_id, 1u);
+  EXPECT_FALSE(read.missing.none());
+}
+
+TEST(FixQuality, WhoIsMissingInAPictureOfTRexIsKnownNowhereThen) {
+  const auto read = recording_of(
+      record("frame,missing,time,X (cm),Y (cm)\n0,0,0,1,1\n1,1,0.1,9,9\n2,0,0.2,1,1\n"));
+  EXPECT_EQ(times_of(read.bees[0]), (std::vector<double>{0, 0.2}));
+  EXPECT_TRUE(has_note(read, "1 record without a place"));
+}
+
+}  // namespace
+}  // namespace beespace::io

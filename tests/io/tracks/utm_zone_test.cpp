@@ -1,0 +1,51 @@
+#include "io/tracks/utm_zone.hpp"
+
+#include "tests/io/tracks/recording_loading.hpp"
+
+#include <string>
+
+namespace beespace::io {
+namespace {
+
+const std::string kHeader = "id,time_s,utm-easting,utm-northing,utm-zone\n";
+
+TEST(UtmZone, OneIsSaid) {
+  const auto read =
+      recording_of(record(kHeader + "a,0,724835,5292872,32N\nb,0,724836,5292872,32T\n"));
+  EXPECT_TRUE(has_note(read, "eastings and northings are of UTM zone '32N', all of them"));
+  EXPECT_EQ(read.bees.size(), 2u);
+}
+
+TEST(UtmZone, SeveralAreRefused) {
+  for (const char* const header :
+       {"id,time_s,utm-easting,utm-northing,utm-zone\n", "id,time_s,easting,northing,zone\n"}) {
+    expect_error(
+        record(std::string(header) + "a,0,724835,5292872,32N\nb,0,275164,5292872,33N\n"),
+        {ErrorCode::kUnknownFrame, "bees.csv:3",
+         "this easting and northing are of UTM zone '33N', but those before are of '32N'"});
+  }
+  expect_error(record(kHeader + "a,0,724835,5292872,32N\nb,0,275164,5292872,\n"),
+               {ErrorCode::kUnknownFrame, "bees.csv:3", "of UTM zone ''"});
+}
+
+TEST(UtmZone, OfOtherCoordinatesSaysNothing) {
+  EXPECT_TRUE(
+      recording_of(record("id,time_s,x_m,y_m,zone\na,0,1,1,A\nb,0,2,2,B\n")).missing.none());
+  const auto degrees =
+      recording_of(record("id,time_s,lon,lat,utm-zone\na,0,11.9,47,32N\nb,0,12.1,47,33N\n"));
+  EXPECT_EQ(degrees.bees.size(), 2u);
+}
+
+TEST(UtmZone, BandsOfOneHemisphereAreOne) {
+  EXPECT_EQ(utm_zone_of("32N"), utm_zone_of("32 u"));
+  EXPECT_EQ(utm_zone_of("05Q"), utm_zone_of("5N"));
+  EXPECT_EQ(utm_zone_of("32H"), utm_zone_of("32M"));
+  EXPECT_NE(utm_zone_of("32N"), utm_zone_of("33N"));
+  EXPECT_NE(utm_zone_of("32N"), utm_zone_of("32M"));
+  EXPECT_NE(utm_zone_of("32S"), utm_zone_of("32N"));
+  EXPECT_NE(utm_zone_of("32S"), utm_zone_of("32H"));
+  EXPECT_NE(utm_zone_of("32"), utm_zone_of("32N"));
+}
+
+}  // namespace
+}  // namespace beespace::io
