@@ -242,8 +242,10 @@ export class Orbit {
     const tall = tangent(fov_deg);
     const wide = tall * this.camera.aspect;
     const { box, radius } = this.frame;
+    // Where all are at one place, there is room for what is too close to them.
+    const around = box.most.every((most, axis) => most === box.least[axis]) ? radius : 0;
     const corners = Array.from({ length: 8 }, (_, bits) => {
-      const corner = [0, 1, 2].map((axis) => ((bits >> axis) & 1 ? box.most : box.least)[axis]) as Triple;
+      const corner = [0, 1, 2].map((axis) => ((bits >> axis) & 1 ? box.most[axis] + around : box.least[axis] - around)) as Triple;
       const at = new Vector3(...this.frame.toScene(corner));
       return { right: at.dot(right), up: at.dot(up), towards: at.dot(direction) };
     });

@@ -10,23 +10,23 @@ export function formatMiles(metres: number): string {
   return `${Number((metres / kNauticalMile_m).toPrecision(4))}\u202fNM`;
 }
 
-/** 5,475 m, and where the input speaks of feet also 2.96 NM; below the limit in either. */
+/** 5,475 m, and where the input speaks of feet 2.96 NM before it; below the limit in either. */
 export function formatHorizontal(metres: number, head: Head): string {
   const limited = head.vertical_m !== undefined;
   const text = limited ? formatBelow(metres, head.threshold_m, 4) : formatMetres(metres, 4);
   if (!head.heights?.in_feet) return text;
   const limit = limited ? head.threshold_m / kNauticalMile_m : Infinity;
-  return `${text} · ${readsBelow(metres / kNauticalMile_m, limit, 3, formatDigits)}\u202fNM`;
+  return `${readsBelow(metres / kNauticalMile_m, limit, 3, formatDigits)}\u202fNM · ${text}`;
 }
 
-/** 91.44 m, and where the input speaks of feet also 300 ft; below the limit in either. */
+/** 91.44 m, and where the input speaks of feet 300 ft before it; below the limit in either. */
 export function formatVertical(metres: number, head: Head): string {
   const limit_m = head.vertical_m;
   const text = limit_m === undefined ? formatMetres(metres, 4) : formatBelow(metres, limit_m, 4);
   if (!head.heights?.in_feet) return text;
   const feet = metres / kFoot_m;
   const whole = (value: number, more: number): string => (more === 0 ? formatCount(value) : formatDigits(value, 3 + more));
-  return `${text} · ${readsBelow(feet, (limit_m ?? Infinity) / kFoot_m, 0, whole)}\u202fft`;
+  return `${readsBelow(feet, (limit_m ?? Infinity) / kFoot_m, 0, whole)}\u202fft · ${text}`;
 }
 
 /** What the axis of a chart is told in: metres, or where the input speaks of feet nautical miles and feet. */

@@ -15,8 +15,8 @@ export function formatFeet(metres: number, words: HeightWords): string {
   return `${text} · FL${String(Math.round(feet / 100)).padStart(3, '0')}`;
 }
 
-/** A height to where the error of the shown position begins, in metres and, where the input has them, in feet. */
+/** A height to where the error of the shown position begins, where the input has them in feet, and in metres. */
 export function formatHeight(metres: number, error_m: number, words: HeightWords | undefined): string {
   const text = formatCoordinate(metres, error_m);
-  return words ? `${text} · ${formatFeet(metres, words)}` : text;
+  return words ? `${formatFeet(metres, words)} · ${text}` : text;
 }

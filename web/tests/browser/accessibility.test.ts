@@ -6,7 +6,7 @@ import { pageTest } from './opened_page';
 
 const kAxe = readFileSync('node_modules/axe-core/axe.min.js', 'utf8');
 
-for (const name of ['snapshot', 'compared-snapshots', 'recording', 'compared-recordings', 'fleet', 'wide']) {
+for (const name of ['snapshot', 'compared-snapshots', 'recording', 'compared-recordings', 'fleet', 'wide', 'show']) {
   pageTest('axe is content', name, {}, async ({ page }) => {
     await page.evaluate(kAxe);
     const look = (): Promise<string[]> =>

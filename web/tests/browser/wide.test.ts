@@ -19,7 +19,7 @@ pageTest('an aircraft far from the middle has its height', 'wide', {}, async ({ 
   for (const [name, feet] of [['WEST', 31000], ['EAST', 39000], ['DLH4AB', 36000]] as const) {
     await choose(page, name);
     const told = await fact(page, 'selection', 'height');
-    const [metres, inFeet] = [parseFloat(told), Number(/· (\d+) ft/.exec(told)?.[1])];
+    const [inFeet, metres] = [parseFloat(told), Number(/· ([\d.]+) m$/.exec(told)?.[1])];
     assert.ok(Math.abs(metres - 0.3048 * feet) < 1, `${name} is told at ${told}`);
     assert.ok(Math.abs(inFeet - feet) <= 4, `${name} is told at ${told}`);
   }
@@ -62,10 +62,10 @@ pageTest('the worst pair is marked and framed, horizontally and in height', 'wid
   const at = await projected(page, 0);
   assert.ok(box && at);
   assert.ok(Math.hypot(at.x - box.x - box.width / 2, at.y - box.y - box.height / 2) < 0.3 * box.height);
-  assert.match(await fact(page, 'pair', 'In height'), /91\.4\d m · 300 ft/);
-  assert.ok(parseFloat(await fact(page, 'pair', 'Horizontally')) < 9260);
+  assert.match(await fact(page, 'pair', 'In height'), /300 ft · 91\.4\d m/);
+  assert.ok(parseFloat(await fact(page, 'pair', 'Horizontally')) < 5);
   assert.equal(await page.locator('.pair .facts .risky').count(), 2);
-  assert.match(kPlain(await page.locator('.time-says').innerText()), /m · [\d.]+ NM horizontally 91\.4\d m · 300 ft in height/);
+  assert.match(kPlain(await page.locator('.time-says').innerText()), /[\d.]+ NM · [\d.]+ m horizontally 300 ft · 91\.4\d m in height/);
   // Two curves, each with its limit.
   for (const where of ['.plot', '.pair-chart']) {
     assert.equal(await page.locator(`${where} .curve`).count(), 2);
@@ -75,8 +75,8 @@ pageTest('the worst pair is marked and framed, horizontally and in height', 'wid
 
 pageTest('the summary has both separations of the closest two, each with its limit', 'wide', {}, async ({ page }) => {
   assert.equal(await fact(page, 'summary', 'Closest encounter'), 'DLH4AB and RYR81K');
-  assert.match(await fact(page, 'summary', 'horizontally'), /^[\d.]+ k?m · [\d.]+ NM limit 5 NM$/);
-  assert.match(await fact(page, 'summary', 'in height'), /^91\.4\d m · 300 ft limit 1000 ft$/);
+  assert.match(await fact(page, 'summary', 'horizontally'), /^[\d.]+ NM · [\d.]+ k?m limit 5 NM$/);
+  assert.match(await fact(page, 'summary', 'in height'), /^300 ft · 91\.4\d m limit 1000 ft$/);
   assert.equal(await page.locator('.summary .facts .risky').count(), 2);
 });
 

@@ -29,10 +29,10 @@ test('what is below a limit reads as below it', () => {
 test('separations are below their limits in every unit', () => {
   const head = { threshold_m: 9260, vertical_m: 304.8, heights: { in_feet: true, by_pressure: false } } as Head;
   assert.deepEqual([5475.3, 9259.9, 9260, 12000].map((m) => plain(formatHorizontal(m, head))), [
-    '5,475 m · 2.96 NM', '9,259.9 m · 4.9999 NM', '9,260 m · 5.00 NM', '12,000 m · 6.48 NM',
+    '2.96 NM · 5,475 m', '4.9999 NM · 9,259.9 m', '5.00 NM · 9,260 m', '6.48 NM · 12,000 m',
   ]);
   assert.deepEqual([91.44, 304.7, 304.8, 0].map((m) => plain(formatVertical(m, head))), [
-    '91.44 m · 300 ft', '304.7 m · 999.7 ft', '304.8 m · 1,000 ft', '0 m · 0 ft',
+    '300 ft · 91.44 m', '999.7 ft · 304.7 m', '1,000 ft · 304.8 m', '0 ft · 0 m',
   ]);
   assert.deepEqual(Object.values(limitsOf(head)).map(plain), ['5 NM', '1,000 ft']);
   assert.deepEqual(Object.values(limitsOf({ threshold_m: 9260, vertical_m: 304.8 } as Head)).map(plain), ['9,260 m', '304.8 m']);
