@@ -6,45 +6,40 @@
 #pragma once
 
 #include "kernels/crowd_kernels.hpp"
+#include "kernels/wide_vectors.hpp"
 
 #include <cstdint>
-
-// How vectors travel between functions depends on the instruction set; here everything is inlined.
-#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace beespace::cpu {
 namespace {
 
-using Ints [[gnu::vector_size(64), gnu::may_alias, gnu::aligned(4)]] = std::int32_t;
-using Floats [[gnu::vector_size(64)]] = float;
+using Ints = Wide<std::int32_t>;
+using Floats = Wide<float>;
 
-[[gnu::always_inline]] inline const Ints& lanes(const std::int32_t* at) {
-  return *reinterpret_cast<const Ints*>(at);
-}
-[[gnu::always_inline]] inline const Ints& lanes(const std::uint32_t* at) {
-  return *reinterpret_cast<const Ints*>(at);
-}
-[[gnu::always_inline]] inline Ints& lanes(std::uint32_t* at) {
-  return *reinterpret_cast<Ints*>(at);
+template <class Number>
+[[gnu::always_inline]] inline Ints lanes(const Number* at) {
+  return Ints::load(at);
 }
 
 [[gnu::always_inline]] inline Floats to_floats(const Ints& ints) {
-  return __builtin_convertvector(ints, Floats);
-}
-[[gnu::always_inline]] inline Ints larger(const Ints& a, const Ints& b) {
-  return a > b ? a : b;
+  Floats floats;
+  for (std::size_t k = 0; k < kPieces; ++k) {
+    floats.piece[k] = __builtin_convertvector(ints.piece[k], Floats::Piece);
+  }
+  return floats;
 }
 
-// The lanes of a mask, as a list.
-struct Lanes {
-  std::uint32_t lane[kCrowdLanes];
-  std::uint32_t count = 0;
+// How far sixteen boxes or points are from a box, squared: at least and at most.
+struct SquaredReach {
+  Floats nearest = Floats::all(0.0F);
+  Floats farthest = Floats::all(0.0F);
 
-  [[gnu::always_inline]] explicit Lanes(const Ints& mask) {
-    for (std::uint32_t k = 0; k < kCrowdLanes; ++k) {
-      lane[count & (kCrowdLanes - 1)] = k;
-      count += mask[k] != 0 ? 1U : 0U;
-    }
+  // An axis: from the low border of one to the high border of the other, both ways.
+  [[gnu::always_inline]] void add(const Ints& up, const Ints& down) {
+    const Floats most = to_floats(larger(up, down));
+    const Floats least = to_floats(larger(Ints::all(0), larger(-up, -down)));
+    farthest = farthest + most * most;
+    nearest = nearest + least * least;
   }
 };
 
@@ -55,35 +50,29 @@ struct BoxesSeen {
 
   [[gnu::always_inline]] BoxesSeen(const CrowdNode& asked, std::uint32_t leaf,
                                    const CrowdNode& others, const Limits& limits) {
-    Floats nearest{};
-    Floats farthest{};
+    SquaredReach reach;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Ints up =
-          lanes(others.high + axis * kCrowdLanes) - asked.low[axis * kCrowdLanes + leaf];
-      const Ints down =
-          asked.high[axis * kCrowdLanes + leaf] - lanes(others.low + axis * kCrowdLanes);
-      const Floats most = to_floats(larger(up, down));
-      const Floats least = to_floats(larger(Ints{}, larger(-up, -down)));
-      farthest += most * most;
-      nearest += least * least;
+      const std::size_t first = axis * kCrowdLanes;
+      reach.add(lanes(others.high + first) - Ints::all(asked.low[first + leaf]),
+                Ints::all(asked.high[first + leaf]) - lanes(others.low + first));
     }
-    near = farthest < limits.near;
-    open = (nearest <= limits.far) & ~near;
+    near = below(reach.farthest, Floats::all(limits.near));
+    open = at_most(reach.nearest, Floats::all(limits.far)) & ~near;
   }
 };
 
-// Whether a square is above so much of the threshold's that a leaf is wide: its points are told apart
-// from those of another leaf one by one, before they are compared with each of them.
+// Whether a square is above so much of the threshold's that a leaf is wide: its points are told
+// apart from those of another leaf one by one, before they are compared with each of them.
 [[gnu::always_inline]] inline float wide_from(const Limits& limits) {
   return limits.far * 0.25F;
 }
 
 // The squared longest sides of 16 boxes.
 [[gnu::always_inline]] inline Floats squared_sides(const CrowdNode& node) {
-  Ints longest{};
+  Ints longest = Ints::all(0);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    longest = larger(longest, lanes(node.high + axis * kCrowdLanes) -
-                                  lanes(node.low + axis * kCrowdLanes));
+    longest = larger(longest,
+                     lanes(node.high + axis * kCrowdLanes) - lanes(node.low + axis * kCrowdLanes));
   }
   return to_floats(longest) * to_floats(longest);
 }
@@ -97,19 +86,14 @@ struct PointsSeen {
   [[gnu::always_inline]] PointsSeen(const CrowdNode& node, std::uint32_t leaf,
                                     const CrowdNode& others, std::uint32_t other,
                                     const Limits& limits) {
-    Floats nearest{};
-    Floats farthest{};
+    SquaredReach reach;
     for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t box = axis * kCrowdLanes + other;
       const Ints at = lanes(node.position[axis] + std::size_t{leaf} * kCrowdLanes);
-      const Ints up = others.high[axis * kCrowdLanes + other] - at;
-      const Ints down = at - others.low[axis * kCrowdLanes + other];
-      const Floats most = to_floats(larger(up, down));
-      const Floats least = to_floats(larger(Ints{}, larger(-up, -down)));
-      farthest += most * most;
-      nearest += least * least;
+      reach.add(Ints::all(others.high[box]) - at, at - Ints::all(others.low[box]));
     }
-    near = farthest < limits.near;
-    open = (nearest <= limits.far) & ~near;
+    near = below(reach.farthest, Floats::all(limits.near));
+    open = at_most(reach.nearest, Floats::all(limits.far)) & ~near;
   }
 };
 
@@ -129,23 +113,27 @@ class Pairs {
     const Ints x = lanes(others_.position[0] + from);
     const Ints y = lanes(others_.position[1] + from);
     const Ints z = lanes(others_.position[2] + from);
-    const Ints weights = Weighted ? lanes(others_.weights + from) : Ints{};
-    Ints of_others{};
-    Ints open{};
+    const Ints weights = Weighted ? lanes(others_.weights + from) : Ints::all(0);
+    const Floats limit_near = Floats::all(limits_.near);
+    const Floats limit_far = Floats::all(limits_.far);
+    Ints of_others = Ints::all(0);
+    Ints open = Ints::all(0);
     for (std::uint32_t i = begin; i < end; ++i) {
       const Floats squared = squared_units(x, y, z, i);
-      const Ints near = squared < limits_.near;
-      Ints& of_asked = lanes(sums_.of_asked + std::size_t{i} * kCrowdLanes);
+      const Ints near = below(squared, limit_near);
+      std::uint32_t* const of_asked = sums_.of_asked + std::size_t{i} * kCrowdLanes;
       if constexpr (Weighted) {
-        of_asked += near & weights;
-        if constexpr (Both) of_others += near & static_cast<std::int32_t>(asked_.weights[i]);
+        add_to(of_asked, near & weights);
+        if constexpr (Both) {
+          of_others = of_others + (near & Ints::all(static_cast<std::int32_t>(asked_.weights[i])));
+        }
       } else {
-        of_asked -= near;
-        if constexpr (Both) of_others -= near;
+        add_to(of_asked, -near);
+        if constexpr (Both) of_others = of_others - near;
       }
-      open |= (squared <= limits_.far) & ~near;
+      open = open | (at_most(squared, limit_far) & ~near);
     }
-    if constexpr (Both) lanes(sums_.of_others + from) += of_others;
+    if constexpr (Both) add_to(sums_.of_others + from, of_others);
     if (any(open)) [[unlikely]] {
       decide(begin, end, from, Both);
     }
@@ -157,9 +145,8 @@ class Pairs {
   [[gnu::always_inline]] bool count_asked_alike(std::uint32_t leaf, std::uint32_t other) const {
     const PointsSeen seen(asked_, leaf, others_, other, limits_);
     if (any(seen.open)) return false;
-    const Lanes listed(seen.near);
-    for (std::uint32_t k = 0; k < listed.count; ++k) {
-      const std::uint32_t i = leaf * kCrowdLanes + listed.lane[k];
+    for (std::uint32_t left = bits_of(seen.near); left != 0; left &= left - 1) {
+      const std::uint32_t i = leaf * kCrowdLanes + first_bit(left);
       sums_.of_asked[std::size_t{i} * kCrowdLanes] += others_.leaf_weights[other];
       if constexpr (Both) {
         sums_.of_other_leaves[other] += asked_.weights == nullptr ? 1U : asked_.weights[i];
@@ -173,15 +160,15 @@ class Pairs {
   [[gnu::always_inline]] bool count_others_alike(std::uint32_t leaf, std::uint32_t other) const {
     const PointsSeen seen(others_, other, asked_, leaf, limits_);
     if (any(seen.open)) return false;
-    Ints& of_leaf = lanes(sums_.of_asked_leaves + std::size_t{leaf} * kCrowdLanes);
+    std::uint32_t* const of_leaf = sums_.of_asked_leaves + std::size_t{leaf} * kCrowdLanes;
     if constexpr (Weighted) {
-      of_leaf += seen.near & lanes(others_.weights + std::size_t{other} * kCrowdLanes);
+      add_to(of_leaf, seen.near & lanes(others_.weights + std::size_t{other} * kCrowdLanes));
     } else {
-      of_leaf -= seen.near;
+      add_to(of_leaf, -seen.near);
     }
     if constexpr (Both) {
-      lanes(sums_.of_others + std::size_t{other} * kCrowdLanes) +=
-          seen.near & static_cast<std::int32_t>(asked_.leaf_weights[leaf]);
+      add_to(sums_.of_others + std::size_t{other} * kCrowdLanes,
+             seen.near & Ints::all(static_cast<std::int32_t>(asked_.leaf_weights[leaf])));
     }
     return true;
   }
@@ -189,18 +176,15 @@ class Pairs {
  private:
   [[gnu::always_inline]] Floats squared_units(const Ints& x, const Ints& y, const Ints& z,
                                               std::uint32_t i) const {
-    const Floats dx = to_floats(x - asked_.position[0][i]);
-    const Floats dy = to_floats(y - asked_.position[1][i]);
-    const Floats dz = to_floats(z - asked_.position[2][i]);
+    const Floats dx = to_floats(x - Ints::all(asked_.position[0][i]));
+    const Floats dy = to_floats(y - Ints::all(asked_.position[1][i]));
+    const Floats dz = to_floats(z - Ints::all(asked_.position[2][i]));
     return dx * dx + dy * dy + dz * dz;
   }
 
-  [[gnu::always_inline]] static bool any(const Ints& mask) {
-    // By value: Ints may lie anywhere, a reference to Longs must be aligned as a whole vector.
-    using Longs [[gnu::vector_size(64)]] = std::int64_t;
-    const auto halves = __builtin_bit_cast(Longs, mask);
-    return (halves[0] | halves[1] | halves[2] | halves[3] | halves[4] | halves[5] | halves[6] |
-            halves[7]) != 0;
+  [[gnu::always_inline]] static bool any(const Ints& mask) { return bits_of(mask) != 0; }
+  [[gnu::always_inline]] static std::uint32_t first_bit(std::uint32_t bits) {
+    return static_cast<std::uint32_t>(__builtin_ctz(bits));
   }
 
   [[gnu::noinline]] void decide(std::uint32_t begin, std::uint32_t end, std::uint32_t from,
@@ -210,12 +194,11 @@ class Pairs {
     const Ints z = lanes(others_.position[2] + from);
     for (std::uint32_t i = begin; i < end; ++i) {
       const Floats squared = squared_units(x, y, z, i);
-      const Ints open = (squared <= limits_.far) & ~(squared < limits_.near);
-      if (!any(open)) continue;
-      const Lanes listed(open);
-      for (std::uint32_t k = 0; k < listed.count; ++k) {
+      const Ints open =
+          at_most(squared, Floats::all(limits_.far)) & ~below(squared, Floats::all(limits_.near));
+      for (std::uint32_t left = bits_of(open); left != 0; left &= left - 1) {
         unsure_.decide(unsure_.context, asked_.first_slot + i,
-                       others_.first_slot + from + listed.lane[k], both);
+                       others_.first_slot + from + first_bit(left), both);
       }
     }
   }
@@ -227,37 +210,48 @@ class Pairs {
   const CrowdUnsure& unsure_;
 };
 
+// NOLINTNEXTLINE(misc-definitions-in-headers): in an unnamed namespace, once in each kernel
+constexpr std::int32_t kLaneNumbers[kCrowdLanes] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                    8, 9, 10, 11, 12, 13, 14, 15};
+
 enum class With : std::uint8_t { kOthers, kOthersBothWays, kItself };
 
 template <With Whom, bool Weighted>
 void count_crowds(const CrowdNode& asked, const CrowdNode& others, const Limits& limits,
                   const CrowdSums& sums, const CrowdUnsure& unsure) {
   constexpr bool kBoth = Whom != With::kOthers;
-  constexpr Ints kNumbers{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
   const Pairs pairs(asked, others, limits, sums, unsure);
   const std::uint32_t leaves = (asked.size + kCrowdLanes - 1) / kCrowdLanes;
-  const Ints asked_wide = squared_sides(asked) > wide_from(limits);
-  const Ints others_wide = squared_sides(others) > wide_from(limits);
+  const Floats wide = Floats::all(wide_from(limits));
+  const std::uint32_t asked_wide = bits_of(below(wide, squared_sides(asked)));
+  const std::uint32_t others_wide = bits_of(below(wide, squared_sides(others)));
   for (std::uint32_t leaf = 0; leaf < leaves; ++leaf) {
     BoxesSeen seen(asked, leaf, others, limits);
-    Ints& of_leaf = lanes(sums.of_asked_leaves + std::size_t{leaf} * kCrowdLanes);
+    std::uint32_t* const of_leaf = sums.of_asked_leaves + std::size_t{leaf} * kCrowdLanes;
     if constexpr (Whom == With::kItself) {
-      const auto own = static_cast<std::int32_t>(leaf);
-      of_leaf += seen.near & (kNumbers == own) & lanes(others.leaf_weights);
-      if (seen.near[leaf] == 0) pairs.count<false, Weighted>(leaf, leaf);
-      seen.near &= kNumbers > own;
-      seen.open &= kNumbers > own;
+      if ((bits_of(seen.near) >> leaf & 1U) != 0) {
+        of_leaf[leaf] += others.leaf_weights[leaf];
+      } else {
+        pairs.count<false, Weighted>(leaf, leaf);
+      }
+      const Ints later =
+          below(Ints::all(static_cast<std::int32_t>(leaf)), Ints::load(kLaneNumbers));
+      seen.near = seen.near & later;
+      seen.open = seen.open & later;
     }
-    of_leaf += seen.near & lanes(others.leaf_weights);
+    add_to(of_leaf, seen.near & lanes(others.leaf_weights));
     if constexpr (kBoth) {
-      lanes(sums.of_other_leaves) +=
-          seen.near & static_cast<std::int32_t>(asked.leaf_weights[leaf]);
+      add_to(sums.of_other_leaves,
+             seen.near & Ints::all(static_cast<std::int32_t>(asked.leaf_weights[leaf])));
     }
-    const Lanes open(seen.open);
-    for (std::uint32_t k = 0; k < open.count; ++k) {
-      const std::uint32_t other = open.lane[k];
-      if (asked_wide[leaf] != 0 && pairs.count_asked_alike<kBoth>(leaf, other)) continue;
-      if (others_wide[other] != 0 && pairs.count_others_alike<kBoth, Weighted>(leaf, other)) continue;
+    const bool is_wide = (asked_wide >> leaf & 1U) != 0;
+    for (std::uint32_t left = bits_of(seen.open); left != 0; left &= left - 1) {
+      const auto other = static_cast<std::uint32_t>(__builtin_ctz(left));
+      if (is_wide && pairs.count_asked_alike<kBoth>(leaf, other)) continue;
+      if ((others_wide >> other & 1U) != 0 &&
+          pairs.count_others_alike<kBoth, Weighted>(leaf, other)) {
+        continue;
+      }
       pairs.count<kBoth, Weighted>(leaf, other);
     }
   }
