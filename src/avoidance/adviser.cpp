@@ -111,7 +111,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
                     const AdviseOptions& options, Advised& advised) {
     Crew& crew = crew_.of(1, 1);
     clear_desks(crew.size());
-    agents_.take(intake_.movers(), intake_.limits(), options, crew);
+    agents_.take(intake_.movers(), intake_.preferred(), intake_.limits(), options, crew);
     near_.take_all(agents_.size());
     const avoidance::RememberedPlanes planes =
         start_planes(options, std::size_t{ids.back()} + 1, ids, true);
@@ -137,9 +137,9 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     const std::size_t bees = intake_.movers().size();
     core::StoppableCrew crew(crew_.of(options.threads, bees), options.stop);
     clear_desks(crew.size());
-    agents_.take(intake_.movers(), intake_.limits(), options, crew);
+    agents_.take(intake_.movers(), preferred, intake_.limits(), options, crew);
     const double horizon_s = avoidance::looks_ahead_s(agents_, options.step_s);
-    if (Status found = find_near(options, horizon_s); !found) return found;
+    if (Status found = find_near(options, horizon_s, crew); !found) return found;
     advised.advice.assign(bees, {});
     too_close_.assign(bees, 0);
     const avoidance::RememberedPlanes planes =
@@ -149,12 +149,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     if (options.method == AdviseMethod::kCertified) {
       cpu::schedule(crew, bees, kChunk, [&](auto begin, auto end, unsigned /*worker*/) {
         for (std::size_t bee = begin; bee < end; ++bee) {
-          const auto id = static_cast<PointId>(bee);
-          if (agents_.claims().any()) {
-            constraint_builder.mark_too_close(id, too_close_);
-          } else {
-            too_close_[bee] = constraint_builder.is_too_close(id) ? 1 : 0;
-          }
+          constraint_builder.mark_too_close(static_cast<PointId>(bee), too_close_);
         }
       });
     }
@@ -183,9 +178,9 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     return {&memory, intake_.given_bees(), ids, of_one};
   }
 
-  Status find_near(const AdviseOptions& options, double horizon_s) {
+  Status find_near(const AdviseOptions& options, double horizon_s, Crew& crew) {
+    if (options.method == AdviseMethod::kCertified) return near_.find(agents_, crew);
     const RunOptions run{options.threads, options.stop};
-    if (options.method == AdviseMethod::kCertified) return near_.find(agents_, run);
     const double within_m = agents_.apart().kept_m + 2.0 * agents_.fastest() * horizon_s;
     return near_.find_within(MoversView(intake_.movers()).positions(), within_m, run);
   }

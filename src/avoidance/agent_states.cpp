@@ -22,8 +22,10 @@ double spare_for_flushed(const AgentState& agent) {
 
 }  // namespace
 
-void AgentStates::take(std::span<const Mover> movers, std::span<const FlightLimits> limits,
-                       const AdviseOptions& options, Crew& crew) {
+void AgentStates::take(std::span<const Mover> movers, std::span<const Velocity> preferred,
+                       std::span<const FlightLimits> limits, const AdviseOptions& options,
+                       Crew& crew) {
+  constexpr double kIdle = 0.3;  // of what it can fly
   agents_.resize(movers.size());
   middles_.resize(movers.size());
   ways_.resize(movers.size());
@@ -50,7 +52,8 @@ void AgentStates::take(std::span<const Mover> movers, std::span<const FlightLimi
       const double reach_m = gets_m + own_spare_m + keep(claims_.widens_m(i)).kept_m;
       agents_[i] = agent;
       middles_[i] = {middle.x, middle.y, middle.z};
-      ways_[i] = {to_stop, half_m, strays_m, reach_m, own_spare_m};
+      const bool idle = length(core::vector_of(preferred[i])) < kIdle * agent.max_speed;
+      ways_[i] = {to_stop, half_m, strays_m, reach_m, own_spare_m, idle};
       seen.add({reach_m, std::max(limit.max_speed_mps, length(agent.velocity))});
     }
     seen_[worker] = seen;

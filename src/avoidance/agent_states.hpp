@@ -35,8 +35,8 @@ inline constexpr double kPresses = 0.6;
 class AgentStates {
  public:
   // `limits` has one for each or one for all; options.claims one for each or none.
-  void take(std::span<const Mover> movers, std::span<const FlightLimits> limits,
-            const AdviseOptions& options, Crew& crew);
+  void take(std::span<const Mover> movers, std::span<const Velocity> preferred,
+            std::span<const FlightLimits> limits, const AdviseOptions& options, Crew& crew);
 
   [[nodiscard]] std::size_t size() const { return agents_.size(); }
   [[nodiscard]] const AgentState& operator[](std::size_t bee) const { return agents_[bee]; }
@@ -46,6 +46,8 @@ class AgentStates {
   }
   // How far from its end the step and the stop after it may take the agent.
   [[nodiscard]] double strays(std::size_t bee) const { return ways_[bee].strays_m; }
+  // Whether the agent is at its goal: it prefers to fly far slower than it can.
+  [[nodiscard]] bool is_idle(std::size_t bee) const { return ways_[bee].idle; }
   [[nodiscard]] double fastest() const { return extremes_.speed_mps; }
   [[nodiscard]] const Claims& claims() const { return claims_; }
 
@@ -104,6 +106,7 @@ class AgentStates {
     double strays_m;
     double reach_m;
     double spare_m;  // for the rounding of its coordinates; part of its reach
+    bool idle;
   };
   // What rounding may take from a distance along the stopping segment: the distance is widened by
   // it, and an agent that keeps it is certified while at least half of the margin is left.

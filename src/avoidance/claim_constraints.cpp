@@ -3,7 +3,6 @@
 #include "avoidance/constraints/hull_obstacle_separation.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 namespace beespace::avoidance {
@@ -64,16 +63,6 @@ bool ConstraintBuilder::is_claim_too_close(PointId bee, PointId other) const {
   if (is_certified_by_memory(bee, other) || keep_apart_anyhow(bee, other)) return false;
   const HullSeparation found = separation_of_claims(bee, other);
   return found.plane.gap < agents_.apart_by(found.free_m, bee, other).certified_m;
-}
-
-void ConstraintBuilder::mark_too_close(PointId bee, std::span<char> marks) const {
-  near_.visit(bee, [&](PointId other) {
-    if (other < bee || !is_claim_too_close(bee, other)) return true;
-    for (const PointId one : {bee, other}) {
-      std::atomic_ref(marks[one]).store(1, std::memory_order_relaxed);
-    }
-    return true;
-  });
 }
 
 void ConstraintBuilder::look_at_claim(PointId bee, PointId other, Findings& findings) const {

@@ -5,6 +5,7 @@
 #include "obstacles/obstacle_map.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -39,15 +40,22 @@ SeparatingPlane ConstraintBuilder::plane_between(PointId bee, PointId other) con
   return separate(first, second, agents_.apart(bee, other).kept_m);
 }
 
-bool ConstraintBuilder::is_too_close(PointId bee) const {
-  bool found = false;
+bool ConstraintBuilder::is_too_close(PointId bee, PointId other) const {
+  const double certified_m = agents_.apart(bee, other).certified_m;
+  return agents_.ways_may_be_within(bee, other, certified_m) &&
+         plane_between(bee, other).gap < certified_m;
+}
+
+void ConstraintBuilder::mark_too_close(PointId bee, std::span<char> marks) const {
+  const bool claims = agents_.claims().any();
   near_.visit(bee, [&](PointId other) {
-    const double certified_m = agents_.apart(bee, other).certified_m;
-    found = agents_.ways_may_be_within(bee, other, certified_m) &&
-            plane_between(bee, other).gap < certified_m;
-    return !found;
+    if (other < bee) return true;
+    if (!(claims ? is_claim_too_close(bee, other) : is_too_close(bee, other))) return true;
+    for (const PointId one : {bee, other}) {
+      std::atomic_ref(marks[one]).store(1, std::memory_order_relaxed);
+    }
+    return true;
   });
-  return found;
 }
 
 void ConstraintBuilder::look_at_bees(PointId bee, Findings& findings) const {
@@ -236,11 +244,6 @@ Vector3 ConstraintBuilder::pressure(PointId other, const Vector3& away, double f
   const bool needs_room = too_close_[other] != 0 && certified;
   if (!wants_through && !needs_room) return {};
   return away * (1.0 - free);
-}
-
-bool ConstraintBuilder::is_idle(PointId bee) const {
-  constexpr double kIdle = 0.3;  // of what it can fly
-  return length(preferred_of(preferred_, bee)) < kIdle * agents_[bee].max_speed;
 }
 
 }  // namespace beespace::avoidance

@@ -21,8 +21,8 @@ namespace beespace::avoidance {
 
 class ConstraintBuilder {
  public:
-  // `near` has all bees that may meet each other; `too_close` has the result of is_too_close() for
-  // each pair before any constraints are built. All of these outlive this object.
+  // `near` has all bees that may meet each other; `too_close` has the marks of mark_too_close()
+  // of all bees before any constraints are built. All of these outlive this object.
   ConstraintBuilder(const AgentStates& agents, const Vicinity& near,
                     std::span<const char> too_close, std::span<const Velocity> preferred,
                     const RememberedPlanes& planes, const AdviseOptions& options)
@@ -33,11 +33,8 @@ class ConstraintBuilder {
         planes_(planes),
         options_(options) {}
 
-  // Whether a bee is too close to another one, or will be when it brakes.
-  [[nodiscard]] bool is_too_close(PointId bee) const;
-
-  // The same where there are claims: marks a bee and those of higher ids that are too close to each
-  // other. Of several bees at the same time, too.
+  // Marks a bee and those of higher ids that are too close to each other, or will be when they
+  // brake. Of several bees at the same time, too.
   void mark_too_close(PointId bee, std::span<char> marks) const;
 
   // The results, for one bee after the other.
@@ -56,7 +53,7 @@ class ConstraintBuilder {
   void look_at(PointId bee, Findings& findings) const;
 
   // Whether a bee is at its goal.
-  [[nodiscard]] bool is_idle(PointId bee) const;
+  [[nodiscard]] bool is_idle(PointId bee) const { return agents_.is_idle(bee); }
   // Whether an intruder that flies straight on may come too close to a bee within the horizon.
   [[nodiscard]] bool may_come_close(PointId bee, std::size_t k) const;
   // How much more than the threshold is kept from an intruder.
@@ -69,6 +66,7 @@ class ConstraintBuilder {
   [[nodiscard]] bool keep_apart_anyhow(PointId one, PointId another) const;
   [[nodiscard]] HullSeparation separation_of_claims(PointId bee, PointId other) const;
   [[nodiscard]] bool is_certified_by_memory(PointId bee, PointId other) const;
+  [[nodiscard]] bool is_too_close(PointId bee, PointId other) const;
   [[nodiscard]] bool is_claim_too_close(PointId bee, PointId other) const;
   void look_at_claim(PointId bee, PointId other, Findings& findings) const;
   void look_at_obstacles(PointId bee, Findings& findings) const;

@@ -1,7 +1,7 @@
 // Which agents may interact in a step.
 //
-// Rows of neighbours, as far as nearly all agents reach. The few that reach much farther, such as
-// one that is far too fast, are compared with all others.
+// Those whose balls meet: each agent's own, which contains all that it may do (see AgentStates).
+// The few that reach farther than a float holds are compared with all others.
 #pragma once
 
 #include "avoidance/agent_states.hpp"
@@ -14,6 +14,7 @@
 #include <beespace/result.hpp>
 #include <beespace/search_options.hpp>
 
+#include <cstddef>
 #include <vector>
 
 namespace beespace::avoidance {
@@ -23,8 +24,8 @@ class Vicinity {
   // With the threads of `lent`, which must outlive this; null: with threads of its own.
   explicit Vicinity(Crew* lent = nullptr) : engine_(lent == nullptr ? Engine() : Engine(*lent)) {}
 
-  // Errors: as Engine::find_neighbors.
-  Status find(const AgentStates& agents, const RunOptions& run);
+  // All agents that may meet. Errors: as Engine::find_neighbors.
+  Status find(const AgentStates& agents, Crew& crew);
   // All agents within this distance.
   Status find_within(const PointsView& places, double within_m, const RunOptions& run);
 
@@ -60,8 +61,7 @@ class Vicinity {
 
  private:
   [[nodiscard]] bool reaches_far(PointId bee) const { return !far_.empty() && is_far_[bee] != 0; }
-  Status find_rows(const PointsView& places, double within_m, const RunOptions& run);
-  [[nodiscard]] double reach_in_rows(const AgentStates& agents);
+  void look_for_far(const AgentStates& agents);
 
   Engine engine_;
   core::Memory memory_;

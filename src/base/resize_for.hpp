@@ -13,8 +13,8 @@ namespace beespace::core {
 
 // Like resize, but drops the old contents if it must grow, and requests huge pages then. The system
 // takes seconds to find some gigabytes: it is a task of the crew, which can be given up.
-template <class T>
-void resize_for(std::vector<T>& vector, std::size_t size, Crew& crew) {
+template <class T, class Allocator>
+void resize_for(std::vector<T, Allocator>& vector, std::size_t size, Crew& crew) {
   if (vector.capacity() < size) {
     vector.clear();
     vector.reserve(size);

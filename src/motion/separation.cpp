@@ -78,20 +78,6 @@ ConflictReport report_of(const TimeSpan& span, const Nearness& nearest) {
           nearest.distance_m};
 }
 
-// Whether spheres are in conflict, by their closest distance in doubles; nothing where that is too
-// near the threshold. The rounding error is less than 2^-46 of their distance at the beginning and
-// of how far they move.
-std::optional<bool> surely(const RelativeMotion<4>& motion, const Nearness& nearest,
-                           double threshold_m, double horizon_s) {
-  const auto length = [](const Axes4& v) {
-    return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]) + std::abs(v[3]);
-  };
-  const double blur_m = 0x1p-46 * (length(motion.r) + length(motion.w) * horizon_s + threshold_m);
-  if (nearest.distance_m < threshold_m - blur_m) return true;
-  if (nearest.distance_m > threshold_m + blur_m) return false;
-  return std::nullopt;
-}
-
 }  // namespace
 
 ConflictReport report_conflict(const RelativeMotion<4>& motion, const Separation& separation,
@@ -100,19 +86,6 @@ ConflictReport report_conflict(const RelativeMotion<4>& motion, const Separation
   const TimeSpan whole{0.0, horizon_s};
   return report_of(
       span, closest_within(in_metres(motion, separation), separation.vertical_m ? span : whole));
-}
-
-std::optional<ConflictReport> conflict_of(const State& a, const State& b,
-                                          const Separation& separation, double horizon_s) {
-  const RelativeMotion<4> motion = relative_motion(a, b);
-  if (separation.vertical_m) {
-    if (!in_conflict(a, b, separation, horizon_s)) return std::nullopt;
-    return report_conflict(motion, separation, horizon_s);
-  }
-  const Nearness nearest = closest_within(motion, {0.0, horizon_s});
-  const auto sure = surely(motion, nearest, separation.threshold_m, horizon_s);
-  if (sure ? !*sure : !in_conflict(a, b, separation, horizon_s)) return std::nullopt;
-  return report_of(time_closer(motion, separation.threshold_m, horizon_s), nearest);
 }
 
 }  // namespace beespace::motion

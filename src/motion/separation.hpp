@@ -75,8 +75,4 @@ struct ConflictReport {
 ConflictReport report_conflict(const RelativeMotion<4>& motion, const Separation& separation,
                                double horizon_s);
 
-// Both at once: nothing if they are not in conflict. Faster than one after the other.
-std::optional<ConflictReport> conflict_of(const State& a, const State& b,
-                                          const Separation& separation, double horizon_s);
-
 }  // namespace beespace::motion

@@ -64,6 +64,25 @@ TEST(Vicinity, AFewMuchFasterBeesAreComparedWithAllOthers) {
   EXPECT_GT(pairs_of_the_fast, test::kSanitized ? 4U : 40U);
 }
 
+// The rounding of its way alone is as wide as the swarm.
+TEST(Vicinity, ABeeThatReachesFartherThanFloatsHoldMeetsAllOthers) {
+  Flock flock = slow_crowd(60, 5);
+  constexpr PointId kFast = 7;
+  flock.movers[kFast].velocity = {300.0, 20.0, 10.0};
+  flock.limits[kFast] = {400.0, 1e-14};
+  for (const unsigned threads : {1U, 3U}) {
+    flock.options.threads = threads;
+    const auto advised =
+        advise(flock.movers, std::vector<Velocity>(flock.size()), flock.limits, flock.options);
+    ASSERT_TRUE(advised);
+    const auto met = std::count_if(
+        advised->too_close.begin(), advised->too_close.end(), [&](const TooClose& close) {
+          return close.pair.first == kFast || close.pair.second == kFast;
+        });
+    EXPECT_EQ(static_cast<std::size_t>(met), flock.size() - 1);
+  }
+}
+
 // A far bee changes nothing for the bees that it cannot meet.
 TEST(Vicinity, ABeeThatIsFarAwayChangesNoAdvice) {
   Flock flock = slow_crowd(300, 3);

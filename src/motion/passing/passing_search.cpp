@@ -122,10 +122,11 @@ class Passes {
         check_.prefetch(sink_.second[ahead]);
       }
       const PassCheck::Known known = check_({sink_.first + k, sink_.second + k});
-      // Which of them pass is as good as random: nothing to branch on.
       unsigned keep = known.possible & ~known.known_before;
       if (asks) keep = decided(keep, keep & ~known.near, k);
       if (sink_.size - k < PassCheck::kAtOnce) keep &= (1U << (sink_.size - k)) - 1U;
+      if (keep == 0) continue;  // nearly always where steps are long
+      // Which of them pass is as good as random: nothing to branch on.
       for (std::uint32_t lane = 0; lane < PassCheck::kAtOnce; ++lane) {
         // Kept ones end before this one.
         const PointId first = check_.id_of(sink_.first[k + lane]);
