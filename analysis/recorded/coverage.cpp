@@ -143,6 +143,11 @@ std::string missing_text(const io::MissingRecords& missing) {
     text = io::grouped(missing.shared) + (missing.shared == 1 ? " id seems to be of two bees"
                                                               : " ids seem to be of two bees each");
   }
+  if (missing.swapped > 0) {
+    if (!text.empty()) text += ", ";
+    text += "longitude and latitude of " + io::counted(missing.swapped, "bee", "bees") +
+            " seem to be the other way round";
+  }
   if (missing.count == 0) return text;
   if (!text.empty()) text += ", ";
   if (missing.nowhere > 0) {

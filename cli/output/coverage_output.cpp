@@ -66,6 +66,12 @@ void append_missing(std::string& out, const io::MissingRecords& missing) {
     if (missing.shared > missing.shared_ids.size()) named += ", ...";
     append_summary_line(out, "two in one", red(printable(named)) + ": at two places in turn");
   }
+  if (missing.swapped > 0) {
+    append_summary_line(out, "swapped",
+                        red(io::counted(missing.swapped, "bee", "bees")) +
+                            " would be beside others with longitude and latitude the other way "
+                            "round");
+  }
   if (missing.count == 0) return;
   std::string text = red(io::counted(missing.count, "record", "records"));
   if (missing.without_id < missing.count) text += " of " + io::counted(missing.bees, "bee", "bees");
@@ -87,6 +93,7 @@ void write_missing(io::JsonWriter& json, const io::MissingRecords& missing) {
   json.member("left_out_bees", missing.bees).member("bees_known_nowhere", missing.nowhere);
   json.member("known_nowhere", missing.nowhere_ids);
   json.member("shared_id_count", missing.shared).member("shared_ids", missing.shared_ids);
+  json.member("swapped_degrees", missing.swapped);
 }
 
 }  // namespace beespace::cli
