@@ -158,6 +158,11 @@ std::string missing_text(const io::MissingRecords& missing) {
     text += (text.empty() ? "" : ", ") + io::grouped(missing.jumping) +
             (missing.jumping == 1 ? " bee jumps" : " bees jump");
   }
+  if (missing.swapped > 0) {
+    if (!text.empty()) text += ", ";
+    text += "longitude and latitude of " + io::counted(missing.swapped, "bee", "bees") +
+            " seem to be the other way round";
+  }
   if (missing.count == 0) return text;
   if (!text.empty()) text += ", ";
   if (missing.nowhere > 0) {

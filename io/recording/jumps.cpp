@@ -1,6 +1,6 @@
 #include "io/recording/jumps.hpp"
 
-#include "io/recording/rough_distance.hpp"
+#include "io/recording/flat_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ bool Jumps::take(const Fix& fix, const Velocity* velocity, Frame frame) {
     const double own_mps = std::max(*own_before_mps, *own_mps_);
     most_mps = std::min(most_mps, kTimesOwnSpeed * own_mps + kBesideOwnSpeed_mps);
   }
-  return rough_distance_m(before->position, fix.position, frame) >
+  return flat_distance_m(before->position, fix.position, frame) >
          most_mps * (fix.time_s - before->time_s + kTimesDiffer_s);
 }
 

@@ -1,6 +1,6 @@
 #include "io/recording/shared_id.hpp"
 
-#include "io/recording/rough_distance.hpp"
+#include "io/recording/flat_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@ namespace {
 constexpr double kApart = 4.0;
 
 bool jumps(const Fix& before, const Fix& at, const Fix& after, Frame frame) {
-  const double there_m = rough_distance_m(before.position, at.position, frame);
-  const double back_m = rough_distance_m(at.position, after.position, frame);
-  if (!(kApart * rough_distance_m(before.position, after.position, frame) <=
+  const double there_m = flat_distance_m(before.position, at.position, frame);
+  const double back_m = flat_distance_m(at.position, after.position, frame);
+  if (!(kApart * flat_distance_m(before.position, after.position, frame) <=
         std::min(there_m, back_m))) {
     return false;
   }

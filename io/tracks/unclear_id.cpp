@@ -1,7 +1,7 @@
 #include "io/tracks/unclear_id.hpp"
 
 #include "io/problems/excerpt.hpp"
-#include "io/recording/rough_distance.hpp"
+#include "io/recording/flat_distance.hpp"
 #include "io/table/column_overrides.hpp"
 #include "io/table/record_walk.hpp"
 #include "io/table/table_sources.hpp"
@@ -62,7 +62,7 @@ bool explains(const Sample& sample, Frame frame) {
   double as_several_m = 0.0;
   for (const Named& at : sample.fixes) {
     const auto way_m = [&](const Fix* from) {
-      return from == nullptr ? 0.0 : rough_distance_m(from->position, at.fix.position, frame);
+      return from == nullptr ? 0.0 : flat_distance_m(from->position, at.fix.position, frame);
     };
     as_one_m += way_m(std::exchange(last_of_all, &at.fix));
     as_several_m += way_m(std::exchange(last[at.value], &at.fix));
