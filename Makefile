@@ -1,6 +1,6 @@
 # The everyday commands. Each works on a brand-new Debian 12 or Ubuntu 24.04 machine.
 .DEFAULT_GOAL := help
-.PHONY: help demo test python bench bench-prevention prevention-table bench-out-of-core bench-scale compare compare-python compare-spark test-spark docs format lint clean install install-lib
+.PHONY: help demo test python bench bench-prevention prevention-table bench-out-of-core bench-scale compare compare-python compare-spark test-spark check-exports docs format lint clean install install-lib
 
 PREFIX ?= /usr/local
 
@@ -17,6 +17,7 @@ help: ## this list
 	@echo "make compare-python  compare the Python package with others (about 25 minutes)"
 	@echo "make compare-spark  compare beespace.spark with other ways on a cluster of processes (about 15 minutes)"
 	@echo "make test-spark  test beespace.spark on clusters of processes (about 8 minutes)"
+	@echo "make check-exports  open exports with Cesium and the schemas of KML (fetches 60 MB from npm and PyPI)"
 	@echo "make docs     build the site of the documents in build/docs/site"
 	@echo "make format   format the sources with clang-format 14"
 	@echo "make lint     format, include and header checks, clang-tidy"
@@ -77,6 +78,10 @@ test-spark:
 	@scripts/install-packages build spark
 	@scripts/build-command beespace_c beespace_c_io
 	@scripts/test-spark
+
+check-exports:
+	@scripts/install-packages build test python
+	@scripts/check-exports
 
 docs:
 	@scripts/install-packages build docs

@@ -365,6 +365,7 @@ complete -c beespace -n '__fish_seen_subcommand_from export' -x -l threads -d 'H
 complete -c beespace -n '__fish_seen_subcommand_from export' -r -s o -l output -d 'Where it goes, by its ending .kml, .czml, .geojson or .csv (default, or -: standard output)'
 complete -c beespace -n '__fish_seen_subcommand_from export' -x -l format -a 'kml czml geojson csv' -d 'Where the ending does not say'
 complete -c beespace -n '__fish_seen_subcommand_from export' -x -l origin -d 'Of positions in metres: lon,lat,height,heading of x (in degrees; 0 is north, 90 east), as 19.06,47.48,110,90'
+complete -c beespace -n '__fish_seen_subcommand_from export' -r -l obstacles -d 'Draw these, too, with --origin: JSON, as \'verify\' reads it, in metres'
 complete -c beespace -n '__fish_seen_subcommand_from export' -f -l json -d 'Say errors as JSON too'
 complete -c beespace -n '__fish_seen_subcommand_from export' -f -l fail-on-risk -d 'Exit with 1 when a bee is at risk, or a gap or records that were left out may hide it'
 complete -c beespace -n '__fish_seen_subcommand_from export' -f -l quiet -d 'No summary and no progress, only errors'

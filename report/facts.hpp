@@ -45,6 +45,8 @@ struct SwarmFacts {
   std::optional<GeographicPosition> origin = {};
   // Where positions in metres lie, where the input says so.
   std::optional<Placement> own_place = {};
+  // How positions that were in metres came to have an origin.
+  std::optional<Placement> placed = {};
   HeightWords heights = {};
   bool aviation = false;  // figures tell distances in nautical miles and feet
   bool flat = false;      // the input has no heights: those of positions are 0, and are not shown
@@ -53,8 +55,9 @@ struct SwarmFacts {
   std::optional<double> vertical_m = {};
   bool inclusive = false;
   Names names = {};
-  std::vector<std::string> notes = {};   // for the summary
-  std::vector<Obstacle> obstacles = {};  // to look at, in metres as given; none beside an origin
+  std::vector<std::string> notes = {};  // for the summary
+  // To look at, in metres as given; beside an origin only where positions were placed there.
+  std::vector<Obstacle> obstacles = {};
 };
 
 // How far apart two are horizontally and in height: geographic ones brought to height 0, and in

@@ -1,46 +1,88 @@
 #include "analysis/scene/place_on_earth.hpp"
 
 #include "io/bytes/number_text.hpp"
+#include "io/obstacle_name.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <cstddef>
 #include <string>
+#include <variant>
 
 namespace beespace::analysis {
 namespace {
 
-// Sines and cosines of whole quarters have no rounding in them.
-class Turn {
- public:
-  explicit Turn(const report::Placement& placement) : up_m_(placement.origin.height_m) {
-    const double degrees = std::remainder(placement.heading_deg, 360.0);
-    const double quarters = degrees / 90.0;
-    if (quarters == std::round(quarters)) {
-      const int quarter = (static_cast<int>(quarters) + 4) % 4;
-      sine_ = quarter == 1 ? 1.0 : quarter == 3 ? -1.0 : 0.0;
-      cosine_ = quarter == 0 ? 1.0 : quarter == 2 ? -1.0 : 0.0;
-    } else {
-      sine_ = std::sin(degrees * std::numbers::pi / 180.0);
-      cosine_ = std::cos(degrees * std::numbers::pi / 180.0);
-    }
-    side_ = placement.y_to_the_right ? 1.0 : -1.0;
-  }
+bool is_near(double x, double y) {
+  return std::abs(x) <= kFarthestPlaced_m && std::abs(y) <= kFarthestPlaced_m;
+}
 
-  // x points along the heading, y a quarter to its left, or to its right.
-  [[nodiscard]] Point operator()(const Point& p) const {
-    return {p.x * sine_ + side_ * p.y * cosine_, p.x * cosine_ - side_ * p.y * sine_, p.z + up_m_};
-  }
-
- private:
-  double sine_ = 0.0;
-  double cosine_ = 1.0;
-  double side_ = -1.0;
-  double up_m_ = 0.0;
-};
+bool is_height(double height_m) {
+  return height_m >= kLowestHeight_m && height_m <= kGreatestHeight_m;
+}
 
 bool is_near(const Point& p) {
-  return std::abs(p.x) <= kFarthestPlaced_m && std::abs(p.y) <= kFarthestPlaced_m &&
-         p.z >= kLowestHeight_m && p.z <= kGreatestHeight_m;
+  return is_near(p.x, p.y) && is_height(p.z);
+}
+
+// As obstacles are given, around x = y = 0.
+bool is_near(const Sphere& sphere) {
+  const double r = sphere.radius_m;
+  return is_near(std::abs(sphere.center.x) + r, std::abs(sphere.center.y) + r);
+}
+bool is_near(const Box& box) {
+  return is_near(box.low.x, box.low.y) && is_near(box.high.x, box.high.y);
+}
+bool is_near(const Ground&) {
+  return true;
+}
+bool is_near(const UprightCylinder& cylinder) {
+  const double r = cylinder.radius_m;
+  return is_near(std::abs(cylinder.x) + r, std::abs(cylinder.y) + r);
+}
+bool is_near(const UprightPrism& prism) {
+  return std::all_of(prism.outline.begin(), prism.outline.end(),
+                     [](const Corner& corner) { return is_near(corner.x, corner.y); });
+}
+
+// Of heights that have an end: where it is.
+Heights heights_of(const Sphere& sphere) {
+  return {sphere.center.z - sphere.radius_m, sphere.center.z + sphere.radius_m};
+}
+Heights heights_of(const Box& box) {
+  return {box.low.z, box.high.z};
+}
+Heights heights_of(const Ground&) {
+  return {};
+}
+Heights heights_of(const UprightCylinder& cylinder) {
+  return cylinder.heights;
+}
+Heights heights_of(const UprightPrism& prism) {
+  return prism.heights;
+}
+
+bool fits(const Obstacle& obstacle, const report::PlacementAxes& axes) {
+  const auto has_place = [&](double z) {
+    return !std::isfinite(z) || is_height(axes.height_of(z));
+  };
+  return std::visit(
+      [&](const auto& solid) {
+        const Heights heights = heights_of(solid);
+        return is_near(solid) && has_place(heights.low_m) && has_place(heights.high_m);
+      },
+      obstacle);
+}
+
+Status check_obstacles(const report::SwarmFacts& swarm, const report::PlacementAxes& axes) {
+  for (std::size_t i = 0; i < swarm.obstacles.size(); ++i) {
+    if (fits(swarm.obstacles[i], axes)) continue;
+    return Error{ErrorCode::kOutsideDomain,
+                 io::obstacle_name(i, swarm.obstacles[i]) +
+                     ", reaches farther than 100 km from the origin, or to no height that there "
+                     "is; cut it there, or leave it out",
+                 {}};
+  }
+  return std::monostate{};
 }
 
 template <class Visit>
@@ -71,20 +113,21 @@ Status place_on_earth(Scene& scene, const report::Placement& placement) {
                  {}};
   }
   if (const auto ecef = to_ecef(placement.origin); !ecef) return ecef.error();
-  const Turn turn(placement);
+  const report::PlacementAxes axes(placement);
   bool near = true;
   std::visit(
       [&](auto& facts) {
         for_each_place(facts, [&](Point& place) {
-          place = turn(place);
+          place = axes(place);
           near = near && is_near(place);
         });
+        facts.swarm.placed = placement;
         facts.swarm.origin = placement.origin;
         facts.swarm.origin->height_m = 0.0;
         facts.swarm.notes.push_back(words_of(placement));
       },
       scene);
-  if (near) return std::monostate{};
+  if (near) return check_obstacles(swarm_of(scene), axes);
   return Error{ErrorCode::kOutsideDomain,
                "a place is farther than 100 km from the origin, or no height that there is; "
                "positions on a map must be metres around --origin",

@@ -12,8 +12,8 @@ namespace beespace::analysis {
 inline constexpr double kFarthestPlaced_m = 100'000.0;
 
 // Turns x and y into east and north along the ground, and z into heights. Errors:
-// kInvalidArgument for scenes in degrees, kOutsideDomain for those that reach too far, and those of
-// to_ecef for the origin.
+// kInvalidArgument for scenes in degrees, kOutsideDomain for those that reach too far, or whose
+// obstacles do, and those of to_ecef for the origin.
 Status place_on_earth(Scene& scene, const report::Placement& placement);
 
 }  // namespace beespace::analysis

@@ -1,7 +1,7 @@
 #include "cli/input/flight_names.hpp"
 
 #include "cli/console/terminal.hpp"
-#include "cli/input/obstacle_file.hpp"
+#include "io/obstacle_name.hpp"
 
 namespace beespace::cli {
 
@@ -14,8 +14,9 @@ void FlightNames::write_bee(io::JsonWriter& json, PointId bee) const {
 }
 
 std::string FlightNames::obstacle(std::size_t number, const Obstacle& obstacle) const {
-  if (number < scenario_obstacles) return shown_obstacle(number, obstacle) + " of the scenario";
-  return shown_obstacle(number - scenario_obstacles, obstacle) + " of " + printable(obstacles_file);
+  if (number < scenario_obstacles) return io::obstacle_name(number, obstacle) + " of the scenario";
+  return io::obstacle_name(number - scenario_obstacles, obstacle) + " of " +
+         printable(obstacles_file);
 }
 
 }  // namespace beespace::cli

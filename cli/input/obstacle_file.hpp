@@ -12,7 +12,4 @@ namespace beespace::cli {
 // what is no obstacle, which is named.
 Result<ObstacleMap> load_obstacle_map(const std::string& file);
 
-// "obstacles[2], a box".
-std::string shown_obstacle(std::size_t number, const Obstacle& obstacle);
-
 }  // namespace beespace::cli

@@ -4,9 +4,9 @@
 #include "analysis/text/moment_text.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
-#include "cli/input/obstacle_file.hpp"
 #include "cli/output/coverage_output.hpp"
 #include "io/bytes/number_text.hpp"
+#include "io/obstacle_name.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -157,7 +157,7 @@ Rows finding_rows(const PathFindings& findings) {
   for (const auto& [bee, loss] : findings.verdict.clearance_losses) {
     const Obstacle& obstacle = findings.question.obstacles->obstacles()[loss.obstacle];
     rows.rows.push_back({std::string("clearance"), analysis::name_of(bee, recording),
-                         shown_obstacle(loss.obstacle, obstacle), loss.begins_s, loss.ends_s,
+                         io::obstacle_name(loss.obstacle, obstacle), loss.begins_s, loss.ends_s,
                          loss.closest_m, findings.question.clearance_m, std::monostate{}});
   }
   for (const auto& [bee, excess] : findings.verdict.breaches) {

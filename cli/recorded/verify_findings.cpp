@@ -4,9 +4,9 @@
 #include "analysis/text/moment_text.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
-#include "cli/input/obstacle_file.hpp"
 #include "cli/output/coverage_output.hpp"
 #include "io/bytes/number_text.hpp"
+#include "io/obstacle_name.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -103,7 +103,7 @@ Rows finding_rows(const Verification& verification) {
   for (const ClearanceLoss& loss : verification.verdict.first_clearance_losses) {
     const Obstacle& obstacle = verification.options.obstacles->obstacles()[loss.obstacle];
     rows.rows.push_back({std::string("clearance"), analysis::name_of(loss.agent, recording),
-                         shown_obstacle(loss.obstacle, obstacle), loss.begins_s, loss.ends_s,
+                         io::obstacle_name(loss.obstacle, obstacle), loss.begins_s, loss.ends_s,
                          loss.closest_m});
   }
   for (const Breach& breach : verification.verdict.first_breaches) {

@@ -10,12 +10,14 @@
 #include "cli/output/output_form.hpp"
 #include "cli/show/scene_loading.hpp"
 #include "cli/show/scene_summary.hpp"
+#include "cli/show/shown_obstacles.hpp"
 #include "io/bytes/atomic_output.hpp"
 #include "report/map/czml.hpp"
 #include "report/map/geojson.hpp"
 #include "report/map/kml.hpp"
 #include "report/map/risk_table.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <variant>
@@ -58,6 +60,19 @@ Status check_fit(const analysis::Scene& scene, const std::string& format) {
                          "--format csv, which takes metres as well");
 }
 
+// What is asked for at once, and cannot be.
+Status check_together(const ExportRequest& request, const std::string& format) {
+  if (request.obstacles.empty()) return std::monostate{};
+  if (format == "csv") {
+    return usage_error(kExport, "a table of pairs has no place for --obstacles; leave it out");
+  }
+  const auto& inputs = request.show.moving.inputs;
+  const bool twice =
+      request.obstacles == "-" && std::find(inputs.begin(), inputs.end(), "-") != inputs.end();
+  if (twice) return usage_error(kExport, "standard input can be read once");
+  return std::monostate{};
+}
+
 // Where positions in metres lie: as is said, or for what needs it as the input says.
 Status place(analysis::Scene& scene, const ExportRequest& request, const std::string& format) {
   if (request.placement) return analysis::place_on_earth(scene, *request.placement);
@@ -73,24 +88,27 @@ std::vector<std::string> write(const Facts& facts, const std::string& format,
                                io::AtomicOutput& output) {
   if (format == "kml") return report::write_kml(facts, output);
   if (format == "czml") return report::write_czml(facts, output);
-  if (format == "geojson") {
-    report::write_geojson(facts, output);
-  } else {
-    report::write_risk_table(facts, output);
-  }
+  if (format == "geojson") return report::write_geojson(facts, output);
+  report::write_risk_table(facts, output);
   return {};
 }
 
 Result<ExitCode> export_to(const ExportRequest& request, const std::string& format) {
+  if (Status together = check_together(request, format); !together) return together.error();
   const MovingRequest& moving = request.show.moving;
+  const auto obstacles = load_shown_obstacles(request.obstacles);
+  if (!obstacles) return obstacles.error();
+  std::vector<std::string> read = moving.inputs;
+  if (!request.obstacles.empty()) read.push_back(request.obstacles);
   auto output =
-      open_output(kExport, moving.output, moving.inputs,
+      open_output(kExport, moving.output, read,
                   file_ending(moving.output).compressed ? io::Packing::kGzip : io::Packing::kPlain);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);
   SceneTimings timings;
   auto scene = load_scene(moving.inputs, scene_request(request.show), progress, timings);
   if (!scene) return scene.error();
+  if (Status shown = show_obstacles(*obstacles, *scene); !shown) return shown.error();
   if (Status placed = place(*scene, request, format); !placed) return placed.error();
   if (Status fit = check_fit(*scene, format); !fit) return fit.error();
   Stopwatch watch;

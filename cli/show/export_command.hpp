@@ -14,6 +14,7 @@ struct ExportRequest {
   ShowRequest show;
   std::string format;                          // empty: by the ending of the output
   std::optional<report::Placement> placement;  // of positions in metres
+  std::string obstacles;                       // empty: none
 };
 
 Command export_command();

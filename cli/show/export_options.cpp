@@ -17,15 +17,16 @@ constexpr const char* kExportDetails =
     "  kml       for globes: those at risk and pairs; of recordings the paths in time, and\n"
     "            conflicts where they are closest, for as long as they last\n"
     "  czml      the same for Cesium: bees move, and are red while they are in conflict\n"
-    "  geojson   for maps: points and lines with ids, distances and times (RFC 7946)\n"
+    "  geojson   for maps: points and lines with ids, distances and times (RFC 7946); of\n"
+    "            recordings the paths too\n"
     "  csv       for spreadsheets: a row a pair, or a row a conflict, the closest first\n"
     "\n"
     "Maps and globes need longitudes and latitudes; csv takes metres as well. Of positions in "
     "metres\n"
     "--origin says where x = y = z = 0 is, and where x points; y is a quarter to its left. A show "
     "may\n"
-    "say that itself. Distances stay those in metres. Heights are written\n"
-    "as the input has them, as metres above the WGS84 ellipsoid. KML and CZML hold up to 20,000\n"
+    "say that itself. Distances stay those in metres. Heights are written as the input has them,\n"
+    "and the file says what they are counted from. Files for maps and globes hold up to 20,000\n"
     "marks of a kind and 2,000 paths, and say what they leave out. Of more than 200,000 pairs or\n"
     "conflicts the closest 10,000 are written; the file says so, of csv only the summary. In csv\n"
     "an id that a spreadsheet would take for a formula, as it begins with =, +, - or @ and is no\n"
@@ -35,7 +36,7 @@ constexpr const char* kExportDetails =
     "  beespace export bees.csv -o bees.kml\n"
     "  beespace export flight.json --threshold 300 -o conflicts.geojson\n"
     "  beespace export show.skyc -o conflicts.csv\n"
-    "  beespace export show.skyc --origin 19.06,47.48,110,90 -o show.kml\n"
+    "  beespace export show.skyc --origin 19.06,47.48,110,90 --obstacles city.json -o show.kml\n"
     "  beespace export bees.csv --format csv | sort -t, -k3 -g | head\n"
     "\n"
     "Exit status: 0 fine, 1 a bee is at risk (with --fail-on-risk), 2 wrong usage, 3 bad "
@@ -73,6 +74,8 @@ void add_file_options(Command& command, ExportRequest& request) {
   command.option("--origin", "PLACE", request.placement, read_placement,
                  "Of positions in metres: lon,lat,height,heading of x\n(in degrees; 0 is north, 90 "
                  "east), as 19.06,47.48,110,90");
+  command.option("--obstacles", "FILE", request.obstacles,
+                 "Draw these, too, with --origin: JSON, as 'verify'\nreads it, in metres");
   add_error_json_option(command, moving);
   add_scene_risk_option(command, moving);
   add_quiet_option(command, moving.quiet);

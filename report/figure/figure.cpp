@@ -3,12 +3,12 @@
 #include "report/figure/nearest_histogram.hpp"
 #include "report/figure/recording_view.hpp"
 #include "report/figure/separation_chart.hpp"
-#include "report/figure/separation_words.hpp"
 #include "report/figure/sheet.hpp"
 #include "report/figure/snapshot_view.hpp"
 #include "report/figure/style.hpp"
 #include "report/figure/view.hpp"
 #include "report/number_label.hpp"
+#include "report/separation_words.hpp"
 
 #include <algorithm>
 #include <cstddef>

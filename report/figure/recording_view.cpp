@@ -1,9 +1,9 @@
 #include "report/figure/recording_view.hpp"
 
 #include "report/figure/density.hpp"
-#include "report/figure/separation_words.hpp"
 #include "report/figure/style.hpp"
 #include "report/number_label.hpp"
+#include "report/separation_words.hpp"
 #include "report/shown_fixes.hpp"
 
 #include <algorithm>

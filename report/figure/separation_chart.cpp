@@ -1,9 +1,9 @@
 #include "report/figure/separation_chart.hpp"
 
-#include "report/figure/separation_words.hpp"
 #include "report/figure/sheet.hpp"
 #include "report/figure/style.hpp"
 #include "report/number_label.hpp"
+#include "report/separation_words.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "report/figure/sheet.hpp"
 
 #include "report/drawing/text_fit.hpp"
-#include "report/figure/separation_words.hpp"
 #include "report/figure/style.hpp"
 #include "report/number_label.hpp"
+#include "report/separation_words.hpp"
 #include "report/xml_text.hpp"
 
 #include <algorithm>
@@ -97,6 +97,21 @@ std::string as_sentence(std::string note) {
   return note;
 }
 
+// In one line, or in two smaller ones, so that who is unknown is not cut off.
+void add_findings(const std::string& findings, double width, Drawing& drawing) {
+  constexpr double kSize = 15.0;
+  constexpr double kMiddle = 76.0;
+  if (text_width(findings, kSize) <= width) {
+    return add_text({kMargin, kMiddle}, findings, kSize, kText, drawing);
+  }
+  std::vector<std::string> lines = wrapped(findings, kTextSize, width);
+  for (std::size_t i = 2; i < lines.size(); ++i) lines[1] += ' ' + lines[i];
+  add_text({kMargin, kMiddle - 5.0}, lines.front(), kTextSize, kText, drawing);
+  if (lines.size() < 2) return;
+  add_text({kMargin, kMiddle + 11.0}, fitted(lines[1], kTextSize, width), kTextSize, kText,
+           drawing);
+}
+
 // Whether a note says which columns, or units, were taken.
 bool is_of_reading(const std::string& note) {
   return note.find(" read from ") != std::string::npos ||
@@ -146,7 +161,7 @@ Drawing begin_sheet(const SwarmFacts& swarm, const std::string& findings,
                                    false,
                                    false,
                                    kText});
-  add_text({kMargin, 76.0}, fitted(findings, 15.0, width), 15.0, kText, drawing);
+  add_findings(findings, width, drawing);
   draw_key(key, {kMargin, 106.0}, drawing);
   return drawing;
 }

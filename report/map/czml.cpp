@@ -1,18 +1,17 @@
 #include "report/map/czml.hpp"
 
 #include "io/json/json_writer.hpp"
+#include "report/map/map_obstacles.hpp"
 #include "report/map/map_places.hpp"
 #include "report/map/map_time.hpp"
 #include "report/map/map_tracks.hpp"
 #include "report/map/map_words.hpp"
-#include "report/number_label.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
-#include <utility>
+#include <span>
 
 namespace beespace::report {
 namespace {
@@ -23,7 +22,17 @@ constexpr Colour kRiskColour = {200, 80, 10, 255};
 constexpr Colour kBeeColour = {111, 136, 163, 255};
 constexpr Colour kPathColour = {111, 136, 163, 120};
 constexpr Colour kOutlineColour = {255, 255, 255, 255};
+constexpr Colour kObstacleColour = {210, 150, 60, 80};
+constexpr Colour kObstacleOutline = {210, 150, 60, 192};
 constexpr Colour kLabelOutline = {0, 0, 0, 255};
+
+struct LineStyle {
+  Colour colour;
+  unsigned width = 1;
+};
+constexpr LineStyle kRiskLine = {kRiskColour, 3};
+constexpr LineStyle kPathLine = {kPathColour, 1};
+
 constexpr double kLabelsFrom_m = 500'000.0;
 
 // A list of packets, the first of which is about the document.
@@ -90,16 +99,16 @@ void write_place(io::JsonWriter& json, const GeographicPosition& place) {
 }
 
 // `write_positions` writes the members that say where it is.
-void write_line(io::JsonWriter& json, const auto& write_positions) {
+void write_line(io::JsonWriter& json, const LineStyle& style, const auto& write_positions) {
   json.begin_object("polyline").begin_object("positions");
   write_positions();
   json.end();
-  json.member("arcType", "NONE").member("width", 3u);
-  write_material(json, kRiskColour);
+  json.member("arcType", "NONE").member("width", style.width);
+  write_material(json, style.colour);
   json.end();
 }
 
-void write_places(io::JsonWriter& json, std::initializer_list<GeographicPosition> places) {
+void write_places(io::JsonWriter& json, std::span<const GeographicPosition> places) {
   json.begin_array("cartographicDegrees");
   for (const GeographicPosition& place : places) write_place(json, place);
   json.end();
@@ -139,10 +148,11 @@ void write_clock(io::JsonWriter& json, const TimeSpan& time) {
   json.end();
 }
 
-// To the microsecond, as globes read times: differences of doubles have digits that say nothing.
-double rounded(double time_s) {
+// Between instants to the microsecond, as they are written: so that positions are there at the
+// beginning and at the end of what is written of a bee.
+double seconds_after(double epoch_s, double time_s) {
   constexpr double kPerSecond = 1e6;
-  return std::round(time_s * kPerSecond) / kPerSecond;
+  return (std::round(time_s * kPerSecond) - std::round(epoch_s * kPerSecond)) / kPerSecond;
 }
 
 // What it is called, beside its dot.
@@ -173,7 +183,7 @@ void write_samples(io::JsonWriter& json, const MapTrack& track, double epoch_s,
   json.begin_array("cartographicDegrees");
   for (const auto& run : track.runs) {
     for (const Fix& fix : run) {
-      json.value(rounded(fix.time_s - epoch_s));
+      json.value(seconds_after(epoch_s, fix.time_s));
       write_place(json, places.of(fix.position));
     }
   }
@@ -203,9 +213,67 @@ void write_bee(io::JsonWriter& json, const MapTrack& track, const RecordingFacts
   write_samples(json, track, epoch_s, places);
   write_dot(json, 7.0, [&] { write_colours(json, track, facts.at_risk); });
   write_label(json, facts.swarm.names.of(track.bee));
-  json.begin_object("path").member("width", 1u);
+  if (track.runs.size() > 1) return;
+  json.begin_object("path").member("width", kPathLine.width);
   write_material(json, kPathColour);
   json.end();
+}
+
+// A path would be drawn across gaps: where there are any, a line for each part.
+void add_parts(const MapTrack& track, const Names& names, const MapPlaces& places,
+               Packets& packets) {
+  if (track.runs.size() < 2) return;
+  for (std::size_t i = 0; i < track.runs.size(); ++i) {
+    std::vector<GeographicPosition> line;
+    for (const Fix& fix : track.runs[i]) line.push_back(places.of(fix.position));
+    if (line.size() < 2) continue;
+    packets.add([&](io::JsonWriter& json) {
+      json.member("id", "path/" + std::to_string(track.bee) + '/' + std::to_string(i));
+      json.member("name", names.of(track.bee));
+      write_line(json, kPathLine, [&] { write_places(json, line); });
+    });
+  }
+}
+
+// Ends it.
+void write_solid_style(io::JsonWriter& json) {
+  write_material(json, kObstacleColour);
+  json.member("outline", true);
+  write_colour(json, "outlineColor", kObstacleOutline);
+  json.end();
+}
+
+void write_round(io::JsonWriter& json, const MapObstacle& obstacle) {
+  const RoundShape& round = *obstacle.round;
+  json.begin_object("position");
+  write_places(json, std::array{round.middle});
+  json.end();
+  if (round.is_sphere) {
+    json.begin_object("ellipsoid").begin_object("radii");
+    json.member("cartesian", std::array{round.radius_m, round.radius_m, round.radius_m}).end();
+  } else {
+    json.begin_object("cylinder").member("length", obstacle.high_m - obstacle.low_m);
+    json.member("topRadius", round.radius_m).member("bottomRadius", round.radius_m);
+  }
+}
+
+void add_obstacles(const MapObstacles& map, Packets& packets) {
+  for (std::size_t i = 0; i < map.obstacles.size(); ++i) {
+    const MapObstacle& obstacle = map.obstacles[i];
+    packets.add([&](io::JsonWriter& json) {
+      json.member("id", "obstacle/" + std::to_string(i));
+      json.member("name", obstacle.name).member("description", obstacle.words);
+      if (obstacle.round) {
+        write_round(json, obstacle);
+      } else {
+        json.begin_object("polygon").begin_object("positions");
+        write_places(json, obstacle.outline);
+        json.end();
+        json.member("height", obstacle.low_m).member("extrudedHeight", obstacle.high_m);
+      }
+      write_solid_style(json);
+    });
+  }
 }
 
 // The line moves with the two, where both are in the file. Nothing is written of a conflict whose
@@ -225,10 +293,10 @@ void add_conflict(std::size_t number, const MapTracks& map, const RecordingFacts
   packets.add([&](io::JsonWriter& json) {
     json.member("id", "conflict/" + std::to_string(number));
     json.member("name", pair_name(facts.swarm.names, c.first, c.second));
-    json.member("description", conflict_words(c, facts.swarm));
+    json.member("description", conflict_words(facts, number));
     json.member("availability", interval(c.begins_s, c.ends_s));
-    write_line(json, [&] {
-      if (!moves) return write_places(json, {places.of(*a), places.of(*b)});
+    write_line(json, kRiskLine, [&] {
+      if (!moves) return write_places(json, std::array{places.of(*a), places.of(*b)});
       const std::string end = "#position";
       json.member("references", std::array{id_of(c.first) + end, id_of(c.second) + end});
     });
@@ -239,7 +307,8 @@ void add_conflict(std::size_t number, const MapTracks& map, const RecordingFacts
 
 std::vector<std::string> write_czml(const SnapshotFacts& facts, io::AtomicOutput& output) {
   const Names& names = facts.swarm.names;
-  std::vector<std::string> notes;
+  const MapObstacles obstacles = map_obstacles(facts);
+  std::vector<std::string> notes = obstacles.notes;
   const std::size_t bees = marks_shown(facts.at_risk.size(), "bees at risk", notes);
   const std::size_t pairs = marks_shown(facts.pairs.size(), "pairs", notes);
   const MapPlaces places(facts.swarm);
@@ -254,7 +323,7 @@ std::vector<std::string> write_czml(const SnapshotFacts& facts, io::AtomicOutput
       json.member("id", id_of(bee)).member("name", names.of(bee));
       json.member("description", nearest_words(facts.closest_in_conflict[i], facts.swarm));
       json.begin_object("position");
-      write_places(json, {place(bee)});
+      write_places(json, std::array{place(bee)});
       json.end();
       write_dot(json, 8.0, [&] { write_colour(json, "color", kRiskColour); });
       write_label(json, names.of(bee));
@@ -265,18 +334,22 @@ std::vector<std::string> write_czml(const SnapshotFacts& facts, io::AtomicOutput
     packets.add([&](io::JsonWriter& json) {
       json.member("id", "pair/" + std::to_string(i));
       json.member("name", pair_name(names, pair.first, pair.second));
-      json.member("description",
-                  length_label_below(facts.swarm.threshold_m, facts.distances_m[i]) + " apart");
-      write_line(json, [&] { write_places(json, {place(pair.first), place(pair.second)}); });
+      json.member("description", pair_words(facts, i));
+      write_line(json, kRiskLine, [&] {
+        write_places(json, std::array{place(pair.first), place(pair.second)});
+      });
     });
   }
+  add_obstacles(obstacles, packets);
   packets.finish();
   return notes;
 }
 
 std::vector<std::string> write_czml(const RecordingFacts& facts, io::AtomicOutput& output) {
-  MapTracks map = map_tracks(facts, kMostTracks, kMostTrackFixes);
-  std::vector<std::string> notes = std::move(map.notes);
+  const MapTracks map = map_tracks(facts, kMostTracks, kMostTrackFixes);
+  const MapObstacles obstacles = map_obstacles(facts);
+  std::vector<std::string> notes = map.notes;
+  notes.insert(notes.end(), obstacles.notes.begin(), obstacles.notes.end());
   if (!facts.since_1970) notes.emplace_back(kTimeNote);
   const std::size_t conflicts = marks_shown(facts.conflicts.size(), "conflicts", notes);
   const MapPlaces places(facts.swarm);
@@ -289,8 +362,10 @@ std::vector<std::string> write_czml(const RecordingFacts& facts, io::AtomicOutpu
   for (const MapTrack& track : map.tracks) {
     packets.add(
         [&](io::JsonWriter& json) { write_bee(json, track, facts, time.begins_s, places); });
+    add_parts(track, facts.swarm.names, places, packets);
   }
   for (std::size_t i = 0; i < conflicts; ++i) add_conflict(i, map, facts, places, packets);
+  add_obstacles(obstacles, packets);
   packets.finish();
   return notes;
 }

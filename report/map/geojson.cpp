@@ -2,10 +2,14 @@
 
 #include "io/json/geojson_geometry.hpp"
 #include "io/json/json_writer.hpp"
+#include "io/units/units.hpp"
+#include "report/map/map_obstacles.hpp"
 #include "report/map/map_places.hpp"
+#include "report/map/map_tracks.hpp"
 #include "report/map/map_words.hpp"
 #include "report/number_label.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -15,9 +19,11 @@ namespace {
 class Features {
  public:
   // What is not in the file is said in a member of its own, which readers may pass over.
-  Features(const std::string& kept, io::AtomicOutput& output) : output_(output), json_(text_) {
+  Features(std::string words, const std::vector<std::string>& notes, io::AtomicOutput& output)
+      : output_(output), json_(text_) {
+    for (const std::string& note : notes) words += (words.empty() ? "" : "; ") + note;
     json_.begin_object().member("type", "FeatureCollection");
-    if (!kept.empty()) json_.member("note", kept);
+    if (!words.empty()) json_.member("note", words);
     json_.begin_array("features", io::JsonLayout::kFlush);
   }
 
@@ -40,10 +46,23 @@ class Features {
   io::JsonWriter json_;
 };
 
-void write_conflict(io::JsonWriter& json, const Conflict& conflict, const RecordingFacts& facts) {
+void write_apart(io::JsonWriter& json, const SwarmFacts& swarm, const std::vector<Apart>& apart,
+                 std::size_t number) {
+  if (!swarm.vertical_m || number >= apart.size()) return;
+  const Apart& of = apart[number];
+  json.member("horizontal_m", of.horizontal_m).member("vertical_m", of.height_m);
+  if (!swarm.aviation) return;
+  json.member("horizontal_NM", io::from_metric(of.horizontal_m, io::Unit::kNauticalMile));
+  json.member("vertical_ft", io::from_metric(of.height_m, io::Unit::kFoot));
+}
+
+void write_conflict(io::JsonWriter& json, const RecordingFacts& facts, std::size_t number) {
+  const Conflict& conflict = facts.conflicts[number];
   json.member("first", facts.swarm.names.of(conflict.first));
   json.member("second", facts.swarm.names.of(conflict.second));
-  json.member("closest_m", conflict.closest_m).member("begins_s", conflict.begins_s);
+  json.member("closest_m", conflict.closest_m);
+  write_apart(json, facts.swarm, facts.conflicts_apart, number);
+  json.member("begins_s", conflict.begins_s);
   json.member("closest_s", conflict.closest_s).member("ends_s", conflict.ends_s);
   json.member("certain", conflict.certain);
   if (!facts.since_1970) return;
@@ -52,13 +71,75 @@ void write_conflict(io::JsonWriter& json, const Conflict& conflict, const Record
   json.member("ends", instant_label(conflict.ends_s));
 }
 
+void add_conflicts(const RecordingFacts& facts, const MapPlaces& places, Features& features) {
+  const auto add_each = [&](const char* kind, const auto& write_geometry) {
+    for (std::size_t i = 0; i < facts.conflicts.size(); ++i) {
+      const Conflict& conflict = facts.conflicts[i];
+      const auto a = position_at(facts.tracks[conflict.first], conflict.closest_s);
+      const auto b = position_at(facts.tracks[conflict.second], conflict.closest_s);
+      if (!a || !b) continue;
+      features.add([&](io::JsonWriter& json) { write_geometry(json, *a, *b); },
+                   [&](io::JsonWriter& json) {
+                     json.member("kind", kind);
+                     write_conflict(json, facts, i);
+                   });
+    }
+  };
+  add_each("conflict", [&](io::JsonWriter& json, const Point& a, const Point& b) {
+    io::write_geojson_point(json, places.of(middle_of(a, b)));
+  });
+  add_each("pair", [&](io::JsonWriter& json, const Point& a, const Point& b) {
+    io::write_geojson_line(json, places.of(a), places.of(b));
+  });
+}
+
+// A line from one gap to the next; a place where only one fix is known.
+void add_paths(const MapTracks& map, const RecordingFacts& facts, const MapPlaces& places,
+               Features& features) {
+  for (const MapTrack& track : map.tracks) {
+    for (const std::vector<Fix>& run : track.runs) {
+      std::vector<GeographicPosition> line;
+      line.reserve(run.size());
+      for (const Fix& fix : run) line.push_back(places.of(fix.position));
+      features.add(
+          [&](io::JsonWriter& json) {
+            line.size() == 1 ? io::write_geojson_point(json, line.front())
+                             : io::write_geojson_path(json, line);
+          },
+          [&](io::JsonWriter& json) {
+            json.member("kind", "path").member("id", facts.swarm.names.of(track.bee));
+            json.member("begins_s", run.front().time_s).member("ends_s", run.back().time_s);
+            if (!facts.since_1970) return;
+            json.member("begins", instant_label(run.front().time_s));
+            json.member("ends", instant_label(run.back().time_s));
+          });
+    }
+  }
+}
+
+// Heights without an end have no member, as in files of obstacles.
+void add_obstacles(const MapObstacles& map, Features& features) {
+  for (const MapObstacle& obstacle : map.obstacles) {
+    features.add([&](io::JsonWriter& json) { io::write_geojson_polygon(json, obstacle.outline); },
+                 [&](io::JsonWriter& json) {
+                   json.member("kind", "obstacle").member("name", obstacle.name);
+                   json.member("shape", obstacle.shape);
+                   if (obstacle.round) json.member("radius_m", obstacle.round->radius_m);
+                   const Heights& heights = obstacle.heights;
+                   if (std::isfinite(heights.low_m)) json.member("low_m", heights.low_m);
+                   if (std::isfinite(heights.high_m)) json.member("high_m", heights.high_m);
+                 });
+  }
+}
+
 }  // namespace
 
-void write_geojson(const SnapshotFacts& facts, io::AtomicOutput& output) {
+std::vector<std::string> write_geojson(const SnapshotFacts& facts, io::AtomicOutput& output) {
   const MapPlaces places(facts.swarm);
   const Names& names = facts.swarm.names;
+  const MapObstacles obstacles = map_obstacles(facts);
   const auto place = [&](PointId bee) { return places.of(facts.positions[bee]); };
-  Features features(kept_words(facts), output);
+  Features features(kept_words(facts), obstacles.notes, output);
   for (std::size_t i = 0; i < facts.at_risk.size(); ++i) {
     const PointId bee = facts.at_risk[i];
     const Nearest& nearest = facts.closest_in_conflict[i];
@@ -79,33 +160,26 @@ void write_geojson(const SnapshotFacts& facts, io::AtomicOutput& output) {
           json.member("kind", "pair");
           json.member("first", names.of(pair.first)).member("second", names.of(pair.second));
           json.member("distance_m", facts.distances_m[i]);
+          write_apart(json, facts.swarm, facts.apart, i);
         });
   }
+  add_obstacles(obstacles, features);
   features.finish();
+  return obstacles.notes;
 }
 
-void write_geojson(const RecordingFacts& facts, io::AtomicOutput& output) {
+std::vector<std::string> write_geojson(const RecordingFacts& facts, io::AtomicOutput& output) {
   const MapPlaces places(facts.swarm);
-  Features features(kept_words(facts), output);
-  const auto add_each = [&](const char* kind, const auto& write_geometry) {
-    for (const Conflict& conflict : facts.conflicts) {
-      const auto a = position_at(facts.tracks[conflict.first], conflict.closest_s);
-      const auto b = position_at(facts.tracks[conflict.second], conflict.closest_s);
-      if (!a || !b) continue;
-      features.add([&](io::JsonWriter& json) { write_geometry(json, *a, *b); },
-                   [&](io::JsonWriter& json) {
-                     json.member("kind", kind);
-                     write_conflict(json, conflict, facts);
-                   });
-    }
-  };
-  add_each("conflict", [&](io::JsonWriter& json, const Point& a, const Point& b) {
-    io::write_geojson_point(json, places.of(middle_of(a, b)));
-  });
-  add_each("pair", [&](io::JsonWriter& json, const Point& a, const Point& b) {
-    io::write_geojson_line(json, places.of(a), places.of(b));
-  });
+  const MapTracks map = map_tracks(facts, kMostTracks, kMostTrackFixes);
+  const MapObstacles obstacles = map_obstacles(facts);
+  std::vector<std::string> notes = map.notes;
+  notes.insert(notes.end(), obstacles.notes.begin(), obstacles.notes.end());
+  Features features(kept_words(facts), notes, output);
+  add_conflicts(facts, places, features);
+  add_paths(map, facts, places, features);
+  add_obstacles(obstacles, features);
   features.finish();
+  return notes;
 }
 
 }  // namespace beespace::report

@@ -1,12 +1,13 @@
 #include "report/map/kml.hpp"
 
+#include "report/map/map_obstacles.hpp"
 #include "report/map/map_places.hpp"
 #include "report/map/map_time.hpp"
 #include "report/map/map_tracks.hpp"
 #include "report/map/map_words.hpp"
-#include "report/number_label.hpp"
 #include "report/xml_text.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 
@@ -20,7 +21,9 @@ constexpr std::string_view kStyles =
     "<LineStyle><color>ff0a50c8</color><width>3</width></LineStyle></Style>\n"
     "<Style id=\"path\"><IconStyle><color>ffa3886f</color><scale>0.6</scale></IconStyle>"
     "<LabelStyle><scale>0.7</scale></LabelStyle>"
-    "<LineStyle><color>b0a3886f</color><width>1.5</width></LineStyle></Style>\n";
+    "<LineStyle><color>b0a3886f</color><width>1.5</width></LineStyle></Style>\n"
+    "<Style id=\"obstacle\"><LineStyle><color>c03c96d2</color><width>1</width></LineStyle>"
+    "<PolyStyle><color>503c96d2</color></PolyStyle></Style>\n";
 
 std::string element(std::string_view name, std::string_view text) {
   std::string out = "<";
@@ -91,6 +94,44 @@ std::string tracks(const MapTrack& of, const MapPlaces& places) {
   return out + "</gx:MultiTrack>";
 }
 
+std::string polygon(const std::vector<GeographicPosition>& corners, bool to_the_ground) {
+  std::string places;
+  for (const GeographicPosition& corner : corners) places += place_text(corner, ',') + ' ';
+  places += place_text(corners.front(), ',');
+  return "<Polygon>" + std::string(to_the_ground ? "<extrude>1</extrude>" : "") +
+         std::string(kAbsolute) + "<outerBoundaryIs><LinearRing>" + element("coordinates", places) +
+         "</LinearRing></outerBoundaryIs></Polygon>";
+}
+
+std::vector<GeographicPosition> at_height(std::vector<GeographicPosition> corners,
+                                          double height_m) {
+  for (GeographicPosition& corner : corners) corner.height_m = height_m;
+  return corners;
+}
+
+// Its roof, down to the ground where it has no lower end; otherwise its floor and its walls too.
+std::string solid(const MapObstacle& obstacle) {
+  const auto roof = at_height(obstacle.outline, obstacle.high_m);
+  if (!std::isfinite(obstacle.heights.low_m)) return polygon(roof, true);
+  if (obstacle.low_m == obstacle.high_m) return polygon(roof, false);
+  const auto& floor = obstacle.outline;
+  std::string faces = polygon(roof, false) + polygon({floor.rbegin(), floor.rend()}, false);
+  for (std::size_t i = 0; i < floor.size(); ++i) {
+    const std::size_t next = (i + 1) % floor.size();
+    faces += polygon({floor[i], floor[next], roof[next], roof[i]}, false);
+  }
+  return "<MultiGeometry>" + faces + "</MultiGeometry>";
+}
+
+void add_obstacles(const MapObstacles& map, Document& document) {
+  if (map.obstacles.empty()) return;
+  document.begin_folder("Obstacles");
+  for (const MapObstacle& obstacle : map.obstacles) {
+    document.add(obstacle.name, obstacle.words, {}, "obstacle", solid(obstacle));
+  }
+  document.end_folder();
+}
+
 void add_conflicts(const RecordingFacts& facts, std::size_t count, const MapPlaces& places,
                    Document& document) {
   document.begin_folder("Conflicts");
@@ -101,8 +142,8 @@ void add_conflicts(const RecordingFacts& facts, std::size_t count, const MapPlac
     if (!a || !b) continue;
     const std::string time = "<TimeSpan>" + element("begin", map_instant(c.begins_s)) +
                              element("end", map_instant(c.ends_s)) + "</TimeSpan>";
-    document.add(pair_name(facts.swarm.names, c.first, c.second), conflict_words(c, facts.swarm),
-                 time, "risk",
+    document.add(pair_name(facts.swarm.names, c.first, c.second), conflict_words(facts, i), time,
+                 "risk",
                  "<MultiGeometry>" + point(places.of(middle_of(*a, *b))) +
                      line(places.of(*a), places.of(*b)) + "</MultiGeometry>");
   }
@@ -113,7 +154,8 @@ void add_conflicts(const RecordingFacts& facts, std::size_t count, const MapPlac
 
 std::vector<std::string> write_kml(const SnapshotFacts& facts, io::AtomicOutput& output) {
   const Names& names = facts.swarm.names;
-  std::vector<std::string> notes;
+  const MapObstacles obstacles = map_obstacles(facts);
+  std::vector<std::string> notes = obstacles.notes;
   const std::size_t bees = marks_shown(facts.at_risk.size(), "bees at risk", notes);
   const std::size_t pairs = marks_shown(facts.pairs.size(), "pairs", notes);
   const MapPlaces places(facts.swarm);
@@ -128,19 +170,20 @@ std::vector<std::string> write_kml(const SnapshotFacts& facts, io::AtomicOutput&
   document.begin_folder("Pairs too close");
   for (std::size_t i = 0; i < pairs; ++i) {
     const auto& [first, second] = facts.pairs[i];
-    document.add(pair_name(names, first, second),
-                 length_label_below(facts.swarm.threshold_m, facts.distances_m[i]) + " apart", {},
-                 "risk",
+    document.add(pair_name(names, first, second), pair_words(facts, i), {}, "risk",
                  line(places.of(facts.positions[first]), places.of(facts.positions[second])));
   }
   document.end_folder();
+  add_obstacles(obstacles, document);
   document.finish();
   return notes;
 }
 
 std::vector<std::string> write_kml(const RecordingFacts& facts, io::AtomicOutput& output) {
-  MapTracks map = map_tracks(facts, kMostTracks, kMostTrackFixes);
-  std::vector<std::string> notes = std::move(map.notes);
+  const MapTracks map = map_tracks(facts, kMostTracks, kMostTrackFixes);
+  const MapObstacles obstacles = map_obstacles(facts);
+  std::vector<std::string> notes = map.notes;
+  notes.insert(notes.end(), obstacles.notes.begin(), obstacles.notes.end());
   if (!facts.since_1970) notes.emplace_back(kTimeNote);
   const std::size_t conflicts = marks_shown(facts.conflicts.size(), "conflicts", notes);
   const MapPlaces places(facts.swarm);
@@ -151,6 +194,7 @@ std::vector<std::string> write_kml(const RecordingFacts& facts, io::AtomicOutput
     document.add(facts.swarm.names.of(of.bee), {}, {}, "path", tracks(of, places));
   }
   document.end_folder();
+  add_obstacles(obstacles, document);
   document.finish();
   return notes;
 }

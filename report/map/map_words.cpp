@@ -2,8 +2,10 @@
 
 #include "report/map/map_time.hpp"
 #include "report/number_label.hpp"
+#include "report/separation_words.hpp"
 #include "report/xml_text.hpp"
 
+#include <cmath>
 #include <cstdint>
 
 namespace beespace::report {
@@ -21,6 +23,29 @@ std::string with_unknown(std::string words, const std::string& unknown) {
   return words + "conflicts are those of the bees and times that are known: " + unknown;
 }
 
+// `apart` is that of each, or empty.
+std::string separation_words(const SwarmFacts& swarm, double metres,
+                             const std::vector<Apart>& apart, std::size_t number) {
+  const bool in_height =
+      swarm.vertical_m && number < apart.size() && std::isfinite(apart[number].horizontal_m);
+  if (!in_height) return distance_words(swarm, metres) + " apart";
+  return apart_words(swarm, metres, apart[number]);
+}
+
+std::string height_reference(const SwarmFacts& swarm) {
+  if (swarm.flat) return "The input has no heights: all are shown at height 0.";
+  if (swarm.heights.by_pressure) {
+    return "Heights are those by pressure of the standard atmosphere, as the input has them: as "
+           "heights over the ground they are wrong by as much as the weather differs from it.";
+  }
+  if (swarm.heights.above_sea) {
+    return "Heights are metres above mean sea level, as the input has them. Globes that count from "
+           "the WGS84 ellipsoid show bees some tens of metres higher or lower.";
+  }
+  return "Heights are those of the input, taken as metres above the WGS84 ellipsoid. Globes that "
+         "count altitudes from mean sea level show bees some tens of metres higher or lower.";
+}
+
 }  // namespace
 
 std::string pair_name(const Names& names, PointId first, PointId second) {
@@ -29,13 +54,18 @@ std::string pair_name(const Names& names, PointId first, PointId second) {
 
 std::string nearest_words(const Nearest& nearest, const SwarmFacts& swarm) {
   if (nearest.id == Nearest::kNone) return {};
-  return length_label_below(swarm.threshold_m, nearest.distance_m) + " from " +
+  return distance_words(swarm, nearest.distance_m) + " from " +
          xml_text(swarm.names.of(nearest.id));
 }
 
-std::string conflict_words(const Conflict& conflict, const SwarmFacts& swarm) {
-  return length_label_below(swarm.threshold_m, conflict.closest_m) + " apart at " +
-         map_instant(conflict.closest_s) + (conflict.certain ? "" : "; possible, not certain");
+std::string pair_words(const SnapshotFacts& facts, std::size_t pair) {
+  return separation_words(facts.swarm, facts.distances_m[pair], facts.apart, pair);
+}
+
+std::string conflict_words(const RecordingFacts& facts, std::size_t conflict) {
+  const Conflict& c = facts.conflicts[conflict];
+  return separation_words(facts.swarm, c.closest_m, facts.conflicts_apart, conflict) + " at " +
+         map_instant(c.closest_s) + (c.certain ? "" : "; possible, not certain");
 }
 
 std::string kept_words(const SnapshotFacts& facts) {
@@ -49,12 +79,7 @@ std::string kept_words(const RecordingFacts& facts) {
 
 std::string document_words(const SwarmFacts& swarm, const std::string& kept,
                            const std::vector<std::string>& notes) {
-  std::string html =
-      swarm.flat ? "The input has no heights: all are shown at height 0."
-                 : "Heights are those of the input, taken as metres above the WGS84 ellipsoid. "
-                   "Globes that "
-                   "count "
-                   "altitudes from mean sea level show bees some tens of metres higher or lower.";
+  std::string html = height_reference(swarm);
   if (!kept.empty()) html += "<br/>" + xml_text(kept);
   for (const std::string& note : notes) html += "<br/>" + xml_text(note);
   return html;

@@ -3,6 +3,7 @@
 
 #include "report/facts.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,14 +15,17 @@ std::string pair_name(const Names& names, PointId first, PointId second);
 // "57.3 m from maya": HTML; nothing where there is no other.
 std::string nearest_words(const Nearest& nearest, const SwarmFacts& swarm);
 
+// "57.3 m apart"; with a vertical threshold "3.19 NM across, 800 ft in height". Of the pair, or
+// conflict, of that index.
+std::string pair_words(const SnapshotFacts& facts, std::size_t pair);
 // "57.3 m apart at 2024-05-01T12:00:30Z; possible, not certain".
-std::string conflict_words(const Conflict& conflict, const SwarmFacts& swarm);
+std::string conflict_words(const RecordingFacts& facts, std::size_t conflict);
 
 // "of 204,480 pairs, the closest 10,000 are in the file"; nothing where the facts have all.
 std::string kept_words(const SnapshotFacts& facts);
 std::string kept_words(const RecordingFacts& facts);
 
-// What heights mean, and the notes, one a line, none for those that are empty: HTML.
+// What heights are counted from, and the notes, one a line, none for those that are empty: HTML.
 std::string document_words(const SwarmFacts& swarm, const std::string& kept,
                            const std::vector<std::string>& notes);
 

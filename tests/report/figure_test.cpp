@@ -130,6 +130,19 @@ TEST(Figure, MarksThoseAtRiskWhereTheyAreInBothViews) {
 }
 
 // What has no heights has no side.
+TEST(Figure, WhoIsUnknownIsNotCutOffALongVerdict) {
+  SnapshotFacts facts = three_bees();
+  facts.unknown =
+      "1,234 bees are known nowhere, as none of their records has a position, and 567 "
+      "records were left out, as what they say is no number; see the end";
+  const Drawing drawing = figure_of(facts);
+  EXPECT_TRUE(says(drawing, "see the end."));
+  for (const Text& text : shapes_of<Text>(drawing)) {
+    EXPECT_EQ(text.text.find("\u2026"), std::string::npos) << text.text;
+  }
+  expect_inside(drawing);
+}
+
 TEST(Figure, WhatIsFlatIsSeenFromAboveOnly) {
   SnapshotFacts facts = three_bees();
   facts.swarm.flat = true;

@@ -1,7 +1,7 @@
 // What figures say of aircraft: in miles and feet, horizontally and in height, at UTC times.
 #include "report/figure/figure.hpp"
-#include "report/figure/separation_words.hpp"
 #include "report/figure/style.hpp"
+#include "report/separation_words.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 // Map files: where things are, what is left out, and hostile names.
+#include "report/map/map_obstacles.hpp"
 #include "report/map/map_places.hpp"
 #include "report/map/map_tracks.hpp"
 #include "report/map/map_words.hpp"
@@ -6,7 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace beespace::report {
@@ -99,12 +103,141 @@ TEST(MapWords, HoldNamesAsTextInHtml) {
 }
 
 TEST(MapWords, SayHowCloseAndWhetherItIsCertain) {
-  SwarmFacts swarm;
-  swarm.threshold_m = 100.0;
-  EXPECT_EQ(conflict_words({0, 1, 0.0, 1.0, 2.0, 99.9996, true}, swarm),
-            "99.9996 m apart at 1970-01-01T00:00:01Z");
-  EXPECT_EQ(conflict_words({0, 1, 0.0, 1.0, 2.0, 100.0, false}, swarm),
-            "100 m apart at 1970-01-01T00:00:01Z; possible, not certain");
+  RecordingFacts facts;
+  facts.swarm.threshold_m = 100.0;
+  facts.conflicts = {{0, 1, 0.0, 1.0, 2.0, 99.9996, true}, {0, 1, 0.0, 1.0, 2.0, 100.0, false}};
+  EXPECT_EQ(conflict_words(facts, 0), "99.9996 m apart at 1970-01-01T00:00:01Z");
+  EXPECT_EQ(conflict_words(facts, 1), "100 m apart at 1970-01-01T00:00:01Z; possible, not certain");
+}
+
+TEST(MapWords, TellAcrossAndInHeightWhereBothHaveALimit) {
+  RecordingFacts facts;
+  facts.swarm.threshold_m = 9'260.0;
+  facts.swarm.vertical_m = 304.8;
+  facts.swarm.aviation = true;
+  facts.conflicts = {{0, 1, 0.0, 1.0, 2.0, 5'000.0, true}, {0, 1, 0.0, 1.0, 2.0, 5'000.0, true}};
+  facts.conflicts_apart = {{4'630.0, 243.84}, {std::nan(""), std::nan("")}};
+  EXPECT_EQ(conflict_words(facts, 0), "2.50 NM across, 800 ft in height at 1970-01-01T00:00:01Z");
+  EXPECT_EQ(conflict_words(facts, 1), "2.70 NM apart at 1970-01-01T00:00:01Z");
+}
+
+TEST(MapWords, SayWhatHeightsAreCountedFrom) {
+  const auto words = [](const HeightWords& heights) {
+    SwarmFacts swarm;
+    swarm.heights = heights;
+    return document_words(swarm, {}, {});
+  };
+  EXPECT_NE(words({}).find("above the WGS84 ellipsoid"), std::string::npos);
+  EXPECT_EQ(words({.above_sea = true}).find("Heights are metres above mean sea level"), 0u);
+  EXPECT_EQ(words({.by_pressure = true}).find("Heights are those by pressure"), 0u);
+}
+
+SnapshotFacts beside(const std::vector<Obstacle>& obstacles, double heading_deg) {
+  SnapshotFacts facts;
+  facts.swarm.placed = Placement{{19.0, 47.0, 100.0}, heading_deg, false, {}};
+  facts.swarm.origin = GeographicPosition{19.0, 47.0, 0.0};
+  facts.swarm.obstacles = obstacles;
+  facts.positions = {{0, 0, 101}, {0, 0, 150}};
+  return facts;
+}
+
+TEST(MapObstacles, LieWhereTheMetresOfTheInputDo) {
+  // 10 m along x, which points north.
+  const MapObstacles map = map_obstacles(beside({Box{{10, -2, 0}, {20, 2, 7}}}, 0.0));
+  ASSERT_EQ(map.obstacles.size(), 1u);
+  const MapObstacle& box = map.obstacles[0];
+  EXPECT_EQ(box.name, "obstacles[0], a box");
+  EXPECT_EQ(box.words, "100 m to 107 m high");
+  ASSERT_EQ(box.outline.size(), 4u);
+  const GeographicPosition origin{19.0, 47.0, 100.0};
+  for (const GeographicPosition& corner : box.outline) {
+    EXPECT_GT(corner.latitude_deg, 47.0);
+    EXPECT_EQ(corner.height_m, 100.0);
+    const double away_m = apart(origin, corner);
+    EXPECT_LT(std::min(std::abs(away_m - std::hypot(10, 2)), std::abs(away_m - std::hypot(20, 2))),
+              1e-3);
+  }
+}
+
+// Seen from above, in degrees.
+double doubled_area(const std::vector<GeographicPosition>& outline) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const GeographicPosition& a = outline[i];
+    const GeographicPosition& b = outline[(i + 1) % outline.size()];
+    sum += (a.longitude_deg - 19.0) * (b.latitude_deg - 47.0) -
+           (b.longitude_deg - 19.0) * (a.latitude_deg - 47.0);
+  }
+  return sum;
+}
+
+TEST(MapObstacles, GoRoundCounterclockwiseAlsoWhereTheAxesAreMirrored) {
+  const UprightPrism prism{{{0, 0}, {40, 0}, {0, 30}, {0, 0}}, {0, 5}};
+  const UprightPrism reversed{{{0, 30}, {40, 0}, {0, 0}}, {0, 5}};
+  SnapshotFacts facts = beside({prism, reversed}, 30.0);
+  for (const bool mirrored : {false, true}) {
+    facts.swarm.placed->y_to_the_right = mirrored;
+    for (const MapObstacle& obstacle : map_obstacles(facts).obstacles) {
+      EXPECT_EQ(obstacle.outline.size(), 3u);
+      EXPECT_GT(doubled_area(obstacle.outline), 0.0);
+    }
+  }
+}
+
+TEST(MapObstacles, HaveRoundOnesWithinTheirOutline) {
+  const MapObstacles map =
+      map_obstacles(beside({UprightCylinder{5, 5, 4.0, {0, 9}}, Sphere{{5, 5, 20}, 4.0}}, 30.0));
+  ASSERT_EQ(map.obstacles.size(), 2u);
+  for (const MapObstacle& round : map.obstacles) {
+    ASSERT_TRUE(round.round);
+    EXPECT_EQ(round.round->radius_m, 4.0);
+    for (std::size_t i = 0; i < round.outline.size(); ++i) {
+      GeographicPosition side = round.outline[i];
+      const GeographicPosition& next = round.outline[(i + 1) % round.outline.size()];
+      side.longitude_deg = 0.5 * (side.longitude_deg + next.longitude_deg);
+      side.latitude_deg = 0.5 * (side.latitude_deg + next.latitude_deg);
+      GeographicPosition middle = round.round->middle;
+      middle.height_m = side.height_m;
+      EXPECT_NEAR(apart(middle, side), 4.0, 2e-4);
+    }
+  }
+  EXPECT_EQ(map.obstacles[0].words, "radius 4 m, 100 m to 109 m high");
+  EXPECT_EQ(map.obstacles[0].round->middle.height_m, 104.5);
+  EXPECT_EQ(map.obstacles[1].words, "radius 4 m, 116 m to 124 m high");
+  EXPECT_EQ(map.obstacles[1].round->middle.height_m, 120.0);
+}
+
+TEST(MapObstacles, WithoutAnEndReachBeyondWhereBeesFly) {
+  const Heights open;
+  const MapObstacles map = map_obstacles(
+      beside({UprightCylinder{0, 0, 1, open}, UprightCylinder{0, 0, 1, {0, open.high_m}},
+              UprightCylinder{0, 0, 1, {open.low_m, 200}}},
+             0.0));
+  ASSERT_EQ(map.obstacles.size(), 3u);
+  const auto drawn = [&](std::size_t i) {
+    return std::pair(map.obstacles[i].low_m, map.obstacles[i].high_m);
+  };
+  EXPECT_EQ(drawn(0), std::pair(91.0, 160.0));
+  EXPECT_EQ(drawn(1), std::pair(100.0, 160.0));
+  EXPECT_EQ(drawn(2), std::pair(91.0, 300.0));
+  EXPECT_EQ(map.obstacles[0].words, "radius 1 m, at all heights");
+  EXPECT_EQ(map.obstacles[1].words, "radius 1 m, from 100 m upwards, with no upper end");
+  EXPECT_EQ(map.obstacles[2].words, "radius 1 m, up to 300 m, with no lower end");
+}
+
+TEST(MapObstacles, TheGroundIsLeftOutAndThatIsReported) {
+  const MapObstacles map = map_obstacles(beside({Ground{0.0}, Box{{0, 0, 0}, {1, 1, 1}}}, 0.0));
+  ASSERT_EQ(map.obstacles.size(), 1u);
+  EXPECT_EQ(map.obstacles[0].name, "obstacles[1], a box");
+  EXPECT_EQ(map.notes,
+            std::vector<std::string>{"obstacles[0], the ground, is everywhere, and is not drawn"});
+}
+
+TEST(MapObstacles, ThatAreThinAreWideEnoughToBeSeen) {
+  const MapObstacles map =
+      map_obstacles(beside({UprightCylinder{0, 0, 0, {0, 9}}, Box{{5, 5, 0}, {5, 9, 9}}}, 0.0));
+  ASSERT_EQ(map.obstacles.size(), 2u);
+  for (const MapObstacle& thin : map.obstacles) EXPECT_GT(doubled_area(thin.outline), 0.0);
 }
 
 TEST(RiskTable, KeepsSpreadsheetsFromTakingIdsForFormulas) {

@@ -189,6 +189,104 @@ TEST_F(Export, PairsThatAreLeftOutAreReported) {
   expect_parts(run({"export", flown, "--format", "csv"}).err, {conflicts});
 }
 
+// A mast, a house and what is forbidden below it.
+constexpr std::string_view kObstacles =
+    R"({"obstacles":[{"kind":"cylinder","center":[10,0],"radius_m":2,"high_m":30},)"
+    R"({"kind":"box","low":[20,20,0],"high":[30,40,12.5]},{"kind":"ground","height_m":0},)"
+    R"({"kind":"prism","outline":[[0,0],[0,50],[50,0]],"low_m":60,"high_m":80},)"
+    R"({"kind":"sphere","center":[0,0,90],"radius_m":5}]})";
+constexpr const char* kPlace = "19.06,47.48,110,90";
+
+class ExportObstacles : public Export {
+ protected:
+  std::string obstacles_ = folder_.file("obstacles.json", kObstacles);
+  std::string flown_ =
+      folder_.file("flown.csv", "id,time_s,x,y,z\na,0,0,0,5\na,9,3,0,5\nb,0,9,0,5\nb,9,9,0,5\n");
+
+  std::string placed(const std::string& input, const std::string& format) {
+    return exported(input, format, {"--origin", kPlace, "--obstacles", obstacles_});
+  }
+};
+
+TEST_F(ExportObstacles, AreSolidsInKml) {
+  for (const std::string& input : {metres_, flown_}) {
+    const std::string kml = placed(input, "kml");
+    EXPECT_TRUE(is_xml(kml)) << kml;
+    expect_parts(kml,
+                 {"<Folder><name>Obstacles</name>",
+                  "<name>obstacles[0], a cylinder</name><description>radius 2 m, up to 140 m, with "
+                  "no lower end</description><styleUrl>#obstacle</styleUrl><Polygon><extrude>1<",
+                  "<name>obstacles[1], a box</name><description>110 m to 122.5 m high",
+                  "obstacles[2], the ground, is everywhere, and is not drawn",
+                  "<name>obstacles[3], a prism</name><description>170 m to 190 m high"});
+  }
+  EXPECT_EQ(exported(metres_, "kml", {"--origin", kPlace}).find("Obstacles"), std::string::npos);
+}
+
+TEST_F(ExportObstacles, AreShapesInCzml) {
+  for (const std::string& input : {metres_, flown_}) {
+    const std::string czml = placed(input, "czml");
+    EXPECT_TRUE(is_json(czml)) << czml;
+    expect_parts(czml,
+                 {R"("id":"obstacle/0","name":"obstacles[0], a cylinder")",
+                  R"("topRadius":2,"bottomRadius":2)", R"("name":"obstacles[1], a box")",
+                  R"("height":110,"extrudedHeight":122.5)", R"("height":170,"extrudedHeight":190)",
+                  R"("ellipsoid":{"radii":{"cartesian":[5,5,5]})"});
+  }
+}
+
+TEST_F(ExportObstacles, ArePolygonsInGeojson) {
+  for (const std::string& input : {metres_, flown_}) {
+    const std::string geojson = placed(input, "geojson");
+    EXPECT_TRUE(is_json(geojson)) << geojson;
+    expect_parts(geojson,
+                 {R"("kind":"obstacle","name":"obstacles[0], a cylinder","shape":"cylinder",)"
+                  R"("radius_m":2,"high_m":140})",
+                  R"("name":"obstacles[1], a box","shape":"box","low_m":110,"high_m":122.5})",
+                  R"("note": "obstacles[2], the ground, is everywhere, and is not drawn")",
+                  R"("shape":"sphere","radius_m":5,"low_m":195,"high_m":205})"});
+  }
+}
+
+TEST_F(ExportObstacles, NeedMetresAndAPlace) {
+  expect_failure({"export", bees_, "--format", "kml", "--obstacles", obstacles_}, {}, 3,
+                 "obstacles are in metres, and 'bees.csv' is in degrees");
+  expect_usage_error({"export", metres_, "--format", "csv", "--obstacles", obstacles_},
+                     "a table of pairs has no place for --obstacles");
+  expect_usage_error({"export", "-", "--format", "kml", "--obstacles", "-"}, "can be read once");
+  expect_usage_error(
+      {"export", metres_, "-o", obstacles_, "--format", "kml", "--obstacles", obstacles_},
+      "is one of the inputs");
+  const std::string wide = folder_.file(
+      "wide.json", R"({"obstacles": [{"kind": "box", "low": [0, 0, 0], "high": [200000, 1, 1]}]})");
+  expect_failure({"export", metres_, "--format", "kml", "--origin", kPlace, "--obstacles", wide},
+                 {}, 3, "obstacles[0], a box, reaches farther than 100 km from the origin");
+}
+
+TEST_F(Export, PathsAreBrokenWhereBeesAreUnknown) {
+  const std::string gap =
+      folder_.file("gap.csv",
+                   "id,time_s,longitude,latitude,height\na,0,19,47,0\na,1,19.0001,47,0\n"
+                   "a,60,19.001,47,0\na,61,19.0011,47,0\nb,0,19,48,0\nb,61,19,48,0\n");
+  const Arguments most = {"--max-gap", "10"};
+  const std::string czml = exported(gap, "czml", most);
+  expect_parts(czml, {R"("id":"path/0/0","name":"a")", R"("id":"path/0/1","name":"a")",
+                      R"("cartographicDegrees":[19.001,47,0,19.0011,47,0])"});
+  EXPECT_EQ(czml.find(R"("path":{)"), std::string::npos);
+  expect_parts(exported(gap, "geojson", most),
+               {R"("coordinates": [[19, 47, 0], [19.0001, 47, 0]]}, "properties": )"
+                R"({"kind":"path","id":"a","begins_s":0,"ends_s":1})",
+                R"({"kind":"path","id":"a","begins_s":60,"ends_s":61})"});
+}
+
+TEST_F(Export, TellsAcrossAndInHeightWithAVerticalThreshold) {
+  const Arguments nmac = {"--separation", "nmac"};
+  expect_parts(exported(bees_, "kml", nmac), {"36 ft across, 0 ft in height"});
+  expect_parts(exported(flight_, "geojson", nmac),
+               {R"("horizontal_m":11.0)", R"("vertical_m":0,"horizontal_NM":0.00)",
+                R"("vertical_ft":0,"begins_s")"});
+}
+
 TEST_F(Export, FailsOnRiskWhereAskedTo) {
   EXPECT_EQ(run({"export", bees_, "--format", "csv", "--fail-on-risk"}).exit_code, 1);
   EXPECT_EQ(

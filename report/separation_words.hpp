@@ -1,5 +1,6 @@
-// How figures tell how far two are apart: in metres, or in nautical miles and feet where those who
-// made the input, or set the limits, speak so; horizontally and in height where both have a limit.
+// How figures and files for maps tell how far two are apart: in metres, or in nautical miles and
+// feet where those who made the input, or set the limits, speak so; horizontally and in height
+// where both have a limit.
 #pragma once
 
 #include "report/facts.hpp"

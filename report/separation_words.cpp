@@ -1,4 +1,4 @@
-#include "report/figure/separation_words.hpp"
+#include "report/separation_words.hpp"
 
 #include "report/number_label.hpp"
 
