@@ -73,6 +73,21 @@ std::vector<BeeInConflict> bees_in_conflict(std::size_t bees,
   return found;
 }
 
+namespace {
+
+// Whether any of `in_gaps`, or `known`, which come first then, is closer to one of `in_gaps` than
+// two of `known` are to each other.
+bool would_be_closer(Engine& engine, std::vector<Point>& known, const std::vector<Point>& in_gaps) {
+  if (in_gaps.empty()) return false;
+  const std::size_t count = known.size();
+  known.insert(known.end(), in_gaps.begin(), in_gaps.end());
+  const auto pair = engine.find_closest_pair(known);
+  known.resize(count);
+  return pair && *pair && std::max((*pair)->first, (*pair)->second) >= count;
+}
+
+}  // namespace
+
 std::vector<Moment> separation_over_time(const Findings& findings, double every_s) {
   std::vector<Moment> moments;
   const auto time = time_of(findings.tracks);
@@ -80,26 +95,33 @@ std::vector<Moment> separation_over_time(const Findings& findings, double every_
   Engine engine;
   std::vector<Point> places;
   std::vector<PointId> bees;
+  std::vector<Point> in_gaps;
   const double lasts = time->ends_s - time->begins_s;
   for (std::uint64_t i = 0; static_cast<double>(i) * every_s <= lasts; ++i) {
     const double now = time->begins_s + static_cast<double>(i) * every_s;
     places.clear();
     bees.clear();
+    in_gaps.clear();
     std::uint64_t unknown = 0;
     for (PointId bee = 0; bee < findings.tracks.size(); ++bee) {
       const auto place =
           position_at(findings.in_space[bee], now, findings.coverage.max_gap.seconds);
       // A drone of a show that does not fly stands.
       if (!place && !findings.recording.show) ++unknown;
-      if (!place) continue;
+      if (!place) {
+        if (const auto across = position_at(findings.in_space[bee], now))
+          in_gaps.push_back(*across);
+        continue;
+      }
       places.push_back(*place);
       bees.push_back(bee);
     }
     moments.push_back({now, kInfinity, 0, 0, unknown});
+    moments.back().open = would_be_closer(engine, places, in_gaps);
     const auto pair = engine.find_closest_pair(places);
     if (!pair || !*pair) continue;
-    moments.back() = {now, (*pair)->distance_m, bees[(*pair)->first], bees[(*pair)->second],
-                      unknown};
+    moments.back() = {now,     (*pair)->distance_m, bees[(*pair)->first], bees[(*pair)->second],
+                      unknown, moments.back().open};
   }
   return moments;
 }
