@@ -113,6 +113,17 @@ void take_closer(const Result<std::optional<ClosestPair>>& pair, const Places& p
   moment.second = second;
 }
 
+// Whether any of `in_gaps`, or `known`, which come first then, is closer to one of `in_gaps` than
+// two of `known` are to each other.
+bool would_be_closer(Engine& engine, std::vector<Point>& known, const std::vector<Point>& in_gaps) {
+  if (in_gaps.empty()) return false;
+  const std::size_t count = known.size();
+  known.insert(known.end(), in_gaps.begin(), in_gaps.end());
+  const auto pair = engine.find_closest_pair(known);
+  known.resize(count);
+  return pair && *pair && std::max((*pair)->first, (*pair)->second) >= count;
+}
+
 }  // namespace
 
 std::vector<Moment> separation_over_time(const Findings& findings, double every_s) {
@@ -123,11 +134,13 @@ std::vector<Moment> separation_over_time(const Findings& findings, double every_
   const std::vector<Standing> standing = standing_in(findings.recording);
   Places flying;
   Places on_ground;
+  std::vector<Point> in_gaps;
   const double lasts = time->ends_s - time->begins_s;
   for (std::uint64_t i = 0; static_cast<double>(i) * every_s <= lasts; ++i) {
     const double now = time->begins_s + static_cast<double>(i) * every_s;
     flying.clear();
     on_ground.clear();
+    in_gaps.clear();
     Moment& moment = moments.emplace_back(Moment{now, kInfinity, 0, 0, 0});
     for (PointId bee = 0; bee < findings.tracks.size(); ++bee) {
       const auto place =
@@ -135,10 +148,12 @@ std::vector<Moment> separation_over_time(const Findings& findings, double every_
       // A drone of a show that does not fly stands.
       if (place) {
         flying.add(bee, *place);
-      } else if (!findings.recording.show) {
-        ++moment.unknown;
+        continue;
       }
+      if (!findings.recording.show) ++moment.unknown;
+      if (const auto across = position_at(findings.in_space[bee], now)) in_gaps.push_back(*across);
     }
+    moment.open = would_be_closer(engine, flying.at, in_gaps);
     take_closer(engine.find_closest_pair(flying.at), flying, flying, moment);
     if (standing.empty()) continue;
     for (const Standing& one : standing) {

@@ -77,6 +77,9 @@ struct Moment {
   PointId first;
   PointId second;
   std::uint64_t unknown;  // bees
+  // One of these would be closer to another, on a straight line across its gap: how far apart the
+  // closest two were is not known.
+  bool open = false;
 };
 std::vector<Moment> separation_over_time(const Findings& findings, double every_s);
 

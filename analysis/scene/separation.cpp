@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 namespace beespace::analysis {
 namespace {
@@ -28,8 +29,9 @@ void insert(const report::Separation& at, std::vector<report::Separation>& separ
   separation.insert(after, at);
 }
 
-// Those who are there at a moment.
+// Those who are there at a moment; after these, who is in a gap, on a straight line across it.
 struct There {
+  std::size_t known = 0;
   std::vector<PointId> bees;
   std::vector<Point> ground;
   std::vector<double> heights_m;
@@ -37,13 +39,21 @@ struct There {
 
 There there_at(const Uprights& uprights, std::size_t bees, double time_s) {
   There now;
-  for (PointId bee = 0; bee < bees; ++bee) {
-    const auto at = uprights.at(bee, time_s);
-    if (!at) continue;
+  const auto add = [&now](PointId bee, const Upright& at) {
     now.bees.push_back(bee);
-    now.ground.push_back(at->ground);
-    now.heights_m.push_back(at->height_m);
+    now.ground.push_back(at.ground);
+    now.heights_m.push_back(at.height_m);
+  };
+  std::vector<std::pair<PointId, Upright>> in_gaps;
+  for (PointId bee = 0; bee < bees; ++bee) {
+    if (const auto at = uprights.at(bee, time_s)) {
+      add(bee, *at);
+    } else if (const auto across = uprights.across_gaps_at(bee, time_s)) {
+      in_gaps.emplace_back(bee, *across);
+    }
   }
+  now.known = now.bees.size();
+  for (const auto& [bee, at] : in_gaps) add(bee, at);
   return now;
 }
 
@@ -101,9 +111,9 @@ std::vector<report::Separation> nearest_to_conflict(const Findings& findings,
   for (std::uint64_t i = 0; static_cast<double>(i) * step_s <= time.ends_s - time.begins_s; ++i) {
     const double now_s = time.begins_s + static_cast<double>(i) * step_s;
     const There now = there_at(uprights, findings.tracks.size(), now_s);
-    if (now.bees.size() < 2) continue;
+    if (now.known < 2) continue;
     const auto pair = search.find(now, share);
-    if (!pair) continue;
+    if (!pair || std::max(pair->first, pair->second) >= now.known) continue;
     const PointId first = now.bees[pair->first];
     const PointId second = now.bees[pair->second];
     const report::Apart of = apart({now.ground[pair->first], now.heights_m[pair->first]},
@@ -117,7 +127,7 @@ std::vector<report::Separation> nearest_to_conflict(const Findings& findings,
 std::vector<report::Separation> closest_two(const Findings& findings, const TimeSpan& time) {
   std::vector<report::Separation> separation;
   for (const Moment& moment : separation_over_time(findings, every_s(time))) {
-    if (!std::isfinite(moment.distance_m)) continue;
+    if (moment.open || !std::isfinite(moment.distance_m)) continue;
     const auto [first, second] = std::minmax(moment.first, moment.second);
     separation.push_back({moment.time_s, {first, second, moment.distance_m}});
   }

@@ -9,7 +9,8 @@
 
 namespace beespace::analysis {
 
-// At some hundred moments, and where the closest encounter was. With a vertical threshold
+// At some hundred moments, but for those at which one would be closer on a straight line across its
+// gap, and where the closest encounter was. With a vertical threshold
 // (`vertical_m` of `swarm`), of those who are nearest to a conflict.
 std::vector<report::Separation> separation_of(const Findings& findings, const Uprights& uprights,
                                               const report::SwarmFacts& swarm);

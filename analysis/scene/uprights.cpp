@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace beespace::analysis {
@@ -37,13 +38,21 @@ Result<Uprights> Uprights::of(const io::Recording& recording, const std::vector<
 }
 
 std::optional<Upright> Uprights::at(PointId bee, double time_s) const {
+  return at(bee, time_s, max_gap_s_);
+}
+
+std::optional<Upright> Uprights::across_gaps_at(PointId bee, double time_s) const {
+  return at(bee, time_s, std::numeric_limits<double>::infinity());
+}
+
+std::optional<Upright> Uprights::at(PointId bee, double time_s, double max_gap_s) const {
   if (!on_earth()) {
-    const auto place = in_space_at(bee, time_s);
+    const auto place = position_at((*in_space_)[bee], time_s, max_gap_s);
     if (!place) return std::nullopt;
     return Upright{{place->x, place->y, 0.0}, place->z};
   }
-  const auto ground = position_at(ground_[bee], time_s, max_gap_s_);
-  const auto height = position_at(heights_[bee], time_s, max_gap_s_);
+  const auto ground = position_at(ground_[bee], time_s, max_gap_s);
+  const auto height = position_at(heights_[bee], time_s, max_gap_s);
   if (!ground || !height) return std::nullopt;
   return Upright{*ground, height->x};
 }

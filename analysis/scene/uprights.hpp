@@ -29,6 +29,8 @@ class Uprights {
 
   // Absent where the bee is unknown.
   [[nodiscard]] std::optional<Upright> at(PointId bee, double time_s) const;
+  // Also in its gaps, on a straight line.
+  [[nodiscard]] std::optional<Upright> across_gaps_at(PointId bee, double time_s) const;
   [[nodiscard]] std::optional<Point> in_space_at(PointId bee, double time_s) const;
   [[nodiscard]] const Track& track(PointId bee) const { return (*in_space_)[bee]; }
   [[nodiscard]] bool on_earth() const { return !ground_.empty(); }
@@ -36,6 +38,7 @@ class Uprights {
  private:
   Uprights(const std::vector<Track>& in_space, double max_gap_s)
       : in_space_(&in_space), max_gap_s_(max_gap_s) {}
+  [[nodiscard]] std::optional<Upright> at(PointId bee, double time_s, double max_gap_s) const;
 
   const std::vector<Track>* in_space_;
   double max_gap_s_;

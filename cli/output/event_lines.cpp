@@ -71,6 +71,7 @@ void write_members(io::JsonWriter& json, const SwarmEvent& event, const analysis
     json.member("since_s", event.since_s);
   }
   json.member("closest_s", event.closest_s);
+  if (event.closing) json.member("closing", true);
   write_label(json, "first_label", feed.name(event.first));
   write_label(json, "second_label", feed.name(event.second));
 }

@@ -128,6 +128,8 @@ std::string bars_over_time(const analysis::Findings& findings, double threshold_
     const auto height = static_cast<std::size_t>(std::clamp(share * 8.0, 0.0, 7.0));
     if (conflict[bar]) {
       text += red("!");
+    } else if (moments[bar].open) {
+      text += "?";
     } else {
       text += std::isfinite(moments[bar].distance_m) ? kHeights[height] : " ";
     }
@@ -173,8 +175,11 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
   if (!bars.empty()) {
     append_summary_line(out, "over time", bars);
     append_summary_line(out, "",
-                        "(how far apart the closest two are: a full bar is twice the "
-                        "threshold, ! a conflict)");
+                        "(how far apart the closest two are: a full bar is twice the " std::string(
+                            "threshold, ! a conflict") +
+                            (bars.find('?') == std::string::npos
+                                 ? ")"
+                                 : ", ? not known, as one may be closer in its gap)"));
   }
   if (figures.memory_bytes) {
     append_summary_line(out, "memory",

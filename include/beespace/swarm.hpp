@@ -160,6 +160,8 @@ struct SwarmEvent {
   double since_s = 0.0;
   std::uint64_t count = 0;  ///< Of kOverloaded: how many were left out, at least; 0: not known.
   SwarmBound bound = SwarmBound::kNone;  ///< Of kOverloaded: the bound.
+  /// @brief Of kPredicted: `closest_s` is where the horizon ends, and the two come closer after it.
+  bool closing = false;
 
   friend constexpr bool operator==(const SwarmEvent&, const SwarmEvent&) = default;
 };

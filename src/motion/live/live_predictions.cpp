@@ -71,6 +71,12 @@ Status LivePredictions::find_pairs(const MoversView& movers, const core::Resourc
   return std::monostate{};
 }
 
+// Than that, until twice the horizon.
+bool LivePredictions::comes_closer(const RelativeMotion<4>& motion, double closest_m) const {
+  const TimeSpan longer{0.0, 2.0 * horizon_s_};
+  return closest_within(in_metres(motion, enter_), longer).distance_m < closest_m;
+}
+
 Result<LeftOut> LivePredictions::predict(const LiveBees& bees,
                                          const std::vector<AgentPair>& entered, double now_s,
                                          const core::Resources& with,
@@ -96,9 +102,12 @@ Result<LeftOut> LivePredictions::predict(const LiveBees& bees,
     still_.push_back(bee);
     if (!is_inside) ++open;
     if (reported || is_inside) continue;
-    const auto report = report_conflict(relative_motion(first, second), enter_, horizon_s_);
-    events.push_back({EventKind::kPredicted, now_s + report.span.begins_s, bee.first, bee.second,
-                      report.closest_m, now_s + report.closest_s});
+    const auto motion = relative_motion(first, second);
+    const auto report = report_conflict(motion, enter_, horizon_s_);
+    SwarmEvent event{EventKind::kPredicted, now_s + report.span.begins_s, bee.first, bee.second,
+                     report.closest_m,      now_s + report.closest_s};
+    event.closing = report.closest_s >= horizon_s_ && comes_closer(motion, report.closest_m);
+    events.push_back(event);
   }
   predicted_.swap(still_);
   open_ = open;

@@ -52,6 +52,7 @@ class LivePredictions {
     std::vector<double> climbs_mps;
   };
   void look_ahead(const LiveBees& bees, double now_s);
+  [[nodiscard]] bool comes_closer(const RelativeMotion<4>& motion, double closest_m) const;
   Status find_pairs(const MoversView& movers, const core::Resources& with, LeftOut& left_out);
 
   Separation enter_;

@@ -44,6 +44,30 @@ TEST(Findings, TimeInSeveralConflictsAtOnceCountsOnce) {
   EXPECT_EQ(bees[3].closest, nullptr);
 }
 
+// Two meet in the gap of one of them; a third one stands 50 m away from the first.
+TEST(Findings, HowFarApartIsOpenWhereOneMayBeCloserInItsGap) {
+  std::vector<Track> tracks(3);
+  tracks[0].fixes = {{0.0, {0.0, 0.0, 0.0}}, {5.0, {0.0, 0.0, 0.0}}, {10.0, {0.0, 0.0, 0.0}}};
+  tracks[1].fixes = {{0.0, {-10.0, 1.0, 0.0}}, {10.0, {10.0, 1.0, 0.0}}};
+  tracks[2].fixes = {{0.0, {0.0, 50.0, 0.0}}, {5.0, {0.0, 50.0, 0.0}}, {10.0, {0.0, 50.0, 0.0}}};
+  const io::Recording recording;
+  const RecordedConflicts recorded;
+  Coverage coverage;
+  coverage.max_gap.seconds = 5.0;
+  const auto moments =
+      separation_over_time({recording, tracks, tracks, recorded, {}, coverage, true}, 5.0);
+  ASSERT_EQ(moments.size(), 3U);
+  EXPECT_FALSE(moments[0].open || moments[2].open);
+  EXPECT_TRUE(moments[1].open);
+  EXPECT_EQ(moments[1].unknown, 1U);
+  EXPECT_EQ(moments[1].distance_m, 50.0);
+  // Far away in its gap, it leaves nothing open.
+  for (Fix& fix : tracks[1].fixes) fix.position.y = 500.0;
+  const auto far =
+      separation_over_time({recording, tracks, tracks, recorded, {}, coverage, true}, 5.0);
+  EXPECT_FALSE(far[1].open);
+}
+
 TEST(Findings, TimeIsFromTheFirstFixToTheLast) {
   EXPECT_FALSE(time_of({}).has_value());
   std::vector<Track> tracks(3);

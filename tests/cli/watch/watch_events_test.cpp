@@ -84,6 +84,13 @@ TEST(WatchEvents, AnEncounterIsPredictedEnteredPassedAndLeft) {
   for (const std::string& line : lines) EXPECT_TRUE(is_json(line)) << line;
 }
 
+// Head-on, and closest after the horizon: what is predicted is how close they are at its end.
+TEST(WatchEvents, APredictionSaysThatTwoCloseInBeyondTheHorizon) {
+  const auto event = lines_of(watched({"--horizon", "8"}, passing_by()).out).at(0);
+  EXPECT_EQ(event, R"({"event": "predicted", "time_s": 7.5, "first": "a", "second": "b", )"
+                   R"("distance_m": 2, "closest_s": 9, "closing": true})");
+}
+
 TEST(WatchEvents, TheLeaveFactorMovesTheLeavingAndTheHorizonThePrediction) {
   EXPECT_EQ(lines_of(watched({"--horizon", "0"}, passing_by()).out).at(0), kEntered);
   const auto lines = lines_of(watched({"--leave-factor", "2"}, passing_by()).out);
