@@ -24,6 +24,7 @@
 #include "io/tracks/json_table.hpp"
 #include "io/tracks/pose_table.hpp"
 #include "io/tracks/track_table.hpp"
+#include "io/tracks/trackmate_table.hpp"
 #include "io/tracks/wide_table.hpp"
 
 #include <algorithm>
@@ -212,6 +213,9 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
   }
   if (format == RecordingFormat::kAuto) {
     const std::string_view text = without_byte_order_mark(content->view);
+    if (options_name_no_columns(assembly) && is_trackmate_table(text)) {
+      return read_trackmate_table(text, assembly);
+    }
     if (is_pose_table(text)) return read_pose_table(text, stem_of(path), assembly);
   }
   if (format == RecordingFormat::kAuto && options_name_no_columns(assembly)) {

@@ -15,6 +15,7 @@
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/tracks/pose_table.hpp"
+#include "io/tracks/trackmate_table.hpp"
 #include "io/tracks/wide_table.hpp"
 
 #include <algorithm>
@@ -61,6 +62,9 @@ std::optional<Error> format_problem(std::string_view beginning, const RecordingO
   if (is_telemetry_log(beginning)) return not_as_it_comes("a MAVLink telemetry log");
   if (is_base_station(beginning)) return not_as_it_comes("a list of BaseStation messages");
   if (is_daidalus_encounter(text)) return not_as_it_comes("an encounter of DAIDALUS");
+  if (options.columns.empty() && is_trackmate_table(text)) {
+    return not_as_it_comes("a table of spots of TrackMate");
+  }
   if (is_pose_table(text)) return not_as_it_comes("a table of poses");
   if (options.columns.empty() && is_wide_table(text)) {
     return not_as_it_comes("a table with columns for each animal");

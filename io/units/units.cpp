@@ -28,6 +28,9 @@ constexpr std::array kUnits = {
               "cm centimeter centimeters centimetre centimetres"},
     UnitFacts{Unit::kMillimetre, Quantity::kLength, "mm", 1, 1000,
               "mm millimeter millimeters millimetre millimetres"},
+    // The micro sign and the Greek letter.
+    UnitFacts{Unit::kMicrometre, Quantity::kLength, "\u00B5m", 1, 1'000'000,
+              "um micron microns micrometer micrometers micrometre micrometres \u00B5m \u03BCm"},
     UnitFacts{Unit::kFoot, Quantity::kLength, "ft", 381, 1250, "ft feet foot pies"},
     UnitFacts{Unit::kFlightLevel, Quantity::kLength, "FL", 762, 25, "fl"},
     UnitFacts{Unit::kYard, Quantity::kLength, "yd", 1143, 1250, "yd yard yards"},

@@ -20,6 +20,7 @@ enum class Unit : std::uint8_t {
   kKilometre,
   kCentimetre,
   kMillimetre,
+  kMicrometre,
   kFoot,
   kFlightLevel,  // a hundred feet
   kYard,

@@ -28,6 +28,7 @@ constexpr Definition kDefinitions[] = {
     {Unit::kKilometre, 1000, 1},
     {Unit::kCentimetre, 1, 100},
     {Unit::kMillimetre, 1, 1000},
+    {Unit::kMicrometre, 1, 1'000'000},
     {Unit::kFoot, 3048, 10000},
     {Unit::kFlightLevel, 3048, 100},
     {Unit::kYard, 9144, 10000},

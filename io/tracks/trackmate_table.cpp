@@ -1,0 +1,177 @@
+#include "io/tracks/trackmate_table.hpp"
+
+#include "io/bytes/characters.hpp"
+#include "io/bytes/number.hpp"
+#include "io/problems/excerpt.hpp"
+#include "io/problems/text_check.hpp"
+#include "io/table/fields.hpp"
+#include "io/table/record_walk.hpp"
+#include "io/tracks/track_layout.hpp"
+#include "io/tracks/track_table.hpp"
+#include "io/tracks/track_time.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace beespace::io {
+namespace {
+
+constexpr char kBetween = '\x1F';
+
+// What is read of a spot, as TrackMate calls it and as it is called here.
+struct SpotColumn {
+  std::string_view name;
+  std::string_view called;
+};
+constexpr std::array<SpotColumn, 5> kRead = {{{"TRACK_ID", "id"},
+                                              {"POSITION_T", "time"},
+                                              {"POSITION_X", "x"},
+                                              {"POSITION_Y", "y"},
+                                              {"POSITION_Z", "z"}}};
+
+struct SpotLayout {
+  char delimiter = ',';
+  std::size_t columns = 0;
+  std::array<std::size_t, kRead.size()> read = {};
+  std::array<std::string, kRead.size()> units = {};  // as the row of units has them, or nothing
+  std::size_t offset = 0;                            // where the spots begin
+  std::uint64_t lines_before = 0;
+};
+
+std::vector<std::string> fields_of(std::string_view line, char delimiter) {
+  std::vector<std::string> fields;
+  FieldCursor cursor(line, delimiter);
+  for (Field field; cursor.next(field);) fields.emplace_back(without_padding(unquoted(field)));
+  return fields;
+}
+
+bool is_number(std::string_view text) {
+  double number = 0.0;
+  return parse_number(text, number) == NumberKind::kNumber;
+}
+
+// "micron" of "(micron)".
+std::string in_brackets(std::string text) {
+  if (text.size() < 2 || text.front() != '(' || text.back() != ')') return {};
+  return text.substr(1, text.size() - 2);
+}
+
+// All of the columns that are read, and the label, which no other tool has beside them.
+bool find_columns(const std::vector<std::string>& names, SpotLayout& spots) {
+  if (std::find(names.begin(), names.end(), "LABEL") == names.end()) return false;
+  for (std::size_t i = 0; i < kRead.size(); ++i) {
+    const auto found = std::find(names.begin(), names.end(), kRead[i].name);
+    if (found == names.end()) return false;
+    spots.read[i] = static_cast<std::size_t>(found - names.begin());
+  }
+  spots.columns = names.size();
+  return true;
+}
+
+std::optional<SpotLayout> spot_layout(std::string_view text) {
+  constexpr int kMostRowsOfNames = 3;
+  SpotLayout spots;
+  const Line first = line_at(text, 0, '\n');
+  bool found = false;
+  for (const char delimiter : {',', '\t', ';'}) {
+    spots.delimiter = delimiter;
+    found = found || find_columns(fields_of(first.text, delimiter), spots);
+    if (found) break;
+  }
+  if (!found) return std::nullopt;
+  spots.offset = first.next;
+  spots.lines_before = 1;
+  for (int i = 0; i < kMostRowsOfNames && spots.offset < text.size(); ++i) {
+    const Line line = line_at(text, spots.offset, '\n');
+    const auto fields = fields_of(line.text, spots.delimiter);
+    if (fields.size() != spots.columns || is_number(fields[spots.read[2]])) break;
+    for (std::size_t k = 0; k < kRead.size(); ++k) {
+      if (auto unit = in_brackets(fields[spots.read[k]]); !unit.empty()) {
+        spots.units[k] = std::move(unit);
+      }
+    }
+    spots.offset = line.next;
+    ++spots.lines_before;
+  }
+  return spots;
+}
+
+// The same with what is read alone.
+std::string records_of(std::string_view text, const SpotLayout& spots) {
+  std::string out;
+  std::uint64_t lines = 0;
+  RecordWalk walk(text, spots.offset, '\n');
+  while (walk.next()) {
+    out.append(walk.line() - lines, '\n');
+    lines = walk.line() + 1;
+    const auto fields = fields_of(walk.record(), spots.delimiter);
+    if (fields.size() != spots.columns) {
+      out.append("a row of ").append(std::to_string(fields.size())).append(" values\n");
+      continue;
+    }
+    for (const std::size_t column : spots.read) out.append(fields[column]) += kBetween;
+    out.back() = '\n';
+  }
+  return out;
+}
+
+TableLayout layout_of(const SpotLayout& spots) {
+  TableLayout table;
+  table.delimiter = kBetween;
+  for (std::size_t i = 0; i < kRead.size(); ++i) {
+    table.names.emplace_back(kRead[i].called);
+    if (!spots.units[i].empty()) table.names.back().append(" [" + spots.units[i] + "]");
+  }
+  table.columns = table.names.size();
+  table.contents.assign(table.columns, ColumnContent::kNumber);
+  table.lines_before = spots.lines_before;
+  return table;
+}
+
+std::optional<Error> units_unsaid(const SpotLayout& spots, const RecordingOptions& options) {
+  if (!spots.units[2].empty() || options.pixel) return std::nullopt;
+  if (options.units.position != Unit::kUnstated) return std::nullopt;
+  return Error{ErrorCode::kInvalidArgument,
+               "spots of TrackMate, but there is no row that says their unit: say it, as with "
+               "--units position=um, or how long a pixel is, with --scale",
+               {}};
+}
+
+}  // namespace
+
+bool is_trackmate_table(std::string_view text) {
+  return spot_layout(text).has_value();
+}
+
+std::optional<Error> read_trackmate_table(std::string_view text, RecordingAssembly& assembly) {
+  if (auto problem = text_problem(text)) return problem;
+  const auto spots = spot_layout(text);
+  if (!spots) return Error{ErrorCode::kUnsupportedFormat, "this is no table of spots", {}};
+  const RecordingOptions& options = assembly.options();
+  if (auto error = units_unsaid(*spots, options)) return error;
+  const std::string records = records_of(text, *spots);
+  if (records.empty()) {
+    return Error{ErrorCode::kNoPoints, "there are rows that name columns and none after them", {}};
+  }
+  if (options.progress != nullptr) options.progress->total += records.size();
+  auto layout = choose_track_layout(layout_of(*spots), records, options, SeenRecords::kWhole);
+  if (!layout) {
+    Error error = std::move(layout).error();
+    error.location.column.reset();
+    return error;
+  }
+  layout->ids_may_be_empty = true;
+  if (auto error = lengths_problem(layout->table, options)) return error;
+  assembly.note("a table of spots, as TrackMate writes them: each track is a bee");
+  if (auto error = assembly.agree(facts_of(*layout, "text, spots"))) return error;
+  for (std::string& note : layout->notes) assembly.note(std::move(note));
+  std::uint64_t rows = 0;
+  return read_track_records(records, *layout, {}, RecordPlace::kLineAndName, rows, assembly);
+}
+
+}  // namespace beespace::io

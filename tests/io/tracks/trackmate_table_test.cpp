@@ -1,0 +1,42 @@
+#include "io/tracks/trackmate_table.hpp"
+
+#include "tests/io/tracks/recording_loading.hpp"
+
+#include <string>
+
+namespace beespace::io {
+namespace {
+
+const std::string kNames =
+    "LABEL,ID,TRACK_ID,QUALITY,POSITION_X,POSITION_Y,POSITION_Z,POSITION_T,FRAME\n";
+const std::string kMoreNames =
+    "Label,Spot ID,Track ID,Quality,X,Y,Z,T,Frame\nLabel,Spot ID,Track ID,Quality,X,Y,Z,T,Frame\n";
+const std::string kSpots =
+    "ID0,0,0,5,10,20,0,0,0\nID1,1,1,5,25,6,0,0,0\nID2,2,0,5,10.5,20,0,0.5,1\nID3,3,,5,1,1,0,0.5,"
+    "1\n";
+
+TEST(TrackMateTable, TracksAreAnimalsAndUnitsAreThoseOfTheirRow) {
+  const std::string units = ",,,(quality),(micron),(micron),(micron),(sec),\n";
+  ASSERT_TRUE(is_trackmate_table(kNames + kMoreNames + units + kSpots));
+  const auto read = recording_of(record(kNames + kMoreNames + units + kSpots));
+  ASSERT_EQ(ids_of(read), (std::vector<std::string>{"0", "1"}));
+  EXPECT_EQ(times_of(read.bees[0]), (std::vector<double>{0, 0.5}));
+  EXPECT_EQ(read.bees[0].fixes[1].position, (Point{10.5e-6, 20e-6, 0}));
+  EXPECT_EQ(read.missing.without_id, 1u);
+  EXPECT_TRUE(has_note(read, "a table of spots, as TrackMate writes them: each track is a bee"));
+  expect_error(record(kNames + kMoreNames + units + "ID0,0,0,5,x,20,0,0,0\n" + kSpots),
+               {ErrorCode::kNotANumber, "bees.csv:5", "'x' is not a number"});
+}
+
+TEST(TrackMateTable, WithoutARowOfUnitsTheyAreAskedFor) {
+  expect_error(record(kNames + kSpots),
+               {ErrorCode::kInvalidArgument, "bees.csv", "no row that says their unit"});
+  RecordingOptions options;
+  options.units.position = Unit::kMicrometre;
+  options.time_unit = Unit::kSecond;
+  const auto read = recording_of(record(kNames + kSpots, options));
+  EXPECT_EQ(read.bees[1].fixes[0].position, (Point{25e-6, 6e-6, 0}));
+}
+
+}  // namespace
+}  // namespace beespace::io
