@@ -48,6 +48,9 @@ struct ColumnChoice {
 // follow.
 enum class ColumnContent : std::uint8_t { kUnknown, kNumber, kText };
 
+// Between the fields of records that are put together from others: no text has it.
+inline constexpr char kUnitSeparator = '\x1F';
+
 struct TableLayout {
   char line_end = '\n';  // '\r' for files of the old Macintosh
   char delimiter = ',';

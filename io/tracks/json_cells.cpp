@@ -1,6 +1,7 @@
 #include "io/tracks/json_cells.hpp"
 
 #include "io/bytes/number_text.hpp"
+#include "io/table/table_layout.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -157,7 +158,7 @@ void JsonCells::add(JsonElement record, std::string_view id) {
 
 void JsonCells::end_row() {
   for (std::size_t i = 0; i < row_.size(); ++i) {
-    if (i > 0) text_ += kBetween;
+    if (i > 0) text_ += kUnitSeparator;
     text_ += row_[i];
   }
   text_ += '\n';

@@ -19,7 +19,6 @@ namespace beespace::io {
 // Cells are written row by row, each row a line: first all names are learnt, then rows are filled.
 class JsonCells {
  public:
-  static constexpr char kBetween = '\x1F';
   static constexpr std::size_t kMostNames = 4096;
 
   // Errors: kColumnCount beyond kMostNames.

@@ -3,6 +3,7 @@
 #include "io/bytes/characters.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/table/column_names.hpp"
+#include "io/table/table_layout.hpp"
 #include "io/tracks/json_cells.hpp"
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_columns.hpp"
@@ -274,7 +275,7 @@ std::optional<Error> take_split(JsonMap object, JsonCells& cells) {
 
 TableLayout layout_of(const JsonCells& cells) {
   TableLayout table;
-  table.delimiter = JsonCells::kBetween;
+  table.delimiter = kUnitSeparator;
   table.names = cells.names();
   table.contents = cells.contents();
   table.columns = table.names.size();

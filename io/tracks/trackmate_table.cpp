@@ -21,8 +21,6 @@
 namespace beespace::io {
 namespace {
 
-constexpr char kBetween = '\x1F';
-
 // What is read of a spot, as TrackMate calls it and as it is called here.
 struct SpotColumn {
   std::string_view name;
@@ -114,7 +112,7 @@ std::string records_of(std::string_view text, const SpotLayout& spots) {
       out.append("a row of ").append(std::to_string(fields.size())).append(" values\n");
       continue;
     }
-    for (const std::size_t column : spots.read) out.append(fields[column]) += kBetween;
+    for (const std::size_t column : spots.read) out.append(fields[column]) += kUnitSeparator;
     out.back() = '\n';
   }
   return out;
@@ -122,7 +120,7 @@ std::string records_of(std::string_view text, const SpotLayout& spots) {
 
 TableLayout layout_of(const SpotLayout& spots) {
   TableLayout table;
-  table.delimiter = kBetween;
+  table.delimiter = kUnitSeparator;
   for (std::size_t i = 0; i < kRead.size(); ++i) {
     table.names.emplace_back(kRead[i].called);
     if (!spots.units[i].empty()) table.names.back().append(" [" + spots.units[i] + "]");

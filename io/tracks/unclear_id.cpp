@@ -18,13 +18,13 @@
 namespace beespace::io {
 namespace {
 
-struct Named {
+struct NamedFix {
   Fix fix;
   std::size_t value;  // of the column, as they came
 };
 
 struct Sample {
-  std::vector<Named> fixes;         // in the order of time
+  std::vector<NamedFix> fixes;      // in the order of time
   std::vector<std::string> values;  // each once
 };
 
@@ -44,8 +44,9 @@ Sample sample_of(std::string_view text, const TrackLayout& layout, std::size_t c
     if (added) sample.values.push_back(value->first);
     sample.fixes.push_back({{record.time_s, record.position}, value->second});
   }
-  std::stable_sort(sample.fixes.begin(), sample.fixes.end(),
-                   [](const Named& a, const Named& b) { return a.fix.time_s < b.fix.time_s; });
+  std::stable_sort(
+      sample.fixes.begin(), sample.fixes.end(),
+      [](const NamedFix& a, const NamedFix& b) { return a.fix.time_s < b.fix.time_s; });
   return sample;
 }
 
@@ -60,7 +61,7 @@ bool explains(const Sample& sample, Frame frame) {
   const Fix* last_of_all = nullptr;
   double as_one_m = 0.0;
   double as_several_m = 0.0;
-  for (const Named& at : sample.fixes) {
+  for (const NamedFix& at : sample.fixes) {
     const auto way_m = [&](const Fix* from) {
       return from == nullptr ? 0.0 : flat_distance_m(from->position, at.fix.position, frame);
     };

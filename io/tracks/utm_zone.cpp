@@ -8,7 +8,7 @@
 namespace beespace::io {
 namespace {
 
-bool has(const std::vector<std::string>& words, std::string_view any_of) {
+bool has_word(const std::vector<std::string>& words, std::string_view any_of) {
   return std::any_of(words.begin(), words.end(),
                      [any_of](const std::string& word) { return is_one_of(any_of, word); });
 }
@@ -18,11 +18,12 @@ bool has(const std::vector<std::string>& words, std::string_view any_of) {
 std::optional<std::size_t> find_utm_zone(const TableLayout& table) {
   const std::size_t x = table.choice.axes[0];
   if (x >= table.names.size()) return std::nullopt;
-  const bool easting = has(split_words(table.names[x]), "easting east utm e rechtswert");
+  const bool easting = has_word(split_words(table.names[x]), "easting east utm e rechtswert");
   for (std::size_t i = 0; i < table.names.size(); ++i) {
     const auto words = split_words(table.names[i]);
-    const bool zone = has(words, "zone utmzone");
-    if (zone && (words.size() == 1 ? easting || words[0] == "utmzone" : has(words, "utm grid"))) {
+    const bool zone = has_word(words, "zone utmzone");
+    if (zone &&
+        (words.size() == 1 ? easting || words[0] == "utmzone" : has_word(words, "utm grid"))) {
       return i;
     }
   }

@@ -21,8 +21,6 @@
 namespace beespace::io {
 namespace {
 
-constexpr char kBetween = '\x1F';
-
 // Where an animal's coordinates are.
 struct AnimalColumns {
   std::string number;
@@ -91,7 +89,7 @@ std::string long_text(std::string_view text, const WideLayout& wide) {
       const std::string_view time = wide.time ? fields[*wide.time] : std::string_view(row);
       for (const std::string_view field :
            {time, std::string_view(animal.number), fields[animal.x], fields[animal.y]}) {
-        out.append(field) += kBetween;
+        out.append(field) += kUnitSeparator;
       }
       out.back() = '\n';
     }
@@ -114,7 +112,7 @@ std::optional<Error> read_wide_table(std::string_view text, RecordingAssembly& a
   const std::string records = long_text(text, *wide);
   if (options.progress != nullptr) options.progress->total += records.size();
   TableLayout table;
-  table.delimiter = kBetween;
+  table.delimiter = kUnitSeparator;
   table.names = {wide->time ? wide->table.names[*wide->time] : "frame", "id", "x", "y"};
   // idtracker.ai counts seconds.
   const std::string time = lower_case(without_padding(table.names.front()));
