@@ -1,22 +1,8 @@
 // What runs in the browser: loads an export with Cesium, and says what Cesium made of it.
-import {
-  Cartographic,
-  CesiumWidget,
-  Color,
-  CzmlDataSource,
-  DataSourceCollection,
-  DataSourceDisplay,
-  Ellipsoid,
-  HeadingPitchRange,
-  JulianDate,
-  KmlDataSource,
-  BoundingSphere,
-} from '@cesium/engine';
+import { Cartographic, CzmlDataSource, Ellipsoid, JulianDate, KmlDataSource } from '@cesium/engine';
 
 const kGraphics = ['point', 'billboard', 'label', 'polyline', 'path', 'polygon', 'cylinder', 'ellipsoid'];
 
-let widget;
-let display;
 let source;
 
 const secondsOf = (date) => JulianDate.toDate(date).getTime() / 1000;
@@ -61,31 +47,30 @@ export async function load(name, text) {
   };
 }
 
-function cartesianOf(entity, date) {
-  return entity.position?.getValue(date);
-}
-
-/** Where an entity is, also on the ground below; null where it is nowhere. */
-export function placeOf(id, time_s) {
+function placeOf([id, time_s]) {
   const date = instant(time_s);
   const entity = source.entities.getById(id);
   if (!entity || !entity.isAvailable(date)) return null;
-  const at = cartesianOf(entity, date);
+  const at = entity.position?.getValue(date);
   if (!at) return null;
   const { longitude, latitude, height } = Cartographic.fromCartesian(at);
   const below = Cartographic.toCartesian(new Cartographic(longitude, latitude, 0));
   return { at: [at.x, at.y, at.z], below: [below.x, below.y, below.z], height };
 }
 
-/** How long a line is, of a polyline with two ends. */
-export function lengthOf(id, time_s) {
+/** Where entities are at moments, also on the ground below; null where one is nowhere. */
+export const placesOf = (asked) => asked.map(placeOf);
+
+function lengthOf([id, time_s]) {
   const line = source.entities.getById(id)?.polyline?.positions?.getValue(instant(time_s));
   if (!line || line.length !== 2 || !line[0] || !line[1]) return null;
   return Math.hypot(line[0].x - line[1].x, line[0].y - line[1].y, line[0].z - line[1].z);
 }
 
-/** Heights of an obstacle in CZML. */
-export function heightsOf(id) {
+/** How long lines with two ends are at moments. */
+export const lengthsOf = (asked) => asked.map(lengthOf);
+
+function heightOf(id) {
   const entity = source.entities.getById(id);
   const now = JulianDate.now();
   if (entity.polygon) return [entity.polygon.height.getValue(now), entity.polygon.extrudedHeight.getValue(now)];
@@ -94,38 +79,5 @@ export function heightsOf(id) {
   return [middle - half, middle + half];
 }
 
-/** Draws it at a moment; the camera sees all of it. */
-export async function show(time_s) {
-  if (!widget) {
-    widget = new CesiumWidget('globe', { baseLayer: false, skyBox: false, skyAtmosphere: false, contextOptions: { webgl: { preserveDrawingBuffer: true } } });
-    widget.scene.globe.baseColor = Color.fromCssColorString('#26303a');
-    widget.scene.globe.depthTestAgainstTerrain = false;
-    const sources = new DataSourceCollection();
-    display = new DataSourceDisplay({ scene: widget.scene, dataSourceCollection: sources });
-  }
-  const sources = display.dataSources;
-  sources.removeAll();
-  await sources.add(source);
-  const date = time_s === null ? JulianDate.now() : instant(time_s);
-  widget.clock.shouldAnimate = false;
-  widget.clock.currentTime = date;
-  const draw = async (frames) => {
-    for (let i = 0; i < frames; ++i) {
-      display.update(date);
-      widget.render();
-      await new Promise((done) => setTimeout(done, 20));
-    }
-  };
-  await draw(100);
-  const spheres = [];
-  for (const entity of source.entities.values) {
-    const sphere = new BoundingSphere();
-    if (display.getBoundingSphere(entity, true, sphere) === 0) spheres.push(BoundingSphere.clone(sphere));
-  }
-  if (spheres.length > 0) {
-    const all = BoundingSphere.fromBoundingSpheres(spheres);
-    widget.camera.viewBoundingSphere(all, new HeadingPitchRange(0.4, -0.6, Math.max(60, 2.6 * all.radius)));
-  }
-  await draw(60);
-  return spheres.length;
-}
+/** From how low to how high obstacles are in CZML. */
+export const heightsOf = (ids) => ids.map(heightOf);
