@@ -62,7 +62,7 @@ TEST(VelocityCurves, CylindersAreLookedAtToo) {
   const Finished near =
       run({"replay", "--threshold", "2", "--vertical", "1", "--fail-on-risk"}, kNear);
   EXPECT_EQ(near.exit_code, 1) << near.err;
-  expect_parts(near.err, {"a and b, 0.500 m horizontally and 0.000 m vertically apart at 5.00 s"});
+  expect_parts(near.err, {"a and b, 0.500 m horizontally and 0 m vertically apart at 5.00 s"});
   const std::string high = kHeader +
                            "a,0,0,0,10,1,0,3.8\na,10,10,0,10,1,0,-3.8\n"
                            "b,0,0,0,20,1,0,0\nb,10,10,0,20,1,0,0\n";
