@@ -81,6 +81,7 @@ complete -c beespace -n '__fish_seen_subcommand_from replay' -x -l heights -a 'a
 complete -c beespace -n '__fish_seen_subcommand_from replay' -f -l skip-bad -d 'Leave bad records out and list them'
 complete -c beespace -n '__fish_seen_subcommand_from replay' -x -l max-gap -a 'never' -d 'Unknown between fixes farther apart in time (default: 5 times the typical interval)'
 complete -c beespace -n '__fish_seen_subcommand_from replay' -x -l tolerance -d 'How closely to follow curves (default: 0.001)'
+complete -c beespace -n '__fish_seen_subcommand_from replay' -f -l straight -d 'Straight lines, whatever the velocities'
 complete -c beespace -n '__fish_seen_subcommand_from replay' -x -l threshold -d 'Closer than this is too close (default: what the input declares, or 2 for shows, otherwise 100)'
 complete -c beespace -n '__fish_seen_subcommand_from replay' -x -l vertical -d 'Too close only if closer than this in height too; the threshold is then horizontal. Of degrees, the distance shown is then hypot(ground, height)'
 complete -c beespace -n '__fish_seen_subcommand_from replay' -x -l separation -a 'enroute terminal well-clear-suas nmac' -d 'Both of these by name: enroute (5 NM, 1000 ft) and terminal (3 NM, 1000 ft) of ICAO Doc 4444, well-clear-suas (2000 ft, 250 ft) of ASTM F3442, nmac (500 ft, 100 ft) of RTCA DO-365'

@@ -157,8 +157,10 @@ std::vector<Moment> separation_over_time(const Findings& findings, double every_
     take_closer(engine.find_closest_pair(flying.at), flying, flying, moment);
     if (standing.empty()) continue;
     for (const Standing& one : standing) {
-      // At its first and its last instant it flies, too.
-      if (one.span.begins_s < now && now < one.span.ends_s) on_ground.add(one.bee, one.at);
+      // At its first and its last instant it flies, which counts.
+      const bool stands = one.span.begins_s <= now && now <= one.span.ends_s &&
+                          !std::binary_search(flying.bees.begin(), flying.bees.end(), one.bee);
+      if (stands) on_ground.add(one.bee, one.at);
     }
     take_closer(find_closest_pair_between(flying.at, on_ground.at), flying, on_ground, moment);
   }

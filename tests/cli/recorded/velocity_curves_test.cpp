@@ -34,7 +34,7 @@ TEST(VelocityCurves, WhoComesTooCloseAlongCurvesAloneIsInAPossibleConflict) {
                {"verdict    may not keep its distance: 1 conflict of 1 pair, 1 possible, along "
                 "curves with the given velocities\n",
                 "a and b, 0.500 m apart at 5.00 s", "both are looked at"});
-  expect_parts(finished.out, {"certain", "a\tb\t", "\tfalse\n"});
+  expect_parts(finished.out, {"certain", "a\tb\t", "\tno\n"});
   const Finished json = run({"replay", "--threshold", "2", "--json", "--quiet"}, kNear);
   EXPECT_TRUE(is_json(json.out)) << json.out;
   expect_parts(json.out, {R"("conflict_count": 1)", R"("followed": true)", R"("certain": false)"});
@@ -62,7 +62,7 @@ TEST(VelocityCurves, CylindersAreLookedAtToo) {
   const Finished near =
       run({"replay", "--threshold", "2", "--vertical", "1", "--fail-on-risk"}, kNear);
   EXPECT_EQ(near.exit_code, 1) << near.err;
-  expect_parts(near.err, {"a and b, 0.500 m horizontally and 0.000 m vertically apart at 5.00 s"});
+  expect_parts(near.err, {"a and b, 0.500 m horizontally and 0 m vertically apart at 5.00 s"});
   const std::string high = kHeader +
                            "a,0,0,0,10,1,0,3.8\na,10,10,0,10,1,0,-3.8\n"
                            "b,0,0,0,20,1,0,0\nb,10,10,0,20,1,0,0\n";
