@@ -91,7 +91,11 @@ function nowFacts(shown: Shown, swarm: Recording, way: number, within_s: number)
   if (!apart) return [['Now', 'beyond the time that is kept of this pair']];
   // In the closest moment it is as close as its row says.
   const closest = swarm.conflicts.closest_s[way] === within_s;
-  if (closest) apart.distance_m = swarm.conflicts.distance_m[way];
+  if (closest) {
+    const { distance_m, apart: told } = swarm.conflicts;
+    apart.distance_m = distance_m[way];
+    if (told && Number.isFinite(told.horizontal_m[way])) [apart.horizontal_m, apart.height_m] = [told.horizontal_m[way], told.height_m[way]];
+  }
   // What rounding leaves of nothing is nothing.
   const still_mps = Math.max(kStill_mps, (closest ? kStillShareWhenClosest : kStillShare) * apart.relative_mps);
   const closing = Math.abs(apart.closing_mps) < still_mps ? 0 : apart.closing_mps;

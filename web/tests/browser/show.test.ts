@@ -66,6 +66,7 @@ pageTest('the selected drone has its height and speeds over time, beside its lim
   // It descends too fast once.
   assert.equal(await chart.locator('.band').count(), 1);
   assert.match(await page.locator('.selection .facts').innerText(), /Horizontal speed\s+[\d.]+.m\/s\s+Climb/);
+  await chart.scrollIntoViewIfNeeded();
   const box = await chart.boundingBox();
   assert.ok(box);
   const before = await page.evaluate(() => document.documentElement.dataset.timeS);
