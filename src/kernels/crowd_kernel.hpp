@@ -182,7 +182,6 @@ class Pairs {
     return dx * dx + dy * dy + dz * dz;
   }
 
-  [[gnu::always_inline]] static bool any(const Ints& mask) { return bits_of(mask) != 0; }
   [[gnu::always_inline]] static std::uint32_t first_bit(std::uint32_t bits) {
     return static_cast<std::uint32_t>(__builtin_ctz(bits));
   }

@@ -161,5 +161,19 @@ template <class Lane>
   return bits;
 }
 
+// Whether a mask has any lane.
+template <class Lane>
+[[gnu::always_inline]] inline bool any(const Wide<Lane>& mask) {
+#if defined(__SSE2__)
+  return bits_of(mask) != 0;
+#else
+  using Words [[gnu::vector_size(kPieceBytes)]] = std::uint64_t;
+  auto lanes = mask.piece[0];
+  for (std::size_t k = 1; k < kPieces; ++k) lanes |= mask.piece[k];
+  const auto words = __builtin_bit_cast(Words, lanes);
+  return (words[0] | words[1]) != 0;
+#endif
+}
+
 }  // namespace
 }  // namespace beespace::cpu

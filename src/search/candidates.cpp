@@ -4,6 +4,7 @@
 #include "grid/occupancy_filter.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace beespace::search {

@@ -63,6 +63,7 @@ double LineCounts::along(const Point& point, const Point& corner) const {
 
 void LineCounts::sort(const LineSide& two, const Point& corner) {
   sorted_.clear();
+  sorted_.reserve(two.end() - two.first());
   for (std::size_t slot = two.first(); slot < two.end(); ++slot) {
     sorted_.push_back({along(two.tree.point(slot), corner), static_cast<std::uint32_t>(slot)});
   }
@@ -74,6 +75,7 @@ void LineCounts::sort(const LineSide& two, const Point& corner) {
 bool LineCounts::find(const LineSide& one, const Point& corner, const Limits& limits) {
   constexpr std::size_t kMostOpen = 16;  // for each point
   found_.clear();
+  found_.reserve(one.end() - one.first());
   std::size_t open = 0;
   const std::size_t most = kMostOpen * (sorted_.size() + one.end() - one.first());
   for (std::size_t slot = one.first(); slot < one.end() && open <= most; ++slot) {
