@@ -75,10 +75,10 @@ TEST(Vicinity, ABeeThatReachesFartherThanFloatsHoldMeetsAllOthers) {
     const auto advised =
         advise(flock.movers, std::vector<Velocity>(flock.size()), flock.limits, flock.options);
     ASSERT_TRUE(advised);
-    const auto met = std::count_if(
-        advised->too_close.begin(), advised->too_close.end(), [&](const TooClose& close) {
-          return close.pair.first == kFast || close.pair.second == kFast;
-        });
+    const auto met = std::count_if(advised->too_close.begin(), advised->too_close.end(),
+                                   [&](const TooClose& close) {
+                                     return close.pair.first == kFast || close.pair.second == kFast;
+                                   });
     EXPECT_EQ(static_cast<std::size_t>(met), flock.size() - 1);
   }
 }
