@@ -64,12 +64,12 @@ TEST(Vicinity, AFewMuchFasterBeesAreComparedWithAllOthers) {
   EXPECT_GT(pairs_of_the_fast, test::kSanitized ? 4U : 40U);
 }
 
-// The rounding of its way alone is as wide as the swarm.
+// 10^40 m: the rounding of its way alone is wider than the swarm.
 TEST(Vicinity, ABeeThatReachesFartherThanFloatsHoldMeetsAllOthers) {
   Flock flock = slow_crowd(60, 5);
   constexpr PointId kFast = 7;
-  flock.movers[kFast].velocity = {300.0, 20.0, 10.0};
-  flock.limits[kFast] = {400.0, 1e-14};
+  flock.movers[kFast].velocity = {2e5, 20.0, 10.0};
+  flock.limits[kFast] = {3e5, 1e-30};
   for (const unsigned threads : {1U, 3U}) {
     flock.options.threads = threads;
     const auto advised =
