@@ -50,6 +50,8 @@ class RecordingStream {
   [[nodiscard]] Unit height_unit() const { return assembly_->facts()->height_unit; }
   // Whether files state heights in several units.
   [[nodiscard]] bool several_height_units() const { return assembly_->several_height_units(); }
+  // Whether some fix so far has a velocity, which is not among what next() tells.
+  [[nodiscard]] bool any_velocity() const { return assembly_->tracks().any_velocity(); }
   [[nodiscard]] const std::string& id(std::size_t bee) const { return assembly_->tracks().id(bee); }
 
   // Of two fixes of a bee, counted from 0, that are at one time but at different places.

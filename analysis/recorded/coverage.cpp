@@ -154,6 +154,11 @@ std::string missing_text(const io::MissingRecords& missing) {
         io::counted(missing.files, "file or folder beside was", "files or folders beside were") +
         " left out";
   }
+  if (missing.swapped > 0) {
+    if (!text.empty()) text += ", ";
+    text += "longitude and latitude of " + io::counted(missing.swapped, "bee", "bees") +
+            " seem to be the other way round";
+  }
   if (missing.count == 0) return text;
   if (!text.empty()) text += ", ";
   if (missing.nowhere > 0) {

@@ -1,9 +1,13 @@
 #include "analysis/recorded/findings.hpp"
 
+#include "analysis/recorded/show_conflicts.hpp"
+
 #include <beespace/engine.hpp>
+#include <beespace/nearest.hpp>
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace beespace::analysis {
@@ -36,6 +40,15 @@ std::optional<TimeSpan> time_of(const std::vector<Track>& tracks) {
   }
   if (time.begins_s > time.ends_s) return std::nullopt;
   return time;
+}
+
+std::vector<Conflict> merged(std::vector<Conflict> some, const std::vector<Conflict>& more) {
+  if (more.empty()) return some;
+  some.insert(some.end(), more.begin(), more.end());
+  std::stable_sort(some.begin(), some.end(), [](const Conflict& a, const Conflict& b) {
+    return std::tuple(a.first, a.second, a.begins_s) < std::tuple(b.first, b.second, b.begins_s);
+  });
+  return some;
 }
 
 std::vector<PairInConflict> pairs_in_conflict(const std::vector<Conflict>& conflicts) {
@@ -86,6 +99,31 @@ bool would_be_closer(Engine& engine, std::vector<Point>& known, const std::vecto
   return pair && *pair && std::max((*pair)->first, (*pair)->second) >= count;
 }
 
+// Places at one moment, and whose they are.
+struct Places {
+  std::vector<Point> at;
+  std::vector<PointId> bees;
+
+  void clear() {
+    at.clear();
+    bees.clear();
+  }
+  void add(PointId bee, const Point& place) {
+    at.push_back(place);
+    bees.push_back(bee);
+  }
+};
+
+void take_closer(const Result<std::optional<ClosestPair>>& pair, const Places& places,
+                 const Places& others, Moment& moment) {
+  if (!pair || !*pair || (*pair)->distance_m >= moment.distance_m) return;
+  const auto [first, second] =
+      std::minmax(places.bees[(*pair)->first], others.bees[(*pair)->second]);
+  moment.distance_m = (*pair)->distance_m;
+  moment.first = first;
+  moment.second = second;
+}
+
 }  // namespace
 
 std::vector<Moment> separation_over_time(const Findings& findings, double every_s) {
@@ -93,35 +131,36 @@ std::vector<Moment> separation_over_time(const Findings& findings, double every_
   const auto time = time_of(findings.tracks);
   if (!time) return moments;
   Engine engine;
-  std::vector<Point> places;
-  std::vector<PointId> bees;
+  const std::vector<Standing> standing = standing_in(findings.recording);
+  Places flying;
+  Places on_ground;
   std::vector<Point> in_gaps;
   const double lasts = time->ends_s - time->begins_s;
   for (std::uint64_t i = 0; static_cast<double>(i) * every_s <= lasts; ++i) {
     const double now = time->begins_s + static_cast<double>(i) * every_s;
-    places.clear();
-    bees.clear();
+    flying.clear();
+    on_ground.clear();
     in_gaps.clear();
-    std::uint64_t unknown = 0;
+    Moment& moment = moments.emplace_back(Moment{now, kInfinity, 0, 0, 0});
     for (PointId bee = 0; bee < findings.tracks.size(); ++bee) {
       const auto place =
           position_at(findings.in_space[bee], now, findings.coverage.max_gap.seconds);
       // A drone of a show that does not fly stands.
-      if (!place && !findings.recording.show) ++unknown;
-      if (!place) {
-        if (const auto across = position_at(findings.in_space[bee], now))
-          in_gaps.push_back(*across);
+      if (place) {
+        flying.add(bee, *place);
         continue;
       }
-      places.push_back(*place);
-      bees.push_back(bee);
+      if (!findings.recording.show) ++moment.unknown;
+      if (const auto across = position_at(findings.in_space[bee], now)) in_gaps.push_back(*across);
     }
-    moments.push_back({now, kInfinity, 0, 0, unknown});
-    moments.back().open = would_be_closer(engine, places, in_gaps);
-    const auto pair = engine.find_closest_pair(places);
-    if (!pair || !*pair) continue;
-    moments.back() = {now,     (*pair)->distance_m, bees[(*pair)->first], bees[(*pair)->second],
-                      unknown, moments.back().open};
+    moment.open = would_be_closer(engine, flying.at, in_gaps);
+    take_closer(engine.find_closest_pair(flying.at), flying, flying, moment);
+    if (standing.empty()) continue;
+    for (const Standing& one : standing) {
+      // At its first and its last instant it flies, too.
+      if (one.span.begins_s < now && now < one.span.ends_s) on_ground.add(one.bee, one.at);
+    }
+    take_closer(find_closest_pair_between(flying.at, on_ground.at), flying, on_ground, moment);
   }
   return moments;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/velocity_curves.hpp"
 #include "io/recording/recording.hpp"
 
 #include <beespace/find_conflicts.hpp>
@@ -26,16 +27,29 @@ struct Findings {
   // Of each bee, in conflict or not; empty where that was not looked for.
   std::vector<std::optional<Conflict>> closest_of_each = {};
 
-  std::uint64_t with_standing = 0;  // of the conflicts: with a drone of a show on the ground
+  std::vector<Conflict> with_standing = {};  // of the conflicts: with a drone on the ground
 
+  // Of given velocities; `recorded` has the conflicts along them too. Null where these were not
+  // looked at.
+  const VelocityCurves* curves = nullptr;
+  bool velocities_passed_over = false;  // there are some, and they would have to be looked at
+
+  // Whether velocities may hide a conflict that straight lines do not show.
+  [[nodiscard]] bool velocities_open() const {
+    return velocities_passed_over || (curves != nullptr && !curves->followed);
+  }
   // Whether this is no all-clear: there is a conflict, one may be hidden, or nothing was compared.
   [[nodiscard]] bool is_risky() const {
-    return !recorded.conflicts.empty() || coverage.may_hide_conflicts() || !has_encounters;
+    return !recorded.conflicts.empty() || coverage.may_hide_conflicts() || !has_encounters ||
+           velocities_open();
   }
 };
 
 // When the first bee appears and the last one vanishes; nothing where there is none.
 std::optional<TimeSpan> time_of(const std::vector<Track>& tracks);
+
+// Both, in ascending order of (first, second, begins_s).
+std::vector<Conflict> merged(std::vector<Conflict> some, const std::vector<Conflict>& more);
 
 // The pairs in conflict, the closest first: each with all its conflicts together.
 struct PairInConflict {

@@ -9,18 +9,6 @@
 namespace beespace::analysis {
 namespace {
 
-// From one fix to the next, with the velocities at both.
-BezierPiece piece_to(const Fix& from, const Velocity& v, const Fix& to, const Velocity& w) {
-  const double third_s = (to.time_s - from.time_s) / 3.0;
-  const Point& p = from.position;
-  const Point& q = to.position;
-  return {to.time_s,
-          q,
-          {{{p.x + v.x * third_s, p.y + v.y * third_s, p.z + v.z * third_s},
-            {q.x - w.x * third_s, q.y - w.y * third_s, q.z - w.z * third_s}}},
-          2};
-}
-
 Flight flight_between_fixes(const io::RecordedBee& bee, bool with_velocities, double max_gap_s) {
   Flight flight;
   for (std::size_t i = 0; i < bee.fixes.size(); ++i) {
@@ -39,6 +27,17 @@ Flight flight_between_fixes(const io::RecordedBee& bee, bool with_velocities, do
 }
 
 }  // namespace
+
+BezierPiece piece_to(const Fix& from, const Velocity& v, const Fix& to, const Velocity& w) {
+  const double third_s = (to.time_s - from.time_s) / 3.0;
+  const Point& p = from.position;
+  const Point& q = to.position;
+  return {to.time_s,
+          q,
+          {{{p.x + v.x * third_s, p.y + v.y * third_s, p.z + v.z * third_s},
+            {q.x - w.x * third_s, q.y - w.y * third_s, q.z - w.z * third_s}}},
+          2};
+}
 
 double path_end_s(const BezierPath& path) {
   return path.pieces.empty() ? path.begins_s : path.pieces.back().ends_s;

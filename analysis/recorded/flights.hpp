@@ -6,6 +6,7 @@
 
 #include <beespace/bezier_path.hpp>
 #include <beespace/conflict.hpp>
+#include <beespace/mover.hpp>
 #include <beespace/result.hpp>
 #include <beespace/track.hpp>
 #include <beespace/verify_path.hpp>
@@ -17,6 +18,9 @@ namespace beespace::analysis {
 
 // From one gap to the next: none is empty, one without pieces is there for an instant.
 using Flight = std::vector<BezierPath>;
+
+// From one fix to the next, on the curve with the velocities at both.
+BezierPiece piece_to(const Fix& from, const Velocity& v, const Fix& to, const Velocity& w);
 
 // When a path ends.
 double path_end_s(const BezierPath& path);

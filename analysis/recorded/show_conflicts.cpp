@@ -1,13 +1,16 @@
 #include "analysis/recorded/show_conflicts.hpp"
 
 #include "analysis/recorded/ends.hpp"
+#include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/flights.hpp"
 #include "analysis/recorded/tracks.hpp"
 
 #include <beespace/bezier_path.hpp>
+#include <beespace/index.hpp>
 #include <beespace/verify_path.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -17,74 +20,38 @@
 namespace beespace::analysis {
 namespace {
 
-// Where a drone is while it does not fly.
-struct Standing {
-  PointId bee = 0;
-  TimeSpan span;
-  Point at;
-};
-
 bool has_curves(const io::Recording& recording) {
   return !recording.bees.empty() &&
          std::all_of(recording.bees.begin(), recording.bees.end(),
                      [](const io::RecordedBee& bee) { return bee.path || bee.stands; });
 }
 
-std::vector<Standing> standing_in(const io::Recording& recording) {
-  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-  TimeSpan whole{kUnbounded, -kUnbounded};
-  std::vector<std::optional<Ends>> ends;
-  for (const io::RecordedBee& bee : recording.bees) {
-    const auto& last = ends.emplace_back(ends_of(bee));
-    if (!last) continue;
-    whole = {std::min(whole.begins_s, last->first.time_s),
-             std::max(whole.ends_s, last->last.time_s)};
-  }
-  const double ground_m = ground_of(recording);
-  std::vector<Standing> standing;
-  const auto add = [&](std::size_t bee, const TimeSpan& span, const Point& at) {
-    if (span.begins_s < span.ends_s && at.z - ground_m <= kStandsWithin_m) {
-      standing.push_back({static_cast<PointId>(bee), span, at});
-    }
-  };
-  for (std::size_t bee = 0; bee < ends.size(); ++bee) {
-    if (const auto& stands = recording.bees[bee].stands) {
-      standing.push_back({static_cast<PointId>(bee), whole, *stands});
-    }
-    if (!ends[bee]) continue;
-    const Ends& of = *ends[bee];
-    add(bee, {whole.begins_s, of.first.time_s}, of.first.position);
-    add(bee, {of.last.time_s, whole.ends_s}, of.last.position);
-  }
-  return standing;
-}
-
 // Who stands so near to a way, and at such a time, that the two have to be looked at.
 class Neighbours {
  public:
-  Neighbours(std::vector<Standing> standing, const ConflictOptions& options)
-      : standing_(std::move(standing)),
-        across_m_(options.threshold_m),
-        up_m_(std::max(options.threshold_m, options.vertical_m.value_or(0.0))) {
-    std::sort(standing_.begin(), standing_.end(),
-              [](const Standing& a, const Standing& b) { return a.at.x < b.at.x; });
+  // Errors: those of Index::build().
+  static Result<Neighbours> of(std::vector<Standing> standing, const ConflictOptions& options) {
+    std::vector<Point> places;
+    for (const Standing& one : standing) places.push_back(one.at);
+    auto index = Index::build(places, {options.threads, options.stop});
+    if (!index) return std::move(index).error();
+    return Neighbours(std::move(standing), *std::move(index), options);
   }
 
-  // By their places in standing(), each once.
-  [[nodiscard]] std::vector<std::size_t> of(PointId bee, const Track& track) const {
+  // By their places in standing(), each once. Errors: those of Index::find_around().
+  [[nodiscard]] Result<std::vector<std::size_t>> of(PointId bee, const Track& track) const {
     std::vector<std::size_t> found;
-    const double margin_m = across_m_ + track.tolerance_m;
+    std::vector<PointId> around;
     for (std::size_t i = 0; i < track.fixes.size(); ++i) {
       const Fix& from = track.fixes[i];
       const Fix& to = track.fixes[std::min(i + 1, track.fixes.size() - 1)];
-      const double left_m = std::min(from.position.x, to.position.x) - margin_m;
-      const double right_m = std::max(from.position.x, to.position.x) + margin_m;
-      auto at = std::lower_bound(standing_.begin(), standing_.end(), left_m,
-                                 [](const Standing& one, double x) { return one.at.x < x; });
-      for (; at != standing_.end() && at->at.x <= right_m; ++at) {
-        if (at->bee != bee && is_near(*at, from, to, track.tolerance_m)) {
-          found.push_back(static_cast<std::size_t>(at - standing_.begin()));
-        }
+      const Status looked =
+          index_.find_around(middle_of(from.position, to.position),
+                             radius_of(from, to, track.tolerance_m), true, around);
+      if (!looked) return looked.error();
+      for (const PointId place : around) {
+        const Standing& one = standing_[place];
+        if (one.bee != bee && is_near(one, from, to, track.tolerance_m)) found.push_back(place);
       }
     }
     std::sort(found.begin(), found.end());
@@ -95,6 +62,27 @@ class Neighbours {
   [[nodiscard]] const std::vector<Standing>& standing() const { return standing_; }
 
  private:
+  Neighbours(std::vector<Standing> standing, Index index, const ConflictOptions& options)
+      : standing_(std::move(standing)),
+        index_(std::move(index)),
+        across_m_(options.threshold_m),
+        up_m_(std::max(options.threshold_m, options.vertical_m.value_or(0.0))) {}
+
+  static Point middle_of(const Point& a, const Point& b) {
+    return {a.x + (b.x - a.x) * 0.5, a.y + (b.y - a.y) * 0.5, a.z + (b.z - a.z) * 0.5};
+  }
+
+  // Of a ball around the middle that holds all that is_near() may take, with some room for
+  // rounding.
+  [[nodiscard]] double radius_of(const Fix& from, const Fix& to, double tolerance_m) const {
+    constexpr double kRoom = 1.001;
+    const Point& a = from.position;
+    const Point& b = to.position;
+    const double across_m = across_m_ + tolerance_m;
+    const double corner_m = std::hypot(across_m, across_m, up_m_ + tolerance_m);
+    return kRoom * (0.5 * std::hypot(b.x - a.x, b.y - a.y, b.z - a.z) + corner_m);
+  }
+
   [[nodiscard]] bool is_near(const Standing& one, const Fix& from, const Fix& to,
                              double tolerance_m) const {
     const auto within = [&](double value, double a, double b, double margin_m) {
@@ -102,11 +90,13 @@ class Neighbours {
              value <= std::max(a, b) + margin_m + tolerance_m;
     };
     return one.span.begins_s <= to.time_s && one.span.ends_s >= from.time_s &&
+           within(one.at.x, from.position.x, to.position.x, across_m_) &&
            within(one.at.y, from.position.y, to.position.y, across_m_) &&
            within(one.at.z, from.position.z, to.position.z, up_m_);
   }
 
-  std::vector<Standing> standing_;  // ascending by x
+  std::vector<Standing> standing_;
+  Index index_;  // of their places
   double across_m_;
   double up_m_;
 };
@@ -162,15 +152,50 @@ Result<std::vector<Conflict>> conflicts_of(PointId bee, const io::Recording& rec
 
 }  // namespace
 
+std::vector<Standing> standing_in(const io::Recording& recording) {
+  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+  TimeSpan whole{kUnbounded, -kUnbounded};
+  std::vector<std::optional<Ends>> ends;
+  for (const io::RecordedBee& bee : recording.bees) {
+    const auto& last = ends.emplace_back(ends_of(bee));
+    if (!last) continue;
+    whole = {std::min(whole.begins_s, last->first.time_s),
+             std::max(whole.ends_s, last->last.time_s)};
+  }
+  const double ground_m = ground_of(recording);
+  std::vector<Standing> standing;
+  if (!recording.show) return standing;
+  const auto add = [&](std::size_t bee, const TimeSpan& span, const Point& at) {
+    if (span.begins_s < span.ends_s && at.z - ground_m <= kStandsWithin_m) {
+      standing.push_back({static_cast<PointId>(bee), span, at});
+    }
+  };
+  for (std::size_t bee = 0; bee < ends.size(); ++bee) {
+    if (const auto& stands = recording.bees[bee].stands; stands && whole.begins_s < whole.ends_s) {
+      standing.push_back({static_cast<PointId>(bee), whole, *stands});
+    }
+    if (!ends[bee]) continue;
+    const Ends& of = *ends[bee];
+    add(bee, {whole.begins_s, of.first.time_s}, of.first.position);
+    add(bee, {of.last.time_s, whole.ends_s}, of.last.position);
+  }
+  return standing;
+}
+
 Result<std::vector<Conflict>> conflicts_with_standing(const io::Recording& recording,
                                                       const std::vector<Track>& tracks,
                                                       const ConflictOptions& options) {
   std::vector<Conflict> conflicts;
-  if (!recording.show) return conflicts;
-  const Neighbours neighbours(standing_in(recording), options);
+  auto standing = standing_in(recording);
+  if (standing.empty()) return conflicts;
+  const auto neighbours = Neighbours::of(std::move(standing), options);
+  if (!neighbours) return neighbours.error();
   for (PointId bee = 0; bee < tracks.size(); ++bee) {
-    for (const std::size_t place : neighbours.of(bee, tracks[bee])) {
-      auto found = conflicts_of(bee, recording, tracks[bee], neighbours.standing()[place], options);
+    const auto places = neighbours->of(bee, tracks[bee]);
+    if (!places) return of_bee(places.error(), recording.bees[bee]);
+    for (const std::size_t place : *places) {
+      auto found =
+          conflicts_of(bee, recording, tracks[bee], neighbours->standing()[place], options);
       if (!found) return found;
       conflicts.insert(conflicts.end(), found->begin(), found->end());
     }
@@ -185,6 +210,21 @@ void stand_in_tracks(const io::Recording& recording, std::vector<Track>& tracks)
     if (!recording.bees[one.bee].stands) continue;
     tracks[one.bee].fixes = {{one.span.begins_s, one.at}, {one.span.ends_s, one.at}};
   }
+}
+
+std::vector<Track> with_standing(std::vector<Track> tracks, const io::Recording& recording,
+                                 const std::vector<PointId>& bees) {
+  std::vector<bool> wanted(tracks.size());
+  for (const PointId bee : bees) wanted[bee] = true;
+  for (const Standing& one : standing_in(recording)) {
+    auto& fixes = tracks[one.bee].fixes;
+    if (!wanted[one.bee] || fixes.empty()) continue;  // one that never takes off: stand_in_tracks()
+    if (one.span.begins_s < fixes.front().time_s) {
+      fixes.insert(fixes.begin(), {one.span.begins_s, one.at});
+    }
+    if (one.span.ends_s > fixes.back().time_s) fixes.push_back({one.span.ends_s, one.at});
+  }
+  return tracks;
 }
 
 Result<std::vector<Conflict>> settled_conflicts(const io::Recording& recording,
@@ -209,13 +249,7 @@ Result<ShowConflicts> conflicts_of_show(const io::Recording& recording,
   if (!settled) return settled.error();
   const auto standing = conflicts_with_standing(recording, tracks, options);
   if (!standing) return standing.error();
-  ShowConflicts found{*std::move(settled), standing->size()};
-  auto& all = found.conflicts;
-  if (standing->empty()) return found;
-  all.insert(all.end(), standing->begin(), standing->end());
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Conflict& a, const Conflict& b) { return order_of(a) < order_of(b); });
-  return found;
+  return ShowConflicts{merged(*std::move(settled), *standing), *standing};
 }
 
 }  // namespace beespace::analysis

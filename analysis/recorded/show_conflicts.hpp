@@ -19,6 +19,20 @@
 
 namespace beespace::analysis {
 
+// Where a drone is while it does not fly.
+struct Standing {
+  PointId bee = 0;
+  TimeSpan span;
+  Point at;
+};
+
+// Before and after the flight of each drone of a show, in their order; nothing for what is no show.
+std::vector<Standing> standing_in(const io::Recording& recording);
+
+// Tracks of all bees, those of `bees` with their time on the ground.
+std::vector<Track> with_standing(std::vector<Track> tracks, const io::Recording& recording,
+                                 const std::vector<PointId>& bees);
+
 // Conflicts between a drone in the air and one that stands, in ascending order of (first, second,
 // begins_s). `tracks` are those of the bees, in metres. Nothing for what is no show.
 Result<std::vector<Conflict>> conflicts_with_standing(const io::Recording& recording,
@@ -37,7 +51,7 @@ Result<std::vector<Conflict>> settled_conflicts(const io::Recording& recording,
 // Both: the settled ones, and those with drones that stand.
 struct ShowConflicts {
   std::vector<Conflict> conflicts;
-  std::size_t with_standing = 0;
+  std::vector<Conflict> with_standing;  // of these
 };
 Result<ShowConflicts> conflicts_of_show(const io::Recording& recording,
                                         const std::vector<Track>& tracks,

@@ -5,6 +5,7 @@
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
+#include "analysis/recorded/velocity_curves.hpp"
 #include "analysis/scene/height_words.hpp"
 #include "analysis/scene/pair_ways.hpp"
 #include "analysis/scene/separation.hpp"
@@ -113,6 +114,32 @@ void take_pairs(const Uprights& uprights, report::RecordingFacts& facts) {
   facts.closest_apart = apart_in(*facts.closest, uprights);
   facts.pair_ways = facts.conflicts.empty() ? pair_ways({*facts.closest}, uprights)
                                             : pair_ways(facts.conflicts, uprights);
+}
+
+// Who is in one of these conflicts, or for a time one of the closest two.
+std::vector<PointId> bees_named(const std::vector<Conflict>& conflicts,
+                                const report::RecordingFacts& facts) {
+  std::vector<PointId> bees;
+  for (const Conflict& conflict : conflicts) {
+    bees.insert(bees.end(), {conflict.first, conflict.second});
+  }
+  for (const report::Separation& at : facts.separation) {
+    bees.insert(bees.end(), {at.closest.first, at.closest.second});
+  }
+  return bees;
+}
+
+// What given velocities say beside straight lines.
+void note_curves(const VelocityCurves& curves, report::RecordingFacts& facts) {
+  if (!curves.followed) {
+    facts.unknown += std::string(facts.unknown.empty() ? "" : ", ") +
+                     "velocities lead too far away from straight lines to be followed";
+  }
+  if (curves.conflicts.empty()) return;
+  facts.swarm.notes.push_back(
+      io::counted(curves.conflicts.size(), "conflict is", "conflicts are") +
+      " possible, along curves that have the given velocities; straight lines from fix to fix, "
+      "which are drawn, keep apart there");
 }
 
 // `gaps` are in ascending order of (track, begins_s).
@@ -225,6 +252,10 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   recorded->conflicts = *std::move(settled);
   const auto standing = conflicts_with_standing(recording, tracks, options);
   if (!standing) return standing.error();
+  const auto curves = follow_velocities(recording, geometry, options, recorded->conflicts);
+  if (!curves) return curves.error();
+  recorded->conflicts = merged(std::move(recorded->conflicts), curves->conflicts);
+  recorded->conflicts = merged(std::move(recorded->conflicts), *standing);
   const auto closest = closest_of(*recorded, *in_space, max_gap.seconds, request);
   if (!closest) return closest.error();
   facts.closest = *closest;
@@ -237,13 +268,8 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
       *uprights, swarm);
   stand_in_tracks(recording, *in_space);
   facts.unknown = unknown_text(coverage);
-  facts.hidden = coverage.may_hide_conflicts() || !standing->empty();
-  if (!standing->empty()) {
-    facts.unknown += (facts.unknown.empty() ? "" : ", ") +
-                     io::counted(standing->size(), "conflict", "conflicts") +
-                     " with a drone that stands on the ground, not drawn (beespace replay lists " +
-                     (standing->size() == 1 ? "it)" : "them)");
-  }
+  facts.hidden = coverage.may_hide_conflicts() || !curves->followed;
+  note_curves(*curves, facts);
   if (!coverage.complete()) {
     swarm.notes.push_back("what is said of conflicts is of the known time: " + facts.unknown);
   }
@@ -254,6 +280,13 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
         "; the longest such gap: " + gap_text(coverage.longest.front(), recording));
   }
   take_conflicts(std::move(recorded->conflicts), facts);
+  if (!standing->empty()) {
+    swarm.notes.push_back(io::counted(standing->size(), "conflict is", "conflicts are") +
+                          " with a drone that stands on the ground, which is drawn there");
+  }
+  if (recording.show) {
+    *in_space = with_standing(*std::move(in_space), recording, bees_named(*standing, facts));
+  }
   take_pairs(*uprights, facts);
   take_tracks(*std::move(in_space), recording.frame, facts);
   return facts;

@@ -72,6 +72,12 @@ void append_missing(std::string& out, const io::MissingRecords& missing) {
     if (missing.files > missing.file_names.size()) named += ", ...";
     append_summary_line(out, "not read", red(printable(named)));
   }
+  if (missing.swapped > 0) {
+    append_summary_line(out, "swapped",
+                        red(io::counted(missing.swapped, "bee", "bees")) +
+                            " would be beside others with longitude and latitude the other way "
+                            "round");
+  }
   if (missing.count == 0) return;
   std::string text = red(io::counted(missing.count, "record", "records"));
   if (missing.without_id < missing.count) text += " of " + io::counted(missing.bees, "bee", "bees");
@@ -94,6 +100,7 @@ void write_missing(io::JsonWriter& json, const io::MissingRecords& missing) {
   json.member("known_nowhere", missing.nowhere_ids);
   json.member("shared_id_count", missing.shared).member("shared_ids", missing.shared_ids);
   json.member("left_out_files", missing.files).member("left_out_file_names", missing.file_names);
+  json.member("swapped_degrees", missing.swapped);
 }
 
 }  // namespace beespace::cli

@@ -68,6 +68,10 @@ struct Prediction {
   const std::vector<Conflict>& conflicts;
   const Distances& distances;
 
+  // Whether there are two, as far as they are known.
+  [[nodiscard]] bool compares() const {
+    return snapshot.movers.size() + snapshot.unmoving.size() > 1;
+  }
   // Whether it is known of every bee where it goes.
   [[nodiscard]] bool complete() const {
     return snapshot.stale == 0 && snapshot.unmoving.empty() && recording.missing.none();
@@ -92,6 +96,10 @@ std::string unknown_text(const Prediction& prediction) {
 }
 
 std::string found_line(const Prediction& prediction) {
+  if (!prediction.compares()) {
+    return red("nothing to compare") + ": fewer than two bees are known now" +
+           (prediction.complete() ? "" : "; " + unknown_text(prediction));
+  }
   if (prediction.conflicts.empty()) {
     return prediction.complete()
                ? bold("none")
@@ -221,7 +229,7 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
   if (!moving.quiet) {
     say(summary(prediction, request, search_s));
   }
-  const bool risky = !conflicts->empty() || !prediction.complete();
+  const bool risky = !conflicts->empty() || !prediction.complete() || !prediction.compares();
   return moving.fail_on_risk && risky ? ExitCode::kRiskFound : ExitCode::kFine;
 }
 

@@ -31,9 +31,10 @@ constexpr const char* kPredictDetails =
     "  beespace predict traffic.csv --separation enroute --output conflicts.csv\n"
     "  beespace generate --scene flight --points 1000 | beespace predict --threshold 10\n"
     "\n"
-    "Exit status: 0 fine, 1 there is a conflict (with --fail-on-risk), 2 wrong usage, 3 bad input "
-    "or\n"
-    "more than --max-results, 4 cannot open, read or write, 130 interrupted, 143 terminated, 141\n"
+    "Exit status: 0 fine, 1 there is a conflict, or nothing to compare, or a bee of which it is "
+    "not\n"
+    "known where it goes (with --fail-on-risk), 2 wrong usage, 3 bad input or more than "
+    "--max-results, 4 cannot open, read or write, 130 interrupted, 143 terminated, 141\n"
     "closed pipe.";
 
 }  // namespace

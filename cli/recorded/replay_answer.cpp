@@ -23,6 +23,26 @@ Rows closest_row(const Conflict& closest, const io::Recording& recording,
   return rows;
 }
 
+// What the curves with the given velocities say; null where there are none.
+void write_velocities(io::JsonWriter& json, const analysis::Findings& findings) {
+  json.key("velocities");
+  const analysis::VelocityCurves* const curves = findings.curves;
+  if (findings.velocities_passed_over) {
+    json.begin_object().member("followed", false).end();
+    return;
+  }
+  if (curves == nullptr || !curves->given) {
+    json.null();
+    return;
+  }
+  json.begin_object().member("followed", curves->followed);
+  json.member("conflict_count", curves->conflicts.size());
+  json.member("most_off_m", curves->most_off_m);
+  json.member("id", findings.recording.bees[curves->bee].id);
+  json.member("begins_s", curves->span.begins_s).member("ends_s", curves->span.ends_s);
+  json.end();
+}
+
 }  // namespace
 
 Rows rows_of(const ReplayRequest& request, const analysis::Findings& findings,
@@ -34,7 +54,9 @@ Rows rows_of(const ReplayRequest& request, const analysis::Findings& findings,
   }
   const bool curved = std::any_of(findings.tracks.begin(), findings.tracks.end(),
                                   [](const Track& track) { return track.tolerance_m > 0.0; });
-  return conflict_rows(findings.recorded.conflicts, findings.recording, curved, distances);
+  const bool along_velocities = findings.curves != nullptr && !findings.curves->conflicts.empty();
+  return conflict_rows(findings.recorded.conflicts, findings.recording, curved || along_velocities,
+                       distances);
 }
 
 void write_findings(io::JsonWriter& json, const analysis::Findings& findings,
@@ -45,6 +67,7 @@ void write_findings(io::JsonWriter& json, const analysis::Findings& findings,
   json.member("pair_count", analysis::pairs_in_conflict(conflicts).size());
   json.member("gap_count", findings.recorded.gaps.size());
   write_coverage(json.key("known"), findings.coverage, findings.recording);
+  write_velocities(json, findings);
   json.key("closest");
   if (findings.closest) {
     const Rows closest = closest_row(*findings.closest, findings.recording, distances);

@@ -7,6 +7,7 @@
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
+#include "analysis/recorded/velocity_curves.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/progress_bar.hpp"
@@ -68,8 +69,9 @@ Status write_events(const ReplayRequest& request, const analysis::Findings& find
       .threads = request.moving.threads,
       .height_unit_m = height_unit_m(geometry, findings.recording.height_unit),
       .max_agents = std::max(SwarmOptions{}.max_agents, findings.tracks.size())};
-  const auto events = events_of(findings.recording, findings.tracks, geometry, options,
-                                {request.live.look_every_s, default_max_skew_s(max_age_s)});
+  const auto events =
+      events_of(findings.recording, findings.tracks, geometry, options,
+                {request.live.look_every_s, default_max_skew_s(max_age_s)}, findings.with_standing);
   if (!events) return events.error();
   if (request.moving.form.form == Form::kText) {
     output.write(events->lines);
@@ -102,6 +104,16 @@ bool has_encounters(const std::optional<Conflict>& closest, const io::Recording&
   if (!request.moving.vertical_m) return false;
   const auto any = find_closest_encounter(tracks, max_gap_s, request.moving.threads);
   return any && any->has_value();
+}
+
+// How far apart two are on what they were found in conflict along.
+analysis::ApartOf apart_along(const std::vector<Track>& lines,
+                              const analysis::VelocityCurves& curves, double unit_m) {
+  if (curves.tracks.empty()) return analysis::apart_of(lines, unit_m);
+  return [of_lines = analysis::apart_of(lines, unit_m),
+          of_curves = analysis::apart_of(curves.tracks, unit_m)](const Conflict& conflict) {
+    return conflict.certain ? of_lines(conflict) : of_curves(conflict);
+  };
 }
 
 // Rows of --report separation are kept until all are there.
@@ -154,6 +166,11 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
       analysis::conflicts_of_show(*recording, *tracks, options, std::move(recorded->conflicts));
   if (!of_show) return in_words_of_the_command(of_show.error(), moving);
   recorded->conflicts = std::move(of_show->conflicts);
+  auto curves = request.straight
+                    ? Result<analysis::VelocityCurves>(analysis::VelocityCurves{})
+                    : follow_velocities(*recording, geometry, options, recorded->conflicts);
+  if (!curves) return in_words_of_the_command(curves.error(), moving);
+  recorded->conflicts = analysis::merged(std::move(recorded->conflicts), curves->conflicts);
   const auto closest = closest_of(*recorded, *tracks, max_gap.seconds, request);
   if (!closest) return closest.error();
   const double search_s = watch.lap();
@@ -171,7 +188,8 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
       *closest,
       coverage,
       has_encounters(*closest, *recording, *in_space, max_gap.seconds, request)};
-  findings.with_standing = of_show->with_standing;
+  findings.with_standing = std::move(of_show->with_standing);
+  findings.curves = &*curves;
   if (request.report == "bees" && recording->show && !moving.vertical) {
     auto each = analysis::closest_of_each(*tracks, threshold_m, max_gap.seconds, moving.threads);
     if (!each) return each.error();
@@ -179,7 +197,8 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   }
   Distances distances = distances_of(moving, *recording, threshold_m);
   if (moving.vertical) {
-    distances.apart = analysis::apart_of(*tracks, height_unit_m(geometry, recording->height_unit));
+    distances.apart =
+        apart_along(*tracks, *curves, height_unit_m(geometry, recording->height_unit));
   }
   progress.enter_stage("writing");
   const JsonHead head = [&](io::JsonWriter& json) {

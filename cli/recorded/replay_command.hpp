@@ -16,6 +16,7 @@ struct ReplayRequest {
   std::string report = "conflicts";
   std::optional<double> max_gap_s;  // absent: from the data
   double tolerance_m = 0.001;
+  bool straight = false;  // velocities are not looked at
   double every_s = 1.0;
   LiveRequest live;
   std::optional<std::uint64_t> memory_bytes;  // absent: all that it takes

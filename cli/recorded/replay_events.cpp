@@ -1,10 +1,13 @@
 #include "cli/recorded/replay_events.hpp"
 
+#include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "cli/input/moving_output.hpp"
 #include "cli/output/event_lines.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace beespace::cli {
 namespace {
@@ -27,11 +30,60 @@ std::vector<Value> row_of(const SwarmEvent& event, const analysis::LiveFeed& fee
           event.distance_m,       event.closest_s};
 }
 
+// What is told of conflicts with drones that stand, in the order of time.
+std::vector<SwarmEvent> events_of_standing(const io::Recording& recording,
+                                           std::vector<Track> tracks,
+                                           const std::vector<Conflict>& conflicts,
+                                           analysis::LiveFeed& feed) {
+  std::vector<PointId> bees;
+  for (const Conflict& each : conflicts) bees.insert(bees.end(), {each.first, each.second});
+  analysis::stand_in_tracks(recording, tracks);
+  const auto standing = analysis::with_standing(std::move(tracks), recording, bees);
+  std::vector<SwarmEvent> events;
+  for (const Conflict& each : conflicts) {
+    // One that never takes off has no number yet.
+    const auto first = feed.number(recording.bees[each.first].id, {});
+    const auto second = feed.number(recording.bees[each.second].id, {});
+    if (!first || !second) continue;
+    const auto tell = [&](EventKind kind, double time_s, double closest_s) {
+      const auto a = position_at(standing[each.first], time_s);
+      const auto b = position_at(standing[each.second], time_s);
+      SwarmEvent event{kind, time_s, std::min(*first, *second), std::max(*first, *second)};
+      if (a && b) event.distance_m = std::hypot(a->x - b->x, a->y - b->y, a->z - b->z);
+      if (time_s == each.closest_s) event.distance_m = each.closest_m;
+      event.closest_s = closest_s;
+      events.push_back(event);
+    };
+    tell(EventKind::kEntered, each.begins_s, each.begins_s);
+    if (each.begins_s < each.closest_s && each.closest_s < each.ends_s) {
+      tell(EventKind::kClosestPassed, each.closest_s, each.closest_s);
+    }
+    tell(EventKind::kLeft, each.ends_s, each.closest_s);
+  }
+  std::stable_sort(events.begin(), events.end(),
+                   [](const SwarmEvent& a, const SwarmEvent& b) { return a.time_s < b.time_s; });
+  return events;
+}
+
+// Each of the second ones before the first that is told later.
+std::vector<SwarmEvent> put_together(const std::vector<SwarmEvent>& told,
+                                     const std::vector<SwarmEvent>& beside) {
+  std::vector<SwarmEvent> all;
+  auto next = beside.begin();
+  for (const SwarmEvent& event : told) {
+    for (; next != beside.end() && next->time_s < event.time_s; ++next) all.push_back(*next);
+    all.push_back(event);
+  }
+  all.insert(all.end(), next, beside.end());
+  return all;
+}
+
 }  // namespace
 
 Result<RecordedEvents> events_of(const io::Recording& recording, const std::vector<Track>& tracks,
                                  analysis::Geometry geometry, const SwarmOptions& options,
-                                 const analysis::LiveTimes& times) {
+                                 const analysis::LiveTimes& times,
+                                 const std::vector<Conflict>& standing) {
   std::vector<RecordedFix> fixes;
   for (PointId bee = 0; bee < tracks.size(); ++bee) {
     for (std::uint32_t i = 0; i < tracks[bee].fixes.size(); ++i) {
@@ -45,14 +97,10 @@ Result<RecordedEvents> events_of(const io::Recording& recording, const std::vect
       {"time_s"},     {"event"},    {"first", "first_label"}, {"second", "second_label"},
       {"distance_m"}, {"closest_s"}};
   recorded.rows.labelled = analysis::has_labels(recording);
-  const analysis::LiveFeed* seen = nullptr;
+  std::vector<SwarmEvent> told;
   analysis::LiveFeed feed(options, times, [&](const std::vector<SwarmEvent>& events) {
-    for (const SwarmEvent& event : events) {
-      recorded.lines += event_line(event, *seen);
-      recorded.rows.rows.push_back(row_of(event, *seen));
-    }
+    told.insert(told.end(), events.begin(), events.end());
   });
-  seen = &feed;
   for (const RecordedFix& at : fixes) {
     const io::RecordedBee& bee = recording.bees[at.bee];
     const auto number = feed.number(bee.id, bee.label);
@@ -67,6 +115,11 @@ Result<RecordedEvents> events_of(const io::Recording& recording, const std::vect
     if (auto taken = feed.take(report); !taken) return taken.error();
   }
   if (auto done = feed.finish(); !done) return done.error();
+  for (const SwarmEvent& event :
+       put_together(told, events_of_standing(recording, tracks, standing, feed))) {
+    recorded.lines += event_line(event, feed);
+    recorded.rows.rows.push_back(row_of(event, feed));
+  }
   return recorded;
 }
 

@@ -20,9 +20,11 @@ struct RecordedEvents {
   Rows rows;
 };
 
-// The tracks are those of that geometry.
+// The tracks are those of that geometry. `standing` are the conflicts with drones on the ground,
+// which report nothing there: they are told of beside the others.
 Result<RecordedEvents> events_of(const io::Recording& recording, const std::vector<Track>& tracks,
                                  analysis::Geometry geometry, const SwarmOptions& options,
-                                 const analysis::LiveTimes& times);
+                                 const analysis::LiveTimes& times,
+                                 const std::vector<Conflict>& standing);
 
 }  // namespace beespace::cli

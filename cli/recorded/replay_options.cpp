@@ -20,12 +20,15 @@ constexpr const char* kReplayDetails =
     "encounters, animals as Movebank, trackdf, TRex and idtracker.ai have them, logs of PX4 (.ulg, "
     "a\n"
     "drone each) and MAVLink (.tlog), tables of poses of ROS. Between two fixes a bee moves in a\n"
-    "straight line, so a pass between fixes is "
-    "found "
-    "as\n"
-    "well; curves of shows are followed to within --tolerance, and what that leaves open is "
-    "reported\n"
-    "as possible, not left out. Between fixes farther apart in time than --max-gap it is unknown "
+    "straight line, so a pass between fixes is found as well. Where the input has velocities, "
+    "curves with\n"
+    "these are looked at too, and who comes too close along them alone is reported as possible "
+    "(with\n"
+    "--straight not); curves of shows are followed to within --tolerance, and what that leaves "
+    "open "
+    "is also\n"
+    "reported as possible, not left out. Between fixes farther apart in time than --max-gap it is "
+    "unknown "
     "where a\n"
     "bee was, and before its first fix and after its last one: the verdict is about the known "
     "time, "
@@ -39,7 +42,7 @@ constexpr const char* kReplayDetails =
     "  conflicts   id, id, when it begins, when it is closest, how close, when it ends (and "
     "whether "
     "it\n"
-    "              is certain, where there are curves)\n"
+    "              is certain, where there are curves of shows or velocities)\n"
     "  bees        each bee: id, conflicts, time in conflict, its closest in conflict, of shows "
     "always: how\n"
     "              close, when, with whom; for how long it is unknown\n"
@@ -121,6 +124,7 @@ Command replay_command() {
                    "Files and folders to read (default, or -:\nstandard input)");
   add_input_options(replay, moving);
   add_gap_options(replay, request->max_gap_s, request->tolerance_m);
+  replay.flag("--straight", request->straight, "Straight lines, whatever the velocities");
   add_separation_options(replay, moving);
   replay.choice("--report", request->report, {"conflicts", "bees", "separation", "events"},
                 "What to find, see below (default: conflicts)", "WHAT");

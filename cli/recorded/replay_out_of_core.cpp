@@ -100,6 +100,7 @@ class Replaying {
     std::vector<LargeAgent> agents;
     Status told = fixes_.visit_agents([&](const LargeAgent& agent) { agents.push_back(agent); });
     if (!told) return placed(std::move(told).error());
+    any_velocity_ = stream_.any_velocity();
     auto recording = stream_.finish(fixes_.facts().repeated);
     if (!recording) return std::move(recording).error();
     recording_ = *std::move(recording);
@@ -202,8 +203,9 @@ class Replaying {
 
   Result<ExitCode> write() {
     const analysis::Coverage coverage = analysis::coverage_of(recording_, found_.gaps, max_gap_);
-    const analysis::Findings findings{recording_, tracks_,  tracks_,          found_,
-                                      closest_,   coverage, facts_.encounters};
+    analysis::Findings findings{recording_, tracks_,  tracks_,          found_,
+                                closest_,   coverage, facts_.encounters};
+    findings.velocities_passed_over = any_velocity_ && !request_.straight;
     const JsonHead head = [&](io::JsonWriter& json) {
       write_findings(json, findings, request_, threshold_m_, distances_);
     };
@@ -237,6 +239,7 @@ class Replaying {
   std::optional<Conflict> closest_;  // of the conflicts
   RecordingOutOfCoreFacts facts_;    // of the search
   Distances distances_;
+  bool any_velocity_ = false;
   Stopwatch watch_;
   double read_s_ = 0.0;
   double search_s_ = 0.0;

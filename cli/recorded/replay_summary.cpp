@@ -1,5 +1,6 @@
 #include "cli/recorded/replay_summary.hpp"
 
+#include "analysis/text/bee_name.hpp"
 #include "analysis/text/moment_text.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
@@ -18,6 +19,38 @@ std::string plural(std::uint64_t count, const char* one, const char* several) {
   return io::grouped(count) + " " + (count == 1 ? one : several);
 }
 
+// What keeps the verdict from being about all that was flown.
+std::string open_text(const analysis::Findings& findings) {
+  std::string text;
+  if (findings.velocities_passed_over) {
+    text = "with --memory velocities are not looked at";
+  } else if (findings.velocities_open()) {
+    text = "the velocities lead too far away from these to be followed";
+  }
+  const bool complete = findings.coverage.complete();
+  if (!text.empty() && !complete) text += ", ";
+  return complete ? text : text + analysis::unknown_text(findings.coverage);
+}
+
+std::string kinds_text(const analysis::Findings& findings) {
+  std::string text;
+  if (!findings.with_standing.empty()) {
+    text += ", " + io::grouped(findings.with_standing.size()) + " with a drone on the ground";
+  }
+  if (findings.curves != nullptr && !findings.curves->conflicts.empty()) {
+    text += ", " + io::grouped(findings.curves->conflicts.size()) +
+            " possible, along curves with the given velocities";
+  }
+  return text;
+}
+
+// Of what it is said that there is no conflict.
+const char* known_words(const analysis::Findings& findings) {
+  if (findings.velocities_open()) return "no conflict along straight lines";
+  return findings.coverage.missing.files > 0 ? "no conflict among what was read"
+                                             : "no conflict in the known time";
+}
+
 std::string verdict(const analysis::Findings& findings,
                     const std::vector<analysis::PairInConflict>& pairs) {
   if (!findings.has_encounters)
@@ -25,22 +58,35 @@ std::string verdict(const analysis::Findings& findings,
            (findings.coverage.may_hide_conflicts()
                 ? "; " + analysis::unknown_text(findings.coverage)
                 : "");
-  if (pairs.empty() && !findings.coverage.complete()) {
-    return bold(findings.coverage.missing.files > 0 ? "no conflict among what was read"
-                                                    : "no conflict in the known time") +
-           "; " + analysis::unknown_text(findings.coverage);
+  const std::string open = open_text(findings);
+  const std::string but = open.empty() ? "" : "; " + open;
+  if (pairs.empty() && open.empty()) return bold("keeps its distance");
+  if (pairs.empty()) {
+    return bold(known_words(findings)) + but;
   }
-  if (pairs.empty()) return bold("keeps its distance");
   const auto& conflicts = findings.recorded.conflicts;
   const bool certain = std::any_of(conflicts.begin(), conflicts.end(),
                                    [](const Conflict& conflict) { return conflict.certain; });
   return red(certain ? "does not keep its distance" : "may not keep its distance") + ": " +
          plural(conflicts.size(), "conflict", "conflicts") + " of " +
-         plural(pairs.size(), "pair", "pairs") +
-         (findings.with_standing == 0
-              ? ""
-              : ", " + io::grouped(findings.with_standing) + " with a drone on the ground") +
-         (findings.coverage.complete() ? "" : "; " + analysis::unknown_text(findings.coverage));
+         plural(pairs.size(), "pair", "pairs") + kinds_text(findings) + but;
+}
+
+// How far given velocities lead away from straight lines, where that can be seen.
+void append_velocities(std::string& out, const analysis::Findings& findings, double threshold_m) {
+  constexpr double kSeen = 0.01;  // of the threshold
+  const analysis::VelocityCurves* const curves = findings.curves;
+  if (curves == nullptr || !(curves->most_off_m > kSeen * threshold_m)) return;
+  const io::Recording& recording = findings.recording;
+  append_summary_line(
+      out, "velocities",
+      "curves with them leave the straight lines by up to " + io::grouped(curves->most_off_m, 2) +
+          " m (" + printable(text_of(analysis::name_of(curves->bee, recording))) + " from " +
+          analysis::moment_text(curves->span.begins_s, recording) + " to " +
+          analysis::moment_text(curves->span.ends_s, recording) + "); " +
+          (curves->followed ? "both are looked at (--straight: not the curves)"
+                            : red("that is too far to follow them") +
+                                  ": are they in another unit, or of another direction?"));
 }
 
 void append_worst(std::string& out, const analysis::Findings& findings,
@@ -50,6 +96,9 @@ void append_worst(std::string& out, const analysis::Findings& findings,
     const analysis::PairInConflict& pair = pairs[i];
     std::string text = encounter_text(pair.closest, findings.recording, distances);
     text += "; in conflict for " + io::grouped(pair.time_s, 2) + " s";
+    if (findings.curves != nullptr && findings.curves->given && !pair.closest.certain) {
+      text += ", on curves with the given velocities";
+    }
     if (pair.conflicts > 1) text += " in " + io::grouped(pair.conflicts) + " conflicts";
     append_summary_line(out, i == 0 ? "worst" : "", text);
   }
@@ -105,6 +154,7 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
                             io::grouped(time->ends_s - time->begins_s, 2) + " s)");
   }
   append_coverage(out, findings.coverage, recording);
+  append_velocities(out, findings, figures.threshold_m);
   const auto instants = std::count_if(findings.tracks.begin(), findings.tracks.end(),
                                       [](const Track& track) { return track.fixes.size() == 1; });
   if (instants > 0) {

@@ -1,5 +1,8 @@
 #include "io/aircraft/aircraft_gathering.hpp"
 
+#include "io/problems/unplaced.hpp"
+
+#include <cmath>
 #include <utility>
 
 namespace beespace::io {
@@ -26,13 +29,22 @@ std::optional<Error> AircraftGathering::add(const AircraftReport& report, std::u
   const auto chosen = choice_.choose(report, left_out);
   if (!chosen) return chosen.error();
   if (!chosen.value()) {
-    for (const LeftOutReason& reason : left_out.reasons()) assembly_.leave_out(reason, report.id);
+    const Fix place = choice_.place_of(report);
+    const bool placed = std::isfinite(place.time_s + place.position.x + place.position.y);
+    for (const LeftOutReason& reason : left_out.reasons()) {
+      if (placed && reason.which == kOnGround.which) {
+        assembly_.claims_ground(report.id, place);
+      } else {
+        assembly_.leave_out(reason, report.id);
+      }
+    }
     return std::nullopt;
   }
   Origin origin;
   origin.source = assembly_.source() & 0xFF'FFFFu;
   origin.line = line & 0xFF'FFFF'FFFFu;
   const AircraftFix& fix = **chosen;
+  assembly_.flies_at(report.id, fix.fix);
   std::optional<double> stated;
   if (report.height_unit != Unit::kMetre) stated = fix.stated_height;
   assembly_.tracks().add(report.id, fix.fix, &fix.velocity, origin, stated);

@@ -89,6 +89,12 @@ Result<std::optional<AircraftFix>> AircraftChoice::choose(const AircraftReport& 
   return std::optional<AircraftFix>(chosen);
 }
 
+Fix AircraftChoice::place_of(const AircraftReport& report) const {
+  const double stated = by_pressure() ? report.pressure_height : report.ellipsoid_height;
+  return {report.time_s,
+          {report.longitude_deg, report.latitude_deg, in_metric(stated, report.height_unit)}};
+}
+
 HeightDatum AircraftChoice::datum() const {
   return by_pressure() ? HeightDatum::kPressure : HeightDatum::kEllipsoid;
 }

@@ -60,6 +60,9 @@ class AircraftChoice {
   // kInvalidLongitude, kInvalidLatitude, kInvalidHeight, kOutsideDomain.
   Result<std::optional<AircraftFix>> choose(const AircraftReport& report, LeftOut& left_out) const;
 
+  // Where an aircraft says that it is, on the ground or not; what it does not say is not-a-number.
+  [[nodiscard]] Fix place_of(const AircraftReport& report) const;
+
   [[nodiscard]] HeightDatum datum() const;
   // To be said aloud.
   [[nodiscard]] std::string note() const;

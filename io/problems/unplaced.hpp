@@ -27,6 +27,11 @@ inline constexpr double kMostClimbOnGround_mps = 5.0;
 inline constexpr LeftOutReason kOnGroundInFlight = {
     "of aircraft that say that they are on the ground, but are as high or as fast as none there",
     "--grounded keeps them"};
+// By GroundClaims.
+inline constexpr LeftOutReason kGroundInFlight = {
+    "of aircraft that say that they are on the ground, but fly by what they report before and "
+    "after",
+    "--grounded keeps them"};
 // At flight levels the two differ by hundreds of metres at most, on days far from the standard
 // ones.
 inline constexpr double kMostHeightsDiffer_m = 1'500.0;

@@ -57,8 +57,14 @@ struct MissingRecords {
   std::uint64_t files = 0;
   std::vector<std::string> file_names = {};  // of the first kMostNamed of them
 
+  // Bees whose longitude and latitude seem to be under each other's name (see swapped_degrees.hpp):
+  // they may be somewhere else. None of them counts above.
+  std::uint64_t swapped = 0;
+
   // Whether all that was there is known.
-  [[nodiscard]] bool none() const { return count == 0 && shared == 0 && files == 0; }
+  [[nodiscard]] bool none() const {
+    return count == 0 && shared == 0 && files == 0 && swapped == 0;
+  }
 
   static constexpr std::size_t kMostNamed = 3;
 };

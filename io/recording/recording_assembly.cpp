@@ -2,12 +2,14 @@
 
 #include "io/problems/excerpt.hpp"
 #include "io/problems/skipped_records.hpp"
+#include "io/problems/unplaced.hpp"
 #include "io/recording/swapped_degrees.hpp"
-#include "io/recording/time_doubts.hpp"
+#include "io/recording/unit_doubts.hpp"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 namespace beespace::io {
@@ -104,6 +106,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
     facts_->frame_reason = facts.frame_reason;
   }
   if (facts.named_time != facts_->named_time) facts_->named_time = Unit::kUnstated;
+  facts_->supposed_metres = facts_->supposed_metres || facts.supposed_metres;
   // The least that any of them says.
   facts_->naming = std::min(facts_->naming, facts.naming);
   if (auto error = agree_on_heights(facts.heights)) return error;
@@ -184,6 +187,28 @@ bool RecordingAssembly::goes_back(std::string_view id, double time_s) {
   return false;
 }
 
+std::optional<double> RecordingAssembly::set_back_by(std::string_view id, double time_s) {
+  constexpr double kDay_s = 86'400.0;
+  constexpr double kHour_s = 3'600.0;
+  constexpr double kLatest_s = 4.0 * kHour_s;  // no zone sets its clocks back later in the night
+  constexpr std::uint64_t kInOrder = 3;        // so that a table in no order is none
+  auto at = clock_times_.find(id);
+  if (at == clock_times_.end()) at = clock_times_.try_emplace(std::string(id)).first;
+  ClockTime& clock = at->second;
+  const double back_s = clock.last_s - time_s;
+  if (clock.in_order == 0 || back_s <= 0.0) {
+    clock.last_s = time_s;
+    ++clock.in_order;
+    return std::nullopt;
+  }
+  const bool is_long = back_s >= 0.5 * kHour_s && back_s < kHour_s;
+  const bool at_night = time_s - std::floor(time_s / kDay_s) * kDay_s < kLatest_s;
+  if (is_long && at_night && clock.in_order >= kInOrder) return back_s;
+  clock.last_s = time_s;
+  clock.in_order = 1;
+  return std::nullopt;
+}
+
 void RecordingAssembly::miss(std::uint64_t records, std::string_view id) {
   missing_ += records;
   if (id.empty()) {
@@ -202,6 +227,20 @@ void RecordingAssembly::leave_file_out(std::string_view name) {
   MissingRecords& missing = recording_.missing;
   ++missing.files;
   if (missing.file_names.size() < MissingRecords::kMostNamed) missing.file_names.emplace_back(name);
+}
+
+void RecordingAssembly::settle_claim(const std::string& id, std::uint64_t claims, bool in_flight) {
+  for (std::uint64_t i = 0; i < claims; ++i) leave_out(in_flight ? kGroundInFlight : kOnGround, id);
+}
+
+void RecordingAssembly::flies_at(std::string_view id, const Fix& fix) {
+  claims_.take(id, fix, false, facts_ ? facts_->frame : Frame::kWgs84,
+               [this](const auto&... of) { settle_claim(of...); });
+}
+
+void RecordingAssembly::claims_ground(std::string_view id, const Fix& fix) {
+  claims_.take(id, fix, true, facts_ ? facts_->frame : Frame::kWgs84,
+               [this](const auto&... of) { settle_claim(of...); });
 }
 
 void RecordingAssembly::heard_of(const LeftOutReason& reason, std::string_view id) {
@@ -408,8 +447,14 @@ Error RecordingAssembly::nothing_left() const {
   return {ErrorCode::kNoPoints, message, {sources_.empty() ? "" : sources_.front()}};
 }
 
-// Headers are wrong about times now and then, and speeds show it.
-std::optional<Error> RecordingAssembly::doubtful_times() const {
+// Headers are wrong about units now and then, and speeds show it.
+std::optional<Error> RecordingAssembly::doubtful_units() const {
+  if (facts_ && facts_->supposed_metres) {
+    if (auto error = doubt_of_metres(recording_)) {
+      error->location.source = facts_source_;
+      return error;
+    }
+  }
   if (!facts_ || facts_->named_time == Unit::kUnstated) return std::nullopt;
   auto error = doubt_of_time_unit(recording_, facts_->named_time);
   if (error) error->location.source = facts_source_;
@@ -418,6 +463,7 @@ std::optional<Error> RecordingAssembly::doubtful_times() const {
 
 Result<Recording> RecordingAssembly::finish() {
   settle_heard();
+  claims_.finish([this](const auto&... of) { settle_claim(of...); });
   if (tracks_.empty()) return nothing_left();
   if (auto error = settle_times()) return *std::move(error);
   if (auto error = settle_frame()) return *std::move(error);
@@ -435,12 +481,16 @@ Result<Recording> RecordingAssembly::finish() {
   for (const SharedTrack& track : tracks_.shared(recording_.frame)) share(track);
   recording_.missing = missing();
   recording_.bees = tracks_.release();
-  if (auto error = doubtful_times()) return *std::move(error);
+  if (auto error = doubtful_units()) return *std::move(error);
   if (recording_.height_unit == Unit::kMetre) {
     for (RecordedBee& bee : recording_.bees) bee.stated_heights.clear();
   }
   note_counts();
-  if (auto swapped = swapped_degrees_note(recording_)) note(*std::move(swapped));
+  if (auto swapped = swapped_degrees(recording_)) {
+    note(std::move(swapped->note));
+    // Who says which column is which means it.
+    if (options_.columns.empty()) recording_.missing.swapped = swapped->bees;
+  }
   return std::move(recording_);
 }
 

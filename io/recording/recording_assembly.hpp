@@ -7,6 +7,7 @@
 #include "io/frames/coordinate_frame.hpp"
 #include "io/frames/frame_decision.hpp"
 #include "io/problems/left_out.hpp"
+#include "io/recording/ground_claims.hpp"
 #include "io/recording/recording.hpp"
 #include "io/recording/recording_options.hpp"
 #include "io/recording/set_names.hpp"
@@ -18,6 +19,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,6 +41,7 @@ struct SourceFacts {
   bool since_1970 = false;
   std::optional<WallClock> clock = {};
   Unit named_time = Unit::kUnstated;  // that of the times, where nothing but the header says it
+  bool supposed_metres = false;       // positions: nothing says so
   HeightDatum heights = HeightDatum::kUnstated;
   Unit height_unit = Unit::kMetre;  // in which TrackGathering is told them as they are stated
   std::vector<UnitTaken> units = {};
@@ -79,6 +83,9 @@ class RecordingAssembly {
   // Of times of day without a date: whether one comes before the last one of that bee, so that
   // another day may have begun.
   bool goes_back(std::string_view id, double time_s);
+  // Of dates and times of a clock whose zone is not known: by how much it goes back here, as where
+  // clocks are set back at night, and the same times come again; otherwise nothing.
+  std::optional<double> set_back_by(std::string_view id, double time_s);
 
   // Errors: kUnknownFrame, kMissingColumn, kInvalidArgument for inputs that do not go together:
   // in frame, time, whether there are heights or what these are counted from.
@@ -113,6 +120,10 @@ class RecordingAssembly {
   void leave_out(const LeftOutReason& reason, std::string_view id);
   // A file, or a folder, beside those that are read: who may be in it is not known.
   void leave_file_out(std::string_view name);
+  // A report of an aircraft, in a format in which it may say that it is on the ground: where it is
+  // kept, and where it is not since it says so, which is counted once it is known whether it flies.
+  void flies_at(std::string_view id, const Fix& fix);
+  void claims_ground(std::string_view id, const Fix& fix);
   // A record says that the bee is on the ground, but not how it could be; it is kept.
   void keep_in_flight() { ++kept_in_flight_; }
   // It was heard of, though not its place: if no place comes from anywhere, a record is left out
@@ -132,8 +143,9 @@ class RecordingAssembly {
   std::optional<Error> settle_times();
   std::optional<Error> settle_frame();
   void settle_heard();
+  void settle_claim(const std::string& id, std::uint64_t claims, bool in_flight);
   [[nodiscard]] MissingRecords missing() const;
-  [[nodiscard]] std::optional<Error> doubtful_times() const;
+  [[nodiscard]] std::optional<Error> doubtful_units() const;
   void note_counts();
   [[nodiscard]] Error nothing_left() const;
   std::optional<Error> agree_on_heights(HeightDatum heights);
@@ -143,6 +155,7 @@ class RecordingAssembly {
   Recording recording_;
   TrackGathering tracks_;
   LeftOut left_out_;
+  GroundClaims claims_;
   std::uint64_t kept_in_flight_ = 0;
   std::uint64_t missing_ = 0;  // records
   std::uint64_t missing_without_id_ = 0;
@@ -155,6 +168,12 @@ class RecordingAssembly {
   std::string source_stem_;                // the last of them
   SetNames set_names_;
   std::unordered_map<std::string, double> times_of_day_s_;  // by bee: the last one
+  // The same of dates and times, and how many records came in order.
+  struct ClockTime {
+    double last_s = 0.0;
+    std::uint64_t in_order = 0;
+  };
+  std::map<std::string, ClockTime, std::less<>> clock_times_;
   std::size_t named_sources_ = 0;  // how many sources were begun when it was given away
   bool several_ = false;
   bool frame_is_settled_ = false;

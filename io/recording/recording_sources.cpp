@@ -26,9 +26,18 @@ bool has_ending(std::string_view name, std::initializer_list<std::string_view> e
                      [rest](std::string_view ending) { return ends_with(rest, ending); });
 }
 
+// What idtracker.ai writes beside its trajectories.
+bool is_beside_trajectories(std::string_view name) {
+  const std::string lower = lower_case(name);
+  return is_one_of("areas.csv id_probabilities.csv lengths.csv", lower);
+}
+
 // What a folder has, by kind.
 struct Listed {
   std::vector<std::string> tables = {};
+  std::vector<std::string> texts = {};
+  std::vector<std::string> shows = {};
+  std::vector<std::string> folders = {};
   std::vector<std::string> documents = {};
   std::vector<std::string> logs = {};
   std::vector<std::string> flights = {};
@@ -37,15 +46,28 @@ struct Listed {
   std::error_code problem = {};
 
   std::vector<std::string>& of(std::string_view name, const std::string& path) {
-    if (is_folder(path)) return others;
-    if (is_table_name(name)) return tables;
+    if (is_folder(path)) return folders;
+    if (is_table_name(name)) return has_ending(name, {".txt"}) ? texts : tables;
+    if (has_ending(name, {".skyc"})) return shows;
     if (has_ending(name, {".json", ".ndjson", ".jsonl"})) return documents;
     if (has_ending(name, {".tlog"})) return logs;
     return has_ending(name, {".ulg", ".ulog"}) ? flights : others;
   }
+  // Of idtracker.ai the trajectories alone are tables of places.
+  void leave_trajectories() {
+    const auto named = [](const std::string& path, const auto& is) {
+      return is(std::string_view(path).substr(path.rfind('/') + 1));
+    };
+    const bool trajectories = std::any_of(tables.begin(), tables.end(), [&](const auto& path) {
+      return named(path, [](std::string_view name) { return name == "trajectories.csv"; });
+    });
+    if (!trajectories) return;
+    std::erase_if(tables, [&](const auto& path) { return named(path, is_beside_trajectories); });
+  }
   // The kind that is read.
   std::vector<std::string>& chosen() {
     if (!tables.empty()) return tables;
+    if (!shows.empty()) return shows;
     if (!documents.empty()) return documents;
     return !logs.empty() ? logs : flights;
   }
@@ -79,7 +101,44 @@ Listed listed(const std::string& folder) {
     found.of(name, path).push_back(path);
     if (found.foreign.empty()) found.foreign = foreign_show(name);
   }
+  // Texts are tables, unless they seem to lie beside a show.
+  auto& beside = found.tables.empty() && !found.shows.empty() ? found.others : found.tables;
+  beside.insert(beside.end(), found.texts.begin(), found.texts.end());
+  found.texts.clear();
+  found.leave_trajectories();
   return found;
+}
+
+// Folders below this one that have something that is read, at most `depth` levels deep: the first.
+std::string first_folder_with_recordings(const std::string& folder, int depth) {
+  Listed found = listed(folder);
+  std::sort(found.folders.begin(), found.folders.end());
+  for (const std::string& inside : found.folders) {
+    if (!listed(inside).chosen().empty()) return inside;
+    if (depth == 1) continue;
+    if (std::string deeper = first_folder_with_recordings(inside, depth - 1); !deeper.empty()) {
+      return deeper;
+    }
+  }
+  return {};
+}
+
+Error nothing_to_read(Listed found, const std::string& folder) {
+  constexpr int kDepth = 3;
+  std::string message =
+      "there is no .csv, .tsv or .txt file in this folder, nor any .skyc, .json, .ndjson, .tlog or "
+      ".ulg";
+  if (!found.others.empty()) {
+    std::sort(found.others.begin(), found.others.end());
+    message += ", but " + found.others.front() +
+               (found.others.size() == 1 ? ""
+                                         : " and " + std::to_string(found.others.size() - 1) +
+                                               " more, which say when named what to do");
+  }
+  const std::string inside = first_folder_with_recordings(folder, kDepth);
+  message += inside.empty() ? "; name the files, or the folder that holds them"
+                            : "; folders in it are not looked into: name " + inside;
+  return {ErrorCode::kNoPoints, message, {folder}};
 }
 
 }  // namespace
@@ -111,12 +170,13 @@ Result<std::vector<std::string>> recordings_in(const std::string& folder) {
   if (chosen.empty() && !found.foreign.empty()) {
     return Error{ErrorCode::kUnsupportedFormat, std::string(found.foreign), {folder}};
   }
-  if (chosen.empty()) {
-    return Error{
-        ErrorCode::kNoPoints,
-        "there is no .csv, .tsv or .txt file in this folder, nor any .json, .ndjson, .tlog "
-        "or .ulg; name the files, or the folder that holds them",
-        {folder}};
+  if (chosen.empty()) return nothing_to_read(std::move(found), folder);
+  if (&chosen == &found.shows && chosen.size() > 1) {
+    return Error{ErrorCode::kUnsupportedFormat,
+                 "there are " + std::to_string(chosen.size()) +
+                     " shows (.skyc) in this folder, each of which is one of its own; name the one "
+                     "that is meant, or all that fly at the same time",
+                 {folder}};
   }
   std::sort(chosen.begin(), chosen.end());
   return std::move(chosen);
@@ -126,7 +186,8 @@ std::vector<std::string> recordings_left_in(const std::string& folder) {
   Listed found = listed(folder);
   const std::vector<std::string>* const chosen = &found.chosen();
   std::vector<std::string> left;
-  for (const auto* kind : {&found.documents, &found.logs, &found.flights, &found.others}) {
+  for (const auto* kind : {&found.shows, &found.documents, &found.logs, &found.flights,
+                           &found.folders, &found.others}) {
     if (kind != chosen) left.insert(left.end(), kind->begin(), kind->end());
   }
   std::erase_if(left, [&](const std::string& path) {

@@ -1,31 +1,20 @@
 #include "io/recording/shared_id.hpp"
 
+#include "io/recording/flat_distance.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace beespace::io {
 namespace {
 
 constexpr double kApart = 4.0;
 
-double length(double x, double y, double z) {
-  return std::sqrt(x * x + y * y + z * z);
-}
-
-// Of degrees as if the Earth were flat there: what counts is a factor.
-double distance_m(const Point& a, const Point& b, Frame frame) {
-  constexpr double kRadians = std::numbers::pi / 180.0;
-  constexpr double kMetresPerDegree = 111'195.0;
-  if (frame != Frame::kWgs84) return length(a.x - b.x, a.y - b.y, a.z - b.z);
-  const double east = std::remainder(a.x - b.x, 360.0) * std::cos((a.y + b.y) / 2.0 * kRadians);
-  return length(kMetresPerDegree * east, kMetresPerDegree * (a.y - b.y), a.z - b.z);
-}
-
 bool jumps(const Fix& before, const Fix& at, const Fix& after, Frame frame) {
-  const double there_m = distance_m(before.position, at.position, frame);
-  const double back_m = distance_m(at.position, after.position, frame);
-  if (!(kApart * distance_m(before.position, after.position, frame) <= std::min(there_m, back_m))) {
+  const double there_m = flat_distance_m(before.position, at.position, frame);
+  const double back_m = flat_distance_m(at.position, after.position, frame);
+  if (!(kApart * flat_distance_m(before.position, after.position, frame) <=
+        std::min(there_m, back_m))) {
     return false;
   }
   const double there_s = at.time_s - before.time_s;

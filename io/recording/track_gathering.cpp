@@ -4,6 +4,7 @@
 #include "io/recording/shared_id.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <unordered_set>
@@ -64,6 +65,7 @@ void TrackGathering::add(std::string_view id, const Fix& fix, const Velocity* ve
     }
   }
   if (velocity != nullptr) {
+    any_velocity_ = any_velocity_ || std::isfinite(velocity->x + velocity->y + velocity->z);
     velocities.resize(fixes.size(), {kUnknown, kUnknown, kUnknown});
     velocities.push_back(*velocity);
   } else if (!velocities.empty()) {

@@ -60,6 +60,8 @@ class TrackGathering {
   void round_times(double repeat_s) { repeat_s_ = repeat_s; }
 
   [[nodiscard]] bool empty() const { return bees_.empty(); }
+  // Whether some fix came with a velocity.
+  [[nodiscard]] bool any_velocity() const { return any_velocity_; }
   [[nodiscard]] bool contains(std::string_view id) const { return index_.contains(id); }
   // Where fix `index` comes from, counted bee by bee, and all their positions in that order.
   [[nodiscard]] Origin origin(std::size_t index) const;
@@ -121,6 +123,7 @@ class TrackGathering {
   std::unordered_map<std::string, std::size_t, TextHash, std::equal_to<>> index_;
   std::vector<std::size_t> waiting_;  // bees with fixes that drain() has not told of
   std::size_t last_ = 0;              // records of one bee often follow each other
+  bool any_velocity_ = false;
   std::uint64_t out_of_order_ = 0;
   std::uint64_t repeated_ = 0;
   std::uint64_t clashing_ = 0;

@@ -190,14 +190,20 @@ Result<TrackLayout> skybrush_layout(TableLayout table, const RecordingOptions& o
   ColumnChoice& choice = layout.table.choice;
   choice.axes = {1, 2, 3};
   choice.evidence = Frame::kMetres;
-  if (options.units.any()) {
+  UnitOverrides others = options.units;
+  const Unit said = std::exchange(others.position, Unit::kUnstated);
+  if (others.any()) {
     return Error{ErrorCode::kInvalidArgument,
-                 "a Skybrush CSV is in metres, but --units is given; leave it out, or name the "
-                 "columns with --columns",
+                 "a Skybrush CSV has positions alone; say their unit with --units position=cm, and "
+                 "leave other units out, or name the columns with --columns",
                  {}};
   }
+  layout.supposed_metres = said == Unit::kUnstated;
+  const Unit unit = layout.supposed_metres ? Unit::kMetre : said;
+  choice.units = {unit, unit, unit};
   choice.units_taken = {
-      {"x, y and z", Unit::kMetre, UnitEvidence::kNamed, "a Skybrush CSV is in metres"}};
+      {"x, y and z", unit, UnitEvidence::kNamed,
+       layout.supposed_metres ? "a Skybrush CSV is in metres" : "--units says so"}};
   layout.units = choice.units_taken;
   const FrameDecision frame =
       frame_before_values(options.frame, {Frame::kMetres, "a Skybrush CSV is in metres"});
@@ -209,7 +215,8 @@ Result<TrackLayout> skybrush_layout(TableLayout table, const RecordingOptions& o
   time.named = options.time_unit == Unit::kUnstated;
   layout.time = time;
   layout.notes.push_back("without a header, this is taken for a Skybrush CSV: t in " +
-                         std::string(symbol_of(time.unit)) + ", then x, y, z in metres" +
+                         std::string(symbol_of(time.unit)) + ", then x, y, z in " +
+                         (unit == Unit::kMetre ? "metres" : std::string(symbol_of(unit))) +
                          (columns == 7 ? " and a colour" : ""));
   return layout;
 }

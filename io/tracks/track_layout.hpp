@@ -79,6 +79,7 @@ struct TrackLayout {
   bool infinite_is_unknown = false;
   bool ids_may_be_empty = false;  // of who is none of the animals
   bool show = false;              // of a drone show: a path with colours
+  bool supposed_metres = false;   // its positions: nothing says so
   bool ids_within_file = false;   // of ROS: another file may call another bee so
   // Of aircraft with two kinds of heights, that which is not taken, and its unit: where it
   // contradicts the other one, neither is believed.

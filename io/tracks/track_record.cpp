@@ -321,6 +321,11 @@ std::optional<Error> TrackRecordReader::read_velocity(TrackRecord& record) {
   return std::nullopt;
 }
 
+// Where and when an aircraft says that it is on the ground. A mistake there is none in the answer.
+void TrackRecordReader::read_claim(TrackRecord& record) {
+  record.claim_is_placed = !read_time(record) && !read_position(record);
+}
+
 std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord& record) {
   record.late_height = {};
   if (line.size() > kLongestLine) return long_line(line);
@@ -344,6 +349,7 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   record.left_out = reason_to_leave_out();
   record.flies_on_ground = record.left_out == nullptr && layout_.on_ground &&
                            says_yes(fields_[TrackSlot::kOnGround].text);
+  if (record.left_out == &kOnGround) read_claim(record);
   if (record.left_out != nullptr) return std::nullopt;
   if (auto problem = read_time(record)) return problem;
   if (auto problem = read_position(record)) return problem;

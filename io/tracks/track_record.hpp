@@ -22,6 +22,7 @@ namespace beespace::io {
 struct TrackRecord {
   // Why the record of an aircraft is left out, and read no further; or nothing.
   const LeftOutReason* left_out = nullptr;
+  bool claim_is_placed = false;     // of one that is on the ground: time and position are known
   bool flies_on_ground = false;     // says that it is on the ground, but flies; it is kept
   std::string_view label = {};      // what it is called beside its id; as long as that
   std::string_view id = {};         // as long as the line and the reader live
@@ -54,6 +55,7 @@ class TrackRecordReader {
   std::optional<Error> read_stamp(std::string_view text, TrackRecord& record);
   std::optional<Error> read_position(TrackRecord& record);
   std::optional<Error> read_velocity(TrackRecord& record);
+  void read_claim(TrackRecord& record);
 
   const TrackLayout& layout_;
   std::vector<std::uint8_t> slots_;  // by column: which slot it fills

@@ -1,5 +1,6 @@
 #include "io/tracks/track_table.hpp"
 
+#include "io/bytes/number_text.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/problems/unplaced.hpp"
@@ -32,6 +33,18 @@ Error goes_back(const TrackRecord& record, const TimeChoice& time) {
               "the times of day of bee " + excerpt(record.id) +
                   " go back here, as if another day had begun; add a column with the date, or the "
                   "date to the time, or, if all are of one day, sort the records by time",
+              {}};
+  error.location.column = time.column + 1;
+  return error;
+}
+
+Error set_back(const TrackRecord& record, double back_s, const TimeChoice& time) {
+  Error error{ErrorCode::kTimeOrder,
+              "the times of bee " + excerpt(record.id) + " go back by " + time_span(back_s) +
+                  " here, as where clocks are set back at night, and name no zone; say it with "
+                  "--time-zone, of a place as Europe/Madrid, or UTC, in which clocks are never set "
+                  "back and the records only have to be brought into order" +
+                  std::string(kOrLeaveOut),
               {}};
   error.location.column = time.column + 1;
   return error;
@@ -74,6 +87,7 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   if (layout.time && layout.time->named && layout.time->form == TimeForm::kNumbers) {
     facts.named_time = layout.time->unit;
   }
+  facts.supposed_metres = layout.supposed_metres;
   facts.heights = choice.datum;
   facts.height_unit = choice.height_unit();
   facts.units = layout.units;
@@ -90,6 +104,7 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
   const Unit height_unit = layout.table.choice.height_unit();
   TrackRecordReader reader(layout);
   const bool times_of_day = layout.time && layout.time->clock && !layout.time->clock->dated;
+  const bool dated = layout.time && layout.time->clock && layout.time->clock->dated;
   TrackRecord record;
   record.id = stem;
   std::string row_id;
@@ -132,6 +147,10 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       if (auto fatal = assembly.bad(*std::move(problem), record.id)) return fatal;
       continue;
     }
+    if (record.left_out == &kOnGround && record.claim_is_placed && layout.time) {
+      assembly.claims_ground(record.id, {record.time_s, record.position});
+      continue;
+    }
     if (record.left_out != nullptr) {
       assembly.leave_out(*record.left_out, record.id);
       // Who is nowhere else is known nowhere.
@@ -145,6 +164,14 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       if (auto fatal = assembly.bad(std::move(error), record.id)) return fatal;
       continue;
     }
+    if (dated) {
+      if (const auto back_s = assembly.set_back_by(record.id, record.time_s)) {
+        Error error = set_back(record, *back_s, *layout.time);
+        place(error, line, rows_before + walk.row(), place_of, layout);
+        if (auto fatal = assembly.bad(std::move(error), record.id)) return fatal;
+        continue;
+      }
+    }
     if (layout.axes_name) {
       if (auto error = assembly.agree_on_axes(record.axes_name)) {
         place(*error, line, rows_before + walk.row(), place_of, layout);
@@ -152,6 +179,9 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       }
     }
     if (record.flies_on_ground) assembly.keep_in_flight();
+    if (layout.on_ground && layout.time) {
+      assembly.flies_at(record.id, {record.time_s, record.position});
+    }
     Origin origin;
     origin.source = assembly.source() & 0xFF'FFFFu;
     origin.line = line & 0xFF'FFFF'FFFFu;

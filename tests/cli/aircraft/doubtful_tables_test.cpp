@@ -1,6 +1,7 @@
 // Tables of aircraft that contradict themselves, or say less than they seem to.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "tests/cli/run/command_run.hpp"
@@ -125,6 +126,53 @@ TEST(DoubtfulTables, ReplayAsksForNoUnitThatItDoesNotNeed) {
   expect_parts(finished.err, {"velocities are not read, and not needed here"});
   EXPECT_EQ(run({"predict", "--separation", "enroute"}, input).exit_code, 2);
   EXPECT_EQ(run({"replay", "--report", "events", "--separation", "enroute"}, input).exit_code, 2);
+}
+
+// One at some 85 kt, eastward, for two minutes, that says for some of them that it is on the
+// ground.
+template <class Height>
+std::string says_ground(int from_s, int to_s, const Height& height_ft) {
+  std::string text = kColumns + ",onground\n";
+  for (int t = 0; t <= 120; t += 5) {
+    const int minute = t / 60;
+    const std::string time = "2018-10-12 23:5" + std::to_string(minute) + ":" +
+                             (t % 60 < 10 ? "0" : "") + std::to_string(t % 60) + "+00:00,";
+    const std::string longitude = std::to_string(7.5 + 0.0006 * t);
+    const bool ground = from_s <= t && t <= to_s;
+    text += time + "4ca7b3,SAYS,50.0," + longitude + "," + std::to_string(height_ft(t)) +
+            ",85,90,0," + (ground ? "True" : "False") + "\n";
+    text += time + "3c6444,OTHER,51.0," + longitude + ",5000,90,90,0,False\n";
+  }
+  return text;
+}
+
+// Below the limits that no aircraft on the ground exceeds, the records beside tell.
+TEST(DoubtfulTables, WhoFliesByTheRecordsBesideIsNotOnTheGround) {
+  const char* const hides =
+      " records of aircraft that say that they are on the ground, but fly by what they report "
+      "before and after are left out";
+  const auto level = [](int /*t*/) { return 3000; };
+  // Level before and after.
+  const Finished flies = enroute(says_ground(40, 60, level));
+  EXPECT_EQ(flies.exit_code, 1);
+  expect_parts(flies.err, {std::string("5") + hides});
+  // It never says that it flies: it may roll, unless it climbs.
+  const Finished rolls = enroute(says_ground(0, 120, level));
+  expect_parts(rolls.err, {"25 records of aircraft on the ground are left out"});
+  const Finished climbs = enroute(says_ground(0, 120, [](int t) { return 3000 + 8 * t; }));
+  EXPECT_EQ(climbs.exit_code, 1);
+  expect_parts(climbs.err, {std::string("25") + hides});
+  // It lands and stays, takes off, or touches down and goes.
+  for (const std::string& input :
+       {says_ground(60, 120, [](int t) { return 3000 - 10 * std::min(t, 60); }),
+        says_ground(0, 20, [](int t) { return 3000 + 10 * std::max(0, t - 20); }),
+        says_ground(50, 60, [](int t) {
+          return 3000 + 10 * std::max({0, 50 - t, t - 60});
+        })}) {
+    const Finished finished = enroute(input);
+    expect_parts(finished.err, {" records of aircraft on the ground are left out"});
+    EXPECT_EQ(finished.err.find("fly by what"), std::string::npos) << finished.err;
+  }
 }
 
 }  // namespace

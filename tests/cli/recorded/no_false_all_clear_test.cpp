@@ -135,9 +135,74 @@ TEST(NoFalseAllClear, SwappedDegreesAreSaid) {
   expect_parts(finished.err, {"bee 'a' is 5,",
                               " km from the nearest other one, but would be 0.0 km "
                               "from 'b' with longitude and latitude the other way round"});
+  EXPECT_EQ(run({"replay", one, other, "--fail-on-risk"}).exit_code, 1);
+  expect_parts(finished.err, {"longitude and latitude of 1 bee seem to be the other way round"});
+  const Finished json = run({"replay", one, other, "--json", "--quiet"});
+  expect_parts(json.out, {R"("swapped_degrees": 1)"});
+  // Who says which is which means it.
+  const Finished meant = run(
+      {"replay", one, other, "--fail-on-risk", "--columns", "id=id,time=time_s,lon=lon,lat=lat"});
+  EXPECT_EQ(meant.exit_code, 0) << meant.err;
   const std::string far =
       folder.file("c.csv", "id,time_s,lon,lat\nb,0,30,-47\nb,1,30,-47\nb,2,30,-47\n");
   EXPECT_EQ(run({"replay", one, far}).err.find("the other way round"), std::string::npos);
+}
+
+// Two of a file are beside each other, and so not far from all others.
+TEST(NoFalseAllClear, SwappedDegreesOfSeveralAreSaidToo) {
+  TemporaryFolder folder;
+  std::string right = "id,time_s,lon,lat\n";
+  std::string wrong = "id,time_s,lat,lon\n";
+  for (int t = 0; t < 3; ++t) {
+    const std::string time = std::to_string(t);
+    right += "a," + time + ",9,47\nb," + time + ",9.01,47\nc," + time + ",9.02,47\n";
+    wrong += "d," + time + ",9.1,47\ne," + time + ",9.11,47\n";
+  }
+  const Finished finished = run({"replay", folder.file("right.csv", right),
+                                 folder.file("wrong.csv", wrong), "--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 1);
+  expect_parts(finished.err, {"bee 'd', as 1 beside it, is 5,",
+                              "longitude and latitude of 2 bees seem to be the other way round"});
+}
+
+TEST(NoFalseAllClear, OneBeeAloneIsNothingToPredict) {
+  const Finished one =
+      run({"predict", "--fail-on-risk"}, "id,time_s,x,y,z,vx,vy,vz\na,0,0,0,0,1,0,0\n");
+  EXPECT_EQ(one.exit_code, 1);
+  expect_parts(one.err, {"conflicts  nothing to compare: fewer than two bees are known now\n"});
+  const Finished two = run({"predict", "--fail-on-risk"},
+                           "id,time_s,x,y,z,vx,vy,vz\na,0,0,0,0,1,0,0\nb,0,0,900,0,1,0,0\n");
+  EXPECT_EQ(two.exit_code, 0) << two.err;
+  // The other one was not heard of for too long.
+  const Finished stale = run({"predict", "--fail-on-risk"},
+                             "id,time_s,x,y,z,vx,vy,vz\na,0,0,0,0,1,0,0\nb,900,0,9,0,1,0,0\n");
+  EXPECT_EQ(stale.exit_code, 1);
+  expect_parts(stale.err, {"nothing to compare: fewer than two bees are known now; 1 bee is left"});
+}
+
+// Clocks are set back from 3 to 2 at night: sorting would mix two hours.
+TEST(NoFalseAllClear, TimesThatAreSetBackAreAskedAbout) {
+  std::string night = "id,timestamp,x,y,z\n";
+  const auto add = [&night](const std::string& hour, int minute, int x) {
+    night += "a,2015-10-25 " + hour + (minute < 10 ? ":0" : ":") + std::to_string(minute) + ":00," +
+             std::to_string(x) + ",0,0\n";
+  };
+  for (int minute = 0; minute < 60; minute += 10) add("02", minute, minute);
+  std::string in_order = night;
+  for (int minute = 0; minute < 60; minute += 10) add("02", minute, 60 + minute);
+  const Finished finished = run({"replay"}, night);
+  EXPECT_EQ(finished.exit_code, 3);
+  expect_parts(finished.err, {"<stdin>:8:2: the times of bee 'a' go back by 50 min here, as where "
+                              "clocks are set back at night, and name no zone"});
+  EXPECT_EQ(run({"replay"}, in_order).exit_code, 0);
+  // Of a place whose clocks are set back the times themselves do not say which is meant.
+  EXPECT_EQ(run({"replay", "--time-zone", "Europe/Madrid"}, night).exit_code, 3);
+  // By day, or by days, records only are in no order.
+  std::string day = night;
+  for (std::size_t at = 0; (at = day.find(" 02:", at)) != std::string::npos;) {
+    day.replace(at, 4, " 12:");
+  }
+  expect_parts(run({"replay"}, day).err, {"is at another place at the same time"});
 }
 
 }  // namespace

@@ -90,6 +90,27 @@ TEST_F(ShowReplay, ADroneThatLandsBesideOneOfATableThatHasLandedIsNoAllClear) {
   EXPECT_EQ(run({"verify", left, beside("3")}).exit_code, 0);
 }
 
+// Reports, pages and files of a conflict with a drone on the ground name it, too.
+TEST_F(ShowReplay, ConflictsWithDronesOnTheGroundAreInAllThatIsWritten) {
+  const std::string header = "Time_msec,x_m,y_m,z_m,Red,Green,Blue\n";
+  const std::string left =
+      folder_.file("left.csv", header + "0,0,0,0,0,0,0\n2000,0,0,10,0,0,0\n4000,0,0,0,0,0,0\n");
+  const std::string right =
+      folder_.file("right.csv", header +
+                                    "0,0,30,0,0,0,0\n3000,0,30,10,0,0,0\n6000,0,1,10,0,0,0\n"
+                                    "9000,0,1,0,0,0,0\n");
+  const Finished apart = run({"replay", left, right, "--report", "separation", "--quiet"});
+  expect_parts(apart.out, {"9\t1\tleft\tright\t"});
+  const Finished events = run({"replay", left, right, "--report", "events", "--quiet"});
+  expect_parts(events.out, {R"("event": "entered")", R"("first": "left", "second": "right")"});
+  const Finished table = run({"export", left, right, "--format", "csv", "--quiet"});
+  expect_parts(table.out, {"left,right,"});
+  EXPECT_EQ(table.out.find(",,"), std::string::npos) << table.out;
+  const Finished map =
+      run({"export", left, right, "--format", "geojson", "--origin", "8,47,0,0", "--quiet"});
+  expect_parts(map.out, {R"("first":"left","second":"right")"});
+}
+
 TEST_F(ShowReplay, TablesThatEndInTheAirAreNoAllClear) {
   const std::string header = "Time_msec,x_m,y_m,z_m,Red,Green,Blue\n";
   const std::string left =

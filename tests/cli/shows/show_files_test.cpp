@@ -2,6 +2,8 @@
 // that their operator would type.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -272,6 +274,65 @@ TEST(ShowTablesOfOthers, WhichAreNotReadGetASentence) {
   const TemporaryFolder paths;
   paths.file("1.path", "x");
   expect_parts(run({"replay", paths.path("")}).err, {"paths of a drone show (DSS)"});
+}
+
+TEST(ShowFolders, TextsForPeopleAreNoTables) {
+  const TemporaryFolder folder;
+  const std::string header = "Time_msec,x_m,y_m,z_m,Red,Green,Blue\n";
+  folder.file("a.csv", header + "0,0,0,0,0,0,0\n2000,0,0,10,0,0,0\n4000,0,0,0,0,0,0\n");
+  folder.file("b.csv", header + "0,9,0,0,0,0,0\n2000,9,0,10,0,0,0\n4000,9,0,0,0,0,0\n");
+  folder.file("README.txt", "The show of Friday.\n");
+  const Finished finished = run({"replay", folder.path(""), "--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_parts(finished.err, {"bees       2\n", "keeps its distance"});
+  EXPECT_EQ(finished.err.find("left out"), std::string::npos) << finished.err;
+}
+
+TEST(ShowFolders, OneShowIsReadAndOfSeveralItIsAsked) {
+  const TemporaryFolder folder;
+  const std::string show = text_of_file(show_file("ring.skyc"));
+  folder.file("ring.skyc", show);
+  folder.file("plan.txt", "Take off at nine.\n");
+  const Finished one = run({"replay", folder.path("")});
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  expect_parts(one.err, {"4 conflicts of 4 pairs", "plan.txt is left out"});
+  folder.file("ring-2.skyc", show);
+  const Finished two = run({"replay", folder.path("")});
+  EXPECT_EQ(two.exit_code, 3);
+  expect_parts(two.err, {"there are 2 shows (.skyc) in this folder"});
+}
+
+// Rows of centimetres: up to 10 m in 10 s, as 1,000.
+TEST(ShowFolders, CentimetresWithoutAHeaderAreAskedAbout) {
+  std::string table;
+  for (int t = 0; t <= 20; ++t) {
+    table += std::to_string(1000 * t) + ",300,0," + std::to_string(100 * std::min(t, 20 - t)) +
+             ",255,0,0\n";
+  }
+  const Finished finished = run({"replay"}, table);
+  EXPECT_EQ(finished.exit_code, 3);
+  expect_parts(finished.err, {"are x, y, z in metres? Nothing names their unit, and in metres the "
+                              "drones fly at 100 m/s; say it with --units position=cm"});
+  const Finished said = run({"verify", "--units", "position=cm", "--max-height", "9"}, table);
+  EXPECT_EQ(said.exit_code, 1) << said.err;
+  expect_parts(said.err, {"height 10.000 m"});
+  EXPECT_EQ(run({"replay", "--units", "position=m"}, table).exit_code, 0);
+}
+
+TEST(ShowFolders, AFolderFurtherDownIsNamed) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path("session/trajectories"));
+  folder.file("session/trajectories/trajectories.csv",
+              "time,x1,y1,x2,y2\n0.0,1,2,30,40\n0.04,1,2,30,41\n0.08,2,2,30,42\n");
+  folder.file("session/trajectories/areas.csv", "id,mean\n");
+  const Finished above = run({"replay", folder.path("session")});
+  EXPECT_EQ(above.exit_code, 3);
+  expect_parts(above.err, {"folders in it are not looked into: name ", "session/trajectories"});
+  const Finished inside =
+      run({"replay", folder.path("session/trajectories"), "--scale", "1", "--threshold", "3"});
+  EXPECT_EQ(inside.exit_code, 0) << inside.err;
+  expect_parts(inside.err, {"bees       2\n"});
+  EXPECT_EQ(inside.err.find("left out"), std::string::npos) << inside.err;
 }
 
 }  // namespace

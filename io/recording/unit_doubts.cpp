@@ -1,11 +1,12 @@
-#include "io/recording/time_doubts.hpp"
+#include "io/recording/unit_doubts.hpp"
+
+#include "io/recording/flat_distance.hpp"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,18 +16,6 @@ namespace beespace::io {
 namespace {
 
 constexpr std::size_t kFewest = 8;  // steps, to say anything
-
-// About how far apart two fixes are: a few parts in a thousand change nothing here.
-double metres_between(const Point& a, const Point& b, Frame frame) {
-  double x = b.x - a.x;
-  double y = b.y - a.y;
-  if (frame == Frame::kWgs84) {
-    constexpr double kMetresPerDegree = 111'200.0;
-    x *= kMetresPerDegree * std::cos(a.y * std::numbers::pi / 180.0);
-    y *= kMetresPerDegree;
-  }
-  return std::hypot(x, y, b.z - a.z);
-}
 
 double speed_of(const Velocity& velocity) {
   return std::hypot(velocity.x, velocity.y, velocity.z);
@@ -52,7 +41,7 @@ Steps steps_of(const Recording& recording) {
     for (std::size_t i = 1; i < bee.fixes.size() && steps.seconds.size() < kMost; ++i) {
       const double seconds = bee.fixes[i].time_s - bee.fixes[i - 1].time_s;
       const double metres =
-          metres_between(bee.fixes[i - 1].position, bee.fixes[i].position, recording.frame);
+          flat_distance_m(bee.fixes[i - 1].position, bee.fixes[i].position, recording.frame);
       steps.seconds.push_back(seconds);
       if (!(metres > 0.0)) continue;
       steps.speeds.push_back(metres / seconds);
@@ -134,6 +123,20 @@ std::optional<Error> doubt_of_time_unit(const Recording& recording, Unit named) 
   if (speed >= kSlow_mps || speed * kThousand < kUsual_mps) return std::nullopt;
   if (median(steps.seconds) < kSeldom_s) return std::nullopt;
   return doubt(steps, named, Unit::kMicrosecond, kThousand, "");
+}
+
+std::optional<Error> doubt_of_metres(const Recording& recording) {
+  constexpr double kFast_mps = 20.0;  // as half of all steps of no show
+  const Steps steps = steps_of(recording);
+  if (steps.speeds.size() < kFewest) return std::nullopt;
+  const double speed = median(steps.speeds);
+  if (!(speed > kFast_mps)) return std::nullopt;
+  return Error{ErrorCode::kInvalidArgument,
+               "are x, y, z in metres? Nothing names their unit, and in metres the drones fly at " +
+                   short_number(speed) +
+                   " m/s; say it with --units position=cm, position=mm, or "
+                   "position=m if they do",
+               {}};
 }
 
 }  // namespace beespace::io

@@ -1,5 +1,5 @@
-// Times in another unit than the header says, as "time[ms]" over microseconds: the speeds that
-// follow show it. What is doubtful is asked.
+// Times in another unit than the header says, as "time[ms]" over microseconds, and positions in
+// another one than is usual: the speeds that follow show it. What is doubtful is asked.
 #pragma once
 
 #include "io/recording/recording.hpp"
@@ -16,5 +16,9 @@ namespace beespace::io {
 // that is followed so, and microseconds would make them usual. Errors: kInvalidArgument, without
 // source.
 std::optional<Error> doubt_of_time_unit(const Recording& recording, Unit named);
+
+// Doubts that positions of drones, whose unit nothing names, are in metres, where these make them
+// faster than any show. Errors: kUnitNeeded, without source.
+std::optional<Error> doubt_of_metres(const Recording& recording);
 
 }  // namespace beespace::io

@@ -1,0 +1,122 @@
+#include "io/recording/ground_claims.hpp"
+
+#include "io/recording/flat_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace beespace::io {
+namespace {
+
+constexpr double kMinute_s = 60.0;
+constexpr double kHalf_s = 30.0;  // so much of where it flew is kept, and up to twice as much
+constexpr double kFastRoll_mps = 45.0;
+constexpr double kSteep_m = 100.0;
+constexpr double kAboveFlight_m = 50.0;
+constexpr double kLevel_m = 50.0;
+constexpr double kLevelFor_s = 20.0;
+constexpr double kSlowFlight_mps = 30.0;
+
+double speed_between(const Fix& from, const Fix& to, Frame frame) {
+  const Point apart = flat_offset_m(to.position, from.position, frame);
+  return std::hypot(apart.x, apart.y) / (to.time_s - from.time_s);
+}
+
+}  // namespace
+
+void GroundClaims::Stretch::add(const Fix& fix) {
+  begins_s = std::min(begins_s, fix.time_s);
+  ends_s = std::max(ends_s, fix.time_s);
+  if (!(std::isfinite(fix.position.z))) return;
+  low_m = std::min(low_m, fix.position.z);
+  high_m = std::max(high_m, fix.position.z);
+}
+
+void GroundClaims::Stretch::add(const Stretch& other) {
+  begins_s = std::min(begins_s, other.begins_s);
+  ends_s = std::max(ends_s, other.ends_s);
+  low_m = std::min(low_m, other.low_m);
+  high_m = std::max(high_m, other.high_m);
+}
+
+void GroundClaims::begin_run(Aircraft& aircraft, const Fix& fix) {
+  aircraft.over = false;
+  aircraft.in_flight = false;
+  aircraft.anchor = fix;
+  aircraft.window = {};
+  aircraft.run = {};
+  aircraft.before = aircraft.earlier;
+  aircraft.before.add(aircraft.lately);
+  aircraft.flew = aircraft.known;
+  aircraft.flew_before = aircraft.last;
+  aircraft.earlier = {};
+  aircraft.lately = {};
+}
+
+void GroundClaims::claim(Aircraft& aircraft, const Fix& fix, Frame frame) {
+  if (aircraft.claims++ == 0) begin_run(aircraft, fix);
+  aircraft.run.add(fix);
+  aircraft.window.add(fix);
+  if (aircraft.window.high_m - aircraft.window.low_m > kSteep_m) aircraft.in_flight = true;
+  if (fix.time_s - aircraft.before.ends_s <= kMinute_s &&
+      fix.position.z - aircraft.before.low_m > kAboveFlight_m) {
+    aircraft.in_flight = true;
+  }
+  if (fix.time_s - aircraft.anchor.time_s < kMinute_s) return;
+  if (speed_between(aircraft.anchor, fix, frame) > kFastRoll_mps) aircraft.in_flight = true;
+  aircraft.anchor = fix;
+  aircraft.window = {};
+  aircraft.window.add(fix);
+}
+
+void GroundClaims::fly(Aircraft& aircraft, const Fix& fix, Frame frame) {
+  aircraft.over = aircraft.claims > 0;
+  if (aircraft.lately.lasts_s() > kHalf_s) {
+    aircraft.earlier = aircraft.lately;
+    aircraft.lately = {};
+  }
+  aircraft.lately.add(fix);
+  if (!aircraft.over) return;
+  if (aircraft.run.high_m - aircraft.lately.low_m > kAboveFlight_m) aircraft.in_flight = true;
+  Stretch all = aircraft.before;
+  all.add(aircraft.run);
+  all.add(aircraft.lately);
+  const bool long_enough =
+      aircraft.before.lasts_s() >= kLevelFor_s && aircraft.lately.lasts_s() >= kLevelFor_s;
+  if (aircraft.flew && long_enough && all.high_m - all.low_m < kLevel_m &&
+      speed_between(aircraft.flew_before, fix, frame) > kSlowFlight_mps) {
+    aircraft.in_flight = true;
+  }
+}
+
+void GroundClaims::take(std::string_view id, const Fix& fix, bool on_ground, Frame frame,
+                        const Settle& settle) {
+  auto place = aircraft_.find(id);
+  if (place == aircraft_.end()) place = aircraft_.try_emplace(std::string(id)).first;
+  auto& [name, aircraft] = *place;
+  const double since_s = fix.time_s - aircraft.last.time_s;
+  const bool anew = aircraft.known && !(since_s >= 0.0 && since_s <= kMinute_s);
+  const bool judged = aircraft.over && (on_ground || fix.time_s - aircraft.run.ends_s > kMinute_s);
+  if (aircraft.claims > 0 && (anew || judged)) {
+    settle(name, aircraft.claims, aircraft.in_flight);
+    aircraft.claims = 0;
+    aircraft.over = false;
+  }
+  if (anew) aircraft = {};
+  if (on_ground) {
+    claim(aircraft, fix, frame);
+  } else {
+    fly(aircraft, fix, frame);
+  }
+  aircraft.last = fix;
+  aircraft.known = true;
+}
+
+void GroundClaims::finish(const Settle& settle) {
+  for (const auto& [id, aircraft] : aircraft_) {
+    if (aircraft.claims > 0) settle(id, aircraft.claims, aircraft.in_flight);
+  }
+  aircraft_.clear();
+}
+
+}  // namespace beespace::io
