@@ -140,6 +140,12 @@ std::string bars_over_time(const analysis::Findings& findings, double threshold_
   return text;
 }
 
+std::string bars_legend(const std::string& bars) {
+  const bool any_open = bars.find('?') != std::string::npos;
+  return std::string("(how far apart the closest two are: a full bar is twice the threshold, ") +
+         "! a conflict" + (any_open ? ", ? not known, as one may be closer in its gap)" : ")");
+}
+
 }  // namespace
 
 std::string replay_summary(const analysis::Findings& findings, const MovingRequest& request,
@@ -177,12 +183,7 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
                                : std::string();
   if (!bars.empty()) {
     append_summary_line(out, "over time", bars);
-    append_summary_line(out, "",
-                        "(how far apart the closest two are: a full bar is twice the " std::string(
-                            "threshold, ! a conflict") +
-                            (bars.find('?') == std::string::npos
-                                 ? ")"
-                                 : ", ? not known, as one may be closer in its gap)"));
+    append_summary_line(out, "", bars_legend(bars));
   }
   if (figures.memory_bytes) {
     append_summary_line(out, "memory",
