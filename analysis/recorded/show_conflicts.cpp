@@ -171,7 +171,7 @@ std::vector<Standing> standing_in(const io::Recording& recording) {
     }
   };
   for (std::size_t bee = 0; bee < ends.size(); ++bee) {
-    if (const auto& stands = recording.bees[bee].stands) {
+    if (const auto& stands = recording.bees[bee].stands; stands && whole.begins_s < whole.ends_s) {
       standing.push_back({static_cast<PointId>(bee), whole, *stands});
     }
     if (!ends[bee]) continue;
@@ -218,7 +218,7 @@ std::vector<Track> with_standing(std::vector<Track> tracks, const io::Recording&
   for (const PointId bee : bees) wanted[bee] = true;
   for (const Standing& one : standing_in(recording)) {
     auto& fixes = tracks[one.bee].fixes;
-    if (!wanted[one.bee] || fixes.empty()) continue;
+    if (!wanted[one.bee] || fixes.empty()) continue;  // one that never takes off: stand_in_tracks()
     if (one.span.begins_s < fixes.front().time_s) {
       fixes.insert(fixes.begin(), {one.span.begins_s, one.at});
     }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace beespace::cli {
 namespace {
@@ -31,16 +32,18 @@ std::vector<Value> row_of(const SwarmEvent& event, const analysis::LiveFeed& fee
 
 // What is told of conflicts with drones that stand, in the order of time.
 std::vector<SwarmEvent> events_of_standing(const io::Recording& recording,
-                                           const std::vector<Track>& tracks,
+                                           std::vector<Track> tracks,
                                            const std::vector<Conflict>& conflicts,
-                                           const analysis::LiveFeed& feed) {
+                                           analysis::LiveFeed& feed) {
   std::vector<PointId> bees;
   for (const Conflict& each : conflicts) bees.insert(bees.end(), {each.first, each.second});
-  const auto standing = analysis::with_standing(tracks, recording, bees);
+  analysis::stand_in_tracks(recording, tracks);
+  const auto standing = analysis::with_standing(std::move(tracks), recording, bees);
   std::vector<SwarmEvent> events;
   for (const Conflict& each : conflicts) {
-    const auto first = feed.known(recording.bees[each.first].id);
-    const auto second = feed.known(recording.bees[each.second].id);
+    // One that never takes off has no number yet.
+    const auto first = feed.number(recording.bees[each.first].id, {});
+    const auto second = feed.number(recording.bees[each.second].id, {});
     if (!first || !second) continue;
     const auto tell = [&](EventKind kind, double time_s, double closest_s) {
       const auto a = position_at(standing[each.first], time_s);

@@ -44,6 +44,13 @@ std::string kinds_text(const analysis::Findings& findings) {
   return text;
 }
 
+// Of what it is said that there is no conflict.
+const char* known_words(const analysis::Findings& findings) {
+  if (findings.velocities_open()) return "no conflict along straight lines";
+  return findings.coverage.missing.files > 0 ? "no conflict among what was read"
+                                             : "no conflict in the known time";
+}
+
 std::string verdict(const analysis::Findings& findings,
                     const std::vector<analysis::PairInConflict>& pairs) {
   if (!findings.has_encounters)
@@ -55,11 +62,7 @@ std::string verdict(const analysis::Findings& findings,
   const std::string but = open.empty() ? "" : "; " + open;
   if (pairs.empty() && open.empty()) return bold("keeps its distance");
   if (pairs.empty()) {
-    const char* const among = findings.velocities_open() ? "no conflict along straight lines"
-                              : findings.coverage.missing.files > 0
-                                  ? "no conflict among what was read"
-                                  : "no conflict in the known time";
-    return bold(among) + but;
+    return bold(known_words(findings)) + but;
   }
   const auto& conflicts = findings.recorded.conflicts;
   const bool certain = std::any_of(conflicts.begin(), conflicts.end(),
@@ -137,6 +140,12 @@ std::string bars_over_time(const analysis::Findings& findings, double threshold_
   return text;
 }
 
+std::string bars_legend(const std::string& bars) {
+  const bool any_open = bars.find('?') != std::string::npos;
+  return std::string("(how far apart the closest two are: a full bar is twice the threshold, ") +
+         "! a conflict" + (any_open ? ", ? not known, as one may be closer in its gap)" : ")");
+}
+
 }  // namespace
 
 std::string replay_summary(const analysis::Findings& findings, const MovingRequest& request,
@@ -174,12 +183,7 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
                                : std::string();
   if (!bars.empty()) {
     append_summary_line(out, "over time", bars);
-    append_summary_line(out, "",
-                        "(how far apart the closest two are: a full bar is twice the " std::string(
-                            "threshold, ! a conflict") +
-                            (bars.find('?') == std::string::npos
-                                 ? ")"
-                                 : ", ? not known, as one may be closer in its gap)"));
+    append_summary_line(out, "", bars_legend(bars));
   }
   if (figures.memory_bytes) {
     append_summary_line(out, "memory",

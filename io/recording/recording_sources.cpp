@@ -26,15 +26,6 @@ bool has_ending(std::string_view name, std::initializer_list<std::string_view> e
                      [rest](std::string_view ending) { return ends_with(rest, ending); });
 }
 
-// Words for people, as they lie beside data.
-bool is_read_by_people(std::string_view name) {
-  const std::string lower = lower_case(name);
-  const std::string_view stem = std::string_view(lower).substr(0, lower.find('.'));
-  return has_ending(lower, {".txt"}) &&
-         is_one_of("readme read_me read-me license licence copying notes changelog changes authors",
-                   stem);
-}
-
 // What idtracker.ai writes beside its trajectories.
 bool is_beside_trajectories(std::string_view name) {
   const std::string lower = lower_case(name);
@@ -56,7 +47,6 @@ struct Listed {
 
   std::vector<std::string>& of(std::string_view name, const std::string& path) {
     if (is_folder(path)) return folders;
-    if (is_read_by_people(name)) return others;
     if (is_table_name(name)) return has_ending(name, {".txt"}) ? texts : tables;
     if (has_ending(name, {".skyc"})) return shows;
     if (has_ending(name, {".json", ".ndjson", ".jsonl"})) return documents;
@@ -72,11 +62,7 @@ struct Listed {
       return named(path, [](std::string_view name) { return name == "trajectories.csv"; });
     });
     if (!trajectories) return;
-    const auto beside = std::stable_partition(tables.begin(), tables.end(), [&](const auto& path) {
-      return !named(path, is_beside_trajectories);
-    });
-    others.insert(others.end(), beside, tables.end());
-    tables.erase(beside, tables.end());
+    std::erase_if(tables, [&](const auto& path) { return named(path, is_beside_trajectories); });
   }
   // The kind that is read.
   std::vector<std::string>& chosen() {

@@ -22,8 +22,9 @@ std::string_view foreign_show(std::string_view name);
 
 // What there is to read in the folder, by name: its tables; where there is none, its show (.skyc),
 // its .json and .ndjson files, otherwise its .tlog files, or its .ulg files. Hidden files are left
-// out, and so is what holds no places, and what idtracker.ai writes beside its trajectories.csv.
-// Errors: kCannotOpen, kNoPoints when there is nothing, kUnsupportedFormat for several shows.
+// out, and so is what holds no places (README.txt), and what idtracker.ai writes beside its
+// trajectories.csv. Errors: kCannotOpen, kNoPoints when there is nothing, kUnsupportedFormat for
+// several shows.
 Result<std::vector<std::string>> recordings_in(const std::string& folder);
 
 // What of a folder is not read beside what is, but for what is harmless (see left_out_files.hpp).

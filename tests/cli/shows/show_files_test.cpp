@@ -284,7 +284,8 @@ TEST(ShowFolders, TextsForPeopleAreNoTables) {
   folder.file("README.txt", "The show of Friday.\n");
   const Finished finished = run({"replay", folder.path(""), "--fail-on-risk"});
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
-  expect_parts(finished.err, {"bees       2\n", "README.txt is left out", "keeps its distance"});
+  expect_parts(finished.err, {"bees       2\n", "keeps its distance"});
+  EXPECT_EQ(finished.err.find("left out"), std::string::npos) << finished.err;
 }
 
 TEST(ShowFolders, OneShowIsReadAndOfSeveralItIsAsked) {
@@ -330,7 +331,8 @@ TEST(ShowFolders, AFolderFurtherDownIsNamed) {
   const Finished inside =
       run({"replay", folder.path("session/trajectories"), "--scale", "1", "--threshold", "3"});
   EXPECT_EQ(inside.exit_code, 0) << inside.err;
-  expect_parts(inside.err, {"bees       2\n", "areas.csv is left out"});
+  expect_parts(inside.err, {"bees       2\n"});
+  EXPECT_EQ(inside.err.find("left out"), std::string::npos) << inside.err;
 }
 
 }  // namespace

@@ -165,7 +165,7 @@ TEST(RecordingFiles, AFolderIsReadByTheNamesOfItsTables) {
   const auto recording = recording_of(load_recording({folder.file("")}));
   EXPECT_EQ(ids_of(recording), (Ids{"bee 1", "bee 2", "bee 3"}));
   EXPECT_EQ(times_of(recording.bees[2]), (Times{0, 1}));
-  EXPECT_TRUE(has_note(recording, "README.md and 1 more are left out; name them, too"));
+  EXPECT_TRUE(has_note(recording, "/.hidden.csv is left out; name them, too"));
 }
 
 TEST(RecordingFiles, AFolderWithoutTablesIsAnError) {
