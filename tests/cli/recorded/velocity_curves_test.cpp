@@ -118,7 +118,7 @@ TEST(VelocityCurves, PagesHaveThemToo) {
   const std::string input = folder.file("near.csv", kNear);
   const Finished finished = run({"export", input, "--threshold", "2", "--format", "csv"});
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
-  expect_parts(finished.out, {"a,b,", ",false,"});
+  expect_parts(finished.out, {"a,b,", ",no,"});
   expect_parts(finished.err, {"possible, along curves that have the given velocities"});
 }
 

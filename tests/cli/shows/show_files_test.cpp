@@ -310,7 +310,7 @@ TEST(ShowFolders, CentimetresWithoutAHeaderAreAskedAbout) {
              ",255,0,0\n";
   }
   const Finished finished = run({"replay"}, table);
-  EXPECT_EQ(finished.exit_code, 3);
+  EXPECT_EQ(finished.exit_code, 2);
   expect_parts(finished.err, {"are x, y, z in metres? Nothing names their unit, and in metres the "
                               "drones fly at 100 m/s; say it with --units position=cm"});
   const Finished said = run({"verify", "--units", "position=cm", "--max-height", "9"}, table);
