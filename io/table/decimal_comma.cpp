@@ -24,6 +24,7 @@ struct Fraction {
   std::size_t before = 0;  // how many digits
   std::size_t behind = 0;
   bool exponent = false;
+  bool leading_zero = false;
 };
 
 // "-12,5", "7.25e-3"; nothing for others.
@@ -31,6 +32,7 @@ std::optional<Fraction> fraction_in(std::string_view field) {
   Fraction fraction;
   std::size_t at = !field.empty() && (field[0] == '-' || field[0] == '+') ? 1 : 0;
   fraction.before = digits_at(field, at);
+  fraction.leading_zero = fraction.before > 0 && field[at] == '0';
   at += fraction.before;
   if (at == field.size() || (field[at] != ',' && field[at] != '.')) return std::nullopt;
   fraction.mark = at++;
@@ -51,7 +53,7 @@ std::optional<Fraction> fraction_in(std::string_view field) {
 bool may_be_thousands(const Fraction& fraction) {
   constexpr std::size_t kGroup = 3;
   return fraction.behind == kGroup && fraction.before >= 1 && fraction.before <= kGroup &&
-         !fraction.exponent;
+         !fraction.exponent && !fraction.leading_zero;
 }
 
 // Calls use(where in the text, fraction) for each field that is one; ends where that is false.

@@ -22,6 +22,11 @@ TEST(DecimalComma, IsMadeAPointWhereItIsCertain) {
   EXPECT_EQ(changed("x\ty\tz\n1,5\t2,25\t3\n"), "x\ty\tz\n1.5\t2.25\t3\n");
 }
 
+// No group of thousands begins with a zero.
+TEST(DecimalComma, WithThreeDigitsBehindIsCertainBelowOne) {
+  EXPECT_EQ(changed("x;y;z\n0,125;2,500;3\n"), "x;y;z\n0.125;2.500;3\n");
+}
+
 TEST(DecimalComma, OfNamesAndTimesIsKept) {
   EXPECT_EQ(changed("id;t;x;y\nHans, Ulm;12:00:00,5;1,5;2\n"),
             "id;t;x;y\nHans, Ulm;12:00:00,5;1.5;2\n");
