@@ -21,7 +21,7 @@
 namespace beespace {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 std::optional<search::Candidates> candidates_of(const std::vector<Point>& points,
                                                 test::OwnResources& own) {
@@ -72,7 +72,7 @@ std::vector<Point> with_ties(std::vector<Point> points) {
   for (std::size_t i = 0; i < size; i += 7) {
     const double x = points[i].x + 1.0;
     if (x == 0.0) continue;  // an ulp from there is outside the domain of coordinates
-    for (const double tie : {x, std::nextafter(x, kInfinity), std::nextafter(x, -kInfinity)}) {
+    for (const double tie : {x, std::nextafter(x, kUnbounded), std::nextafter(x, -kUnbounded)}) {
       points.push_back({tie, points[i].y, points[i].z});
     }
   }
