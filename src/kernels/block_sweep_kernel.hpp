@@ -41,12 +41,14 @@ constexpr unsigned opposite(unsigned sides) {
 // What becomes of near pairs is up to a Task. A block of its lanes asks from start to finish, which
 // name the sorted places of the block: those from `i` on, or a list of `count`.
 //   kForItself                    whether all points of a row ask it, each for itself
+//   kMeasures                     whether it asks for distances, not for what is near
 //   start(i), start(places, count)
 //   beside(seen, i, j)            unless for itself: point i + lane has met point j + lane
 //   around(seen, j)               if for itself: every lane has met point j of its own row
 //   across(seen, j)               every lane has met point j across a seam
 //   finish(i, count), finish(places, count)
-// Those that take `seen` return whether to go on.
+// Those that take `seen` return whether to go on. One that measures is for itself, and has instead
+//   measured(squared, j)          the squared distances of every lane to point j
 template <class Lanes, class Task>
 class BlockSweep {
  public:
@@ -109,18 +111,42 @@ class BlockSweep {
       while (at.x[first] < from) ++first;
       lanes.select_block(at.x + i, at.y + i, at.z + i, reach_.units, reach_.slice);
       task_.start(i);
-      for (std::uint32_t j = first; j < own.end && at.x[j] < end; ++j) {
-        const unsigned itself = j - i < Lanes::kLanes ? 1U << (j - i) : 0U;
-        auto seen = lanes.meet(at.x[j], at.y[j], at.z[j], all_of(count) & ~itself);
-        if (seen.within != seen.near) [[unlikely]] {
-          decide_unsure(
-              seen, [i](unsigned lane) { return i + lane; }, [j](unsigned) { return j; });
-        }
-        if (!task_.around(seen, j)) return false;
+      if constexpr (Task::kMeasures) {
+        measure_around(lanes, {first, own.end}, {i, i + count}, end);
+      } else {
+        if (!meet_around(lanes, {first, own.end}, {i, i + count}, end)) return false;
       }
       task_.finish(i, count);
     }
     return true;
+  }
+
+  // The selected block meets the points of its own row, up to those beyond the reach along x.
+  bool meet_around(const Lanes& lanes, Range points, Range block, std::int32_t end_x) {
+    const Positions at = sweep_.asked;
+    const unsigned asking = all_of(block.end - block.begin);
+    for (std::uint32_t j = points.begin; j < points.end && at.x[j] < end_x; ++j) {
+      const std::uint32_t lane_of_j = j - block.begin;
+      const unsigned itself = lane_of_j < Lanes::kLanes ? 1U << lane_of_j : 0U;
+      auto seen = lanes.meet(at.x[j], at.y[j], at.z[j], asking & ~itself);
+      if (seen.within != seen.near) [[unlikely]] {
+        decide_unsure(
+            seen, [block](unsigned lane) { return block.begin + lane; },
+            [j](unsigned) { return j; });
+      }
+      if (!task_.around(seen, j)) return false;
+    }
+    return true;
+  }
+
+  // The same for distances. Lanes behind the block are measured, too: nobody reads what they find.
+  void measure_around(const Lanes& lanes, Range points, Range block, std::int32_t end_x) {
+    const Positions at = sweep_.asked;
+    const auto squared = [&](std::uint32_t j) { return lanes.squared(at.x[j], at.y[j], at.z[j]); };
+    std::uint32_t j = points.begin;
+    for (; j < block.begin; ++j) task_.measured(squared(j), j);
+    for (; j < block.end; ++j) task_.measured(Lanes::without(squared(j), j - block.begin), j);
+    for (; j < points.end && at.x[j] < end_x; ++j) task_.measured(squared(j), j);
   }
 
   bool meet_those_behind(Range part) {
@@ -207,18 +233,34 @@ class BlockSweep {
       if (first == theirs_.size) return true;
       lanes.select_block(mine_.x + i, mine_.y + i, mine_.z + i, reach_.units, reach_.slice);
       task_.start(mine_.place + i, count);
-      for (std::uint32_t j = first; j < theirs_.size && theirs_.x[j] < end; ++j) {
-        auto seen = lanes.meet(theirs_.x[j], theirs_.y[j], theirs_.z[j], all_of(count));
-        if (seen.within != seen.near) [[unlikely]] {
-          decide_unsure(
-              seen, [this, i](unsigned lane) { return mine_.place[i + lane]; },
-              [this, j](unsigned) { return theirs_.place[j]; });
-        }
-        if (!task_.across(seen, theirs_.place[j])) return false;
+      if constexpr (Task::kMeasures) {
+        measure_beside(lanes, first, end);
+      } else {
+        if (!meet_beside(lanes, first, {i, i + count}, end)) return false;
       }
       task_.finish(mine_.place + i, count);
     }
     return true;
+  }
+
+  // The selected block meets the packed points beyond the seam from `first` on.
+  bool meet_beside(const Lanes& lanes, std::uint32_t first, Range block, std::int32_t end_x) {
+    for (std::uint32_t j = first; j < theirs_.size && theirs_.x[j] < end_x; ++j) {
+      auto seen =
+          lanes.meet(theirs_.x[j], theirs_.y[j], theirs_.z[j], all_of(block.end - block.begin));
+      if (seen.within != seen.near) [[unlikely]] {
+        decide_unsure(
+            seen, [this, block](unsigned lane) { return mine_.place[block.begin + lane]; },
+            [this, j](unsigned) { return theirs_.place[j]; });
+      }
+      if (!task_.across(seen, theirs_.place[j])) return false;
+    }
+    return true;
+  }
+  void measure_beside(const Lanes& lanes, std::uint32_t first, std::int32_t end_x) {
+    for (std::uint32_t j = first; j < theirs_.size && theirs_.x[j] < end_x; ++j) {
+      task_.measured(lanes.squared(theirs_.x[j], theirs_.y[j], theirs_.z[j]), theirs_.place[j]);
+    }
   }
 
   const Sweep sweep_;
@@ -235,14 +277,23 @@ template <class Lanes>
 class MarkBoth {
  public:
   static constexpr bool kForItself = false;
+  static constexpr bool kMeasures = false;
   using Seen = typename Lanes::Seen;
 
   explicit MarkBoth(const Marks& marks) : marks_(marks) {}
 
-  void start(std::uint32_t) { near_ = 0; }
+  void start(std::uint32_t i) {
+    near_ = 0;
+    ahead_ = 0;
+    first_ahead_ = i;
+  }
   void start(const std::uint32_t*, std::uint32_t) { near_ = 0; }
   bool beside(const Seen& seen, std::uint32_t, std::uint32_t j) {
-    Lanes::mark(marks_.others + (j - marks_.first_other), seen.near);
+    if (j - first_ahead_ > kMostAhead) [[unlikely]] {
+      mark_ahead();
+      first_ahead_ = j;
+    }
+    ahead_ |= std::uint64_t{seen.near} << (j - first_ahead_);
     near_ |= seen.near;
     return true;
   }
@@ -254,6 +305,7 @@ class MarkBoth {
   }
   void finish(std::uint32_t i, std::uint32_t) {
     Lanes::mark(marks_.asked + (i - marks_.first_asked), near_);
+    mark_ahead();
   }
   void finish(const std::uint32_t* places, std::uint32_t) {
     for (; near_ != 0; near_ &= near_ - 1) {
@@ -262,8 +314,21 @@ class MarkBoth {
   }
 
  private:
+  static constexpr std::uint32_t kMostAhead = 64 - Lanes::kLanes;
+
+  void mark_ahead() {
+    std::uint8_t* marks = marks_.others + (first_ahead_ - marks_.first_other);
+    for (; ahead_ != 0; ahead_ >>= Lanes::kLanes, marks += Lanes::kLanes) {
+      Lanes::mark(marks, static_cast<unsigned>(ahead_ & ((1U << Lanes::kLanes) - 1)));
+    }
+  }
+
   Marks marks_;
   unsigned near_ = 0;
+  // Points from the first of the block on that have met a near one, a bit each. To mark them at
+  // every step would be to wait for the marks of the last step, which are a place beside.
+  std::uint64_t ahead_ = 0;
+  std::uint32_t first_ahead_ = 0;
 };
 
 template <class Lanes>
@@ -271,6 +336,7 @@ class CountBoth {
  public:
   // Adding to counts lane by lane would have to wait for what was just added a lane beside.
   static constexpr bool kForItself = true;
+  static constexpr bool kMeasures = false;
   using Seen = typename Lanes::Seen;
 
   explicit CountBoth(const Counts& counts) : counts_(counts) {}
@@ -310,6 +376,7 @@ template <class Lanes>
 class CollectOnce {
  public:
   static constexpr bool kForItself = false;
+  static constexpr bool kMeasures = false;
   using Seen = typename Lanes::Seen;
 
   CollectOnce(const Sweep& sweep, PairSink& pairs) : id_(sweep.asked.id), pairs_(pairs) {}
@@ -350,6 +417,7 @@ template <class Lanes>
 class CollectMeeting {
  public:
   static constexpr bool kForItself = false;
+  static constexpr bool kMeasures = false;
   using Seen = typename Lanes::Seen;
 
   explicit CollectMeeting(const MeetingSink& meeting)
@@ -394,7 +462,7 @@ template <class Lanes>
 class KeepNearestOfAll {
  public:
   static constexpr bool kForItself = true;
-  using Seen = typename Lanes::Seen;
+  static constexpr bool kMeasures = true;
 
   explicit KeepNearestOfAll(const NearestTable& table) : table_(table) {}
 
@@ -408,13 +476,8 @@ class KeepNearestOfAll {
     }
     nearest_.read(best_, second_, who_);
   }
-  bool around(const Seen& seen, std::uint32_t j) {
-    nearest_.add_one(seen, j);
-    return true;
-  }
-  bool across(const Seen& seen, std::uint32_t j) {
-    nearest_.add_one(seen, j);
-    return true;
+  void measured(const typename Lanes::Squared& squared, std::uint32_t j) {
+    nearest_.add_one(squared, j);
   }
   void finish(std::uint32_t i, std::uint32_t count) {
     nearest_.write_lanes(best_, second_, who_);

@@ -10,6 +10,7 @@ namespace {
 class Lanes {
  public:
   static constexpr unsigned kLanes = 8;
+  using Squared = __m256;
 
   struct Seen {
     unsigned near;
@@ -51,6 +52,13 @@ class Lanes {
   [[nodiscard]] Seen meet(std::int32_t x, std::int32_t y, std::int32_t z, unsigned lanes) const {
     return compare(_mm256_set1_epi32(x), _mm256_set1_epi32(y), _mm256_set1_epi32(z),
                    with_bits(lanes));
+  }
+  [[nodiscard]] Squared squared(std::int32_t x, std::int32_t y, std::int32_t z) const {
+    return squared(_mm256_set1_epi32(x), _mm256_set1_epi32(y), _mm256_set1_epi32(z));
+  }
+  static Squared without(Squared squared, unsigned lane) {
+    return _mm256_blendv_ps(squared, _mm256_set1_ps(kInfinity),
+                            _mm256_castsi256_ps(with_bits(1U << lane)));
   }
 
   static unsigned at_sides(const std::int32_t* y, const std::int32_t* z, unsigned sides,
@@ -135,11 +143,13 @@ class Lanes {
       who_ = _mm256_setzero_si256();
     }
     void add(const Seen& seen, std::uint32_t from) {
-      who_ = _mm256_blendv_epi8(who_, numbers_from(from), keep_two(seen, best_, second_));
+      const __m256 far = _mm256_set1_ps(kInfinity);
+      const __m256 counted = _mm256_blendv_ps(far, seen.squared, _mm256_castsi256_ps(seen.valid));
+      who_ = _mm256_blendv_epi8(who_, numbers_from(from), keep_two(counted, best_, second_));
     }
-    void add_one(const Seen& seen, std::uint32_t who) {
+    void add_one(Squared squared, std::uint32_t who) {
       who_ = _mm256_blendv_epi8(who_, _mm256_set1_epi32(static_cast<std::int32_t>(who)),
-                                keep_two(seen, best_, second_));
+                                keep_two(squared, best_, second_));
     }
     void read(const float* best, const float* second, const std::uint32_t* who) {
       best_ = _mm256_loadu_ps(best);
@@ -169,9 +179,7 @@ class Lanes {
     }
 
    private:
-    static __m256i keep_two(const Seen& seen, __m256& best, __m256& second) {
-      const __m256 far = _mm256_set1_ps(kInfinity);
-      const __m256 squared = _mm256_blendv_ps(far, seen.squared, _mm256_castsi256_ps(seen.valid));
+    static __m256i keep_two(Squared squared, __m256& best, __m256& second) {
       const __m256 nearer = _mm256_cmp_ps(squared, best, _CMP_LT_OQ);
       second = _mm256_min_ps(second, _mm256_max_ps(best, squared));
       best = _mm256_min_ps(best, squared);
@@ -222,17 +230,20 @@ class Lanes {
     return all;
   }();
 
-  [[nodiscard]] Seen compare(__m256i x, __m256i y, __m256i z, __m256i valid) const {
+  [[nodiscard]] Squared squared(__m256i x, __m256i y, __m256i z) const {
     const __m256 dx = _mm256_cvtepi32_ps(_mm256_sub_epi32(x, x_));
     const __m256 dy = _mm256_cvtepi32_ps(_mm256_sub_epi32(y, y_));
     const __m256 dz = _mm256_cvtepi32_ps(_mm256_sub_epi32(z, z_));
-    const __m256 squared = _mm256_add_ps(
-        _mm256_mul_ps(dz, dz), _mm256_add_ps(_mm256_mul_ps(dy, dy), _mm256_mul_ps(dx, dx)));
+    return _mm256_add_ps(_mm256_mul_ps(dz, dz),
+                         _mm256_add_ps(_mm256_mul_ps(dy, dy), _mm256_mul_ps(dx, dx)));
+  }
+  [[nodiscard]] Seen compare(__m256i x, __m256i y, __m256i z, __m256i valid) const {
+    const __m256 distances = squared(x, y, z);
     const __m256i near =
-        _mm256_and_si256(_mm256_castps_si256(_mm256_cmp_ps(squared, near_, _CMP_LT_OQ)), valid);
+        _mm256_and_si256(_mm256_castps_si256(_mm256_cmp_ps(distances, near_, _CMP_LT_OQ)), valid);
     const __m256i within =
-        _mm256_and_si256(_mm256_castps_si256(_mm256_cmp_ps(squared, far_, _CMP_LE_OQ)), valid);
-    return {bits(near), bits(within), 0, near, valid, squared};
+        _mm256_and_si256(_mm256_castps_si256(_mm256_cmp_ps(distances, far_, _CMP_LE_OQ)), valid);
+    return {bits(near), bits(within), 0, near, valid, distances};
   }
   template <class Word>
   static __m256i load(const Word* from) {

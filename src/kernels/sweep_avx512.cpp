@@ -10,6 +10,7 @@ namespace {
 class Lanes {
  public:
   static constexpr unsigned kLanes = 16;
+  using Squared = __m512;
 
   struct Seen {
     unsigned near;
@@ -49,6 +50,13 @@ class Lanes {
   [[nodiscard]] Seen meet(std::int32_t x, std::int32_t y, std::int32_t z, unsigned lanes) const {
     return compare(_mm512_set1_epi32(x), _mm512_set1_epi32(y), _mm512_set1_epi32(z),
                    static_cast<__mmask16>(lanes));
+  }
+  [[nodiscard]] Squared squared(std::int32_t x, std::int32_t y, std::int32_t z) const {
+    return squared(_mm512_set1_epi32(x), _mm512_set1_epi32(y), _mm512_set1_epi32(z));
+  }
+  static Squared without(Squared squared, unsigned lane) {
+    return _mm512_mask_mov_ps(squared, static_cast<__mmask16>(1U << lane),
+                              _mm512_set1_ps(kInfinity));
   }
 
   static unsigned at_sides(const std::int32_t* y, const std::int32_t* z, unsigned sides,
@@ -129,10 +137,12 @@ class Lanes {
       who_ = _mm512_setzero_si512();
     }
     void add(const Seen& seen, std::uint32_t from) {
-      who_ = _mm512_mask_mov_epi32(who_, keep_two(seen, best_, second_), numbers_from(from));
+      const __m512 counted =
+          _mm512_mask_mov_ps(_mm512_set1_ps(kInfinity), seen.valid, seen.squared);
+      who_ = _mm512_mask_mov_epi32(who_, keep_two(counted, best_, second_), numbers_from(from));
     }
-    void add_one(const Seen& seen, std::uint32_t who) {
-      who_ = _mm512_mask_mov_epi32(who_, keep_two(seen, best_, second_),
+    void add_one(Squared squared, std::uint32_t who) {
+      who_ = _mm512_mask_mov_epi32(who_, keep_two(squared, best_, second_),
                                    _mm512_set1_epi32(static_cast<std::int32_t>(who)));
     }
     void read(const float* best, const float* second, const std::uint32_t* who) {
@@ -155,10 +165,10 @@ class Lanes {
     }
 
    private:
-    static __mmask16 keep_two(const Seen& seen, __m512& best, __m512& second) {
-      const __mmask16 nearer = _mm512_mask_cmp_ps_mask(seen.valid, seen.squared, best, _CMP_LT_OQ);
-      second = _mm512_mask_min_ps(second, seen.valid, second, _mm512_max_ps(best, seen.squared));
-      best = _mm512_mask_mov_ps(best, nearer, seen.squared);
+    static __mmask16 keep_two(Squared squared, __m512& best, __m512& second) {
+      const __mmask16 nearer = _mm512_cmp_ps_mask(squared, best, _CMP_LT_OQ);
+      second = _mm512_min_ps(second, _mm512_max_ps(best, squared));
+      best = _mm512_min_ps(best, squared);
       return nearer;
     }
 
@@ -178,14 +188,17 @@ class Lanes {
                             _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0));
   }
 
-  [[nodiscard]] Seen compare(__m512i x, __m512i y, __m512i z, __mmask16 valid) const {
+  [[nodiscard]] Squared squared(__m512i x, __m512i y, __m512i z) const {
     const __m512 dx = _mm512_cvtepi32_ps(_mm512_sub_epi32(x, x_));
     const __m512 dy = _mm512_cvtepi32_ps(_mm512_sub_epi32(y, y_));
     const __m512 dz = _mm512_cvtepi32_ps(_mm512_sub_epi32(z, z_));
-    const __m512 squared = _mm512_fmadd_ps(dz, dz, _mm512_fmadd_ps(dy, dy, _mm512_mul_ps(dx, dx)));
-    const unsigned near = _mm512_mask_cmp_ps_mask(valid, squared, near_, _CMP_LT_OQ);
-    const unsigned within = _mm512_mask_cmp_ps_mask(valid, squared, far_, _CMP_LE_OQ);
-    return {near, within, 0, valid, squared};
+    return _mm512_fmadd_ps(dz, dz, _mm512_fmadd_ps(dy, dy, _mm512_mul_ps(dx, dx)));
+  }
+  [[nodiscard]] Seen compare(__m512i x, __m512i y, __m512i z, __mmask16 valid) const {
+    const __m512 distances = squared(x, y, z);
+    const unsigned near = _mm512_mask_cmp_ps_mask(valid, distances, near_, _CMP_LT_OQ);
+    const unsigned within = _mm512_mask_cmp_ps_mask(valid, distances, far_, _CMP_LE_OQ);
+    return {near, within, 0, valid, distances};
   }
 
   __m512 near_;

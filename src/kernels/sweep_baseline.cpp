@@ -17,6 +17,7 @@ class Lanes {
 
  public:
   static constexpr unsigned kLanes = 4;
+  using Squared = Floats;
 
   struct Seen {
     unsigned near;
@@ -53,6 +54,12 @@ class Lanes {
   }
   [[nodiscard]] Seen meet(std::int32_t x, std::int32_t y, std::int32_t z, unsigned lanes) const {
     return compare(Ints{} + x, Ints{} + y, Ints{} + z, with_bits(lanes));
+  }
+  [[nodiscard]] Squared squared(std::int32_t x, std::int32_t y, std::int32_t z) const {
+    return squared(Ints{} + x, Ints{} + y, Ints{} + z);
+  }
+  static Squared without(const Squared& squared, unsigned lane) {
+    return chosen(with_bits(1U << lane), Floats{} + kInfinity, squared);
   }
 
   static unsigned at_sides(const std::int32_t* y, const std::int32_t* z, unsigned sides,
@@ -132,10 +139,11 @@ class Lanes {
       who_ = Ints{};
     }
     void add(const Seen& seen, std::uint32_t from) {
-      take(kNumbers + static_cast<std::int32_t>(from), keep_two(seen, best_, second_));
+      const Floats counted = chosen(seen.valid, seen.squared, Floats{} + kInfinity);
+      take(kNumbers + static_cast<std::int32_t>(from), keep_two(counted, best_, second_));
     }
-    void add_one(const Seen& seen, std::uint32_t who) {
-      take(Ints{} + static_cast<std::int32_t>(who), keep_two(seen, best_, second_));
+    void add_one(const Squared& squared, std::uint32_t who) {
+      take(Ints{} + static_cast<std::int32_t>(who), keep_two(squared, best_, second_));
     }
     void read(const float* best, const float* second, const std::uint32_t* who) {
       best_ = load<Floats>(best);
@@ -163,18 +171,12 @@ class Lanes {
    private:
     void take(const Ints& who, const Ints& nearer) { who_ = (who & nearer) | (who_ & ~nearer); }
 
-    static Ints keep_two(const Seen& seen, Floats& best, Floats& second) {
-      const Floats far = Floats{} + kInfinity;
-      const Floats squared = select(seen.valid, seen.squared, far);
+    static Ints keep_two(const Squared& squared, Floats& best, Floats& second) {
       const Ints nearer = squared < best;
-      const Floats larger = select(nearer, best, squared);
-      best = select(nearer, squared, best);
-      second = select(larger < second, larger, second);
+      const Floats larger = chosen(nearer, best, squared);
+      best = chosen(nearer, squared, best);
+      second = chosen(larger < second, larger, second);
       return nearer;
-    }
-    static Floats select(const Ints& chosen, const Floats& yes, const Floats& no) {
-      return std::bit_cast<Floats>((std::bit_cast<Ints>(yes) & chosen) |
-                                   (std::bit_cast<Ints>(no) & ~chosen));
     }
 
     Floats best_;
@@ -199,20 +201,27 @@ class Lanes {
   static void store(To* to, const Words& words) {
     std::memcpy(to, &words, sizeof words);
   }
+  static Floats chosen(const Ints& lanes, const Floats& yes, const Floats& no) {
+    return std::bit_cast<Floats>((std::bit_cast<Ints>(yes) & lanes) |
+                                 (std::bit_cast<Ints>(no) & ~lanes));
+  }
   // All ones in the lanes whose bits are set.
   static Ints with_bits(unsigned lanes) {
     const Ints bit = {1, 2, 4, 8};
     return (bit & static_cast<std::int32_t>(lanes)) == bit;
   }
 
-  [[nodiscard]] Seen compare(const Ints& x, const Ints& y, const Ints& z, const Ints& valid) const {
+  [[nodiscard]] Squared squared(const Ints& x, const Ints& y, const Ints& z) const {
     const Floats dx = __builtin_convertvector(x - x_, Floats);
     const Floats dy = __builtin_convertvector(y - y_, Floats);
     const Floats dz = __builtin_convertvector(z - z_, Floats);
-    const Floats squared = dx * dx + dy * dy + dz * dz;
-    const Ints near = (squared < near_) & valid;
-    const Ints within = (squared <= far_) & valid;
-    return {bits(near), bits(within), 0, near, valid, squared};
+    return dx * dx + dy * dy + dz * dz;
+  }
+  [[nodiscard]] Seen compare(const Ints& x, const Ints& y, const Ints& z, const Ints& valid) const {
+    const Floats distances = squared(x, y, z);
+    const Ints near = (distances < near_) & valid;
+    const Ints within = (distances <= far_) & valid;
+    return {bits(near), bits(within), 0, near, valid, distances};
   }
 
   static unsigned bits(const Ints& mask) {

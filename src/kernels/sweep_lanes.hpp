@@ -14,8 +14,10 @@
 //   look(x, y, z, count)            every lane with its own of the next kLanes points, of which the
 //                                   first `count` count
 //   meet(x, y, z, lanes)            one point with the lanes whose bits are set
-// The last two return what was Seen, one bit a lane: near (surely), within (near or unsure), before
-// (left of the bound; look only); and what else the Lanes remember. With that:
+//   squared(x, y, z)                the squared distances, in units, of one point to all lanes
+//   without(squared, lane)          the same, but infinite in one lane
+// look and meet return what was Seen, one bit a lane: near (surely), within (near or unsure),
+// before (left of the bound; look only); and what else the Lanes remember. With that:
 //   add_near(seen, lane)            an unsure one is near
 //   meeting(seen, radii, others)    the lanes that count whose distance is at most both radii; the
 //                                   others' are a lane each, or one for all
@@ -31,9 +33,9 @@
 //   pack_numbers(first, chosen, to) the same of the numbers from `first` on
 //   clear(words)                    writes kLanes zeros
 //   Tally                           counts the near, lane by lane: add(seen), write(to)
-//   Nearest                         keeps the nearest two, lane by lane, among all that count:
-//                                   add(seen, from), whose lanes met `from` and those behind it;
-//                                   add_one(seen, who); read, write_lanes; write, of all lanes
+//   Nearest                         keeps the nearest two, lane by lane: add(seen, from), whose
+//                                   lanes that count met `from` and those behind it; add_one(
+//                                   squared, who), of all; read, write_lanes; write, of all lanes
 #pragma once
 
 #include "kernels/sweep.hpp"

@@ -2,6 +2,7 @@
 
 #include "base/buffer.hpp"
 #include "base/hash.hpp"
+#include "base/resize_for.hpp"
 #include "exact/exact_distance.hpp"
 #include "grid/near_pairs.hpp"
 #include "grid/neighbor_probe.hpp"
@@ -43,7 +44,7 @@ class NearestSearch {
     if (domain_.others().size() < (domain_.has_others() ? 1U : 2U)) {
       return nearest_.assign(size, Nearest{});
     }
-    nearest_.resize(size);
+    core::resize_for(nearest_, size, with_.crew);
     if (size == 0) return;
     bool all_open = true;
     if (!domain_.has_others() && domain_.expected_neighbors(domain_.widest() * kTwinCells) > 1.0) {
@@ -244,9 +245,10 @@ class NearestSearch {
   void prefetch_found(PointId id) const {
     const PointId found = ids_[id];
     if (found == Nearest::kNone) return;
-    const auto* place = static_cast<const std::byte*>(domain_.others().axes()[0]);
-    __builtin_prefetch(place +
-                       static_cast<std::ptrdiff_t>(found) * domain_.others().stride_bytes()[0]);
+    const auto* place = static_cast<const std::byte*>(domain_.original_others().axes()[0]);
+    place += static_cast<std::ptrdiff_t>(found) * domain_.original_others().stride_bytes()[0];
+    __builtin_prefetch(place);
+    __builtin_prefetch(place + sizeof(Point) - 1);  // one in four lies across two lines
   }
 
   // By the points as the caller has them, not as they are turned: sums of squares round

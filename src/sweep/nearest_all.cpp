@@ -21,6 +21,11 @@ float not_surely_farther(float squared) {
   return units * units * (1.0F + 0x1p-18F);
 }
 
+// Whether a second is farther, as nearly always: without a root, as 8 sqrt(s) <= s / 512 + 8192.
+bool is_much_farther(float second, float squared) {
+  return second > (squared * (1.0F + 0x1p-9F) + 8256.0F) * (1.0F + 0x1p-17F);
+}
+
 // The points of one row that one worker asks for, a few hundred at a time.
 struct Batch {
   static constexpr std::uint32_t kMost = 512;
@@ -63,6 +68,9 @@ class NearestAll {
     Sweep part = row;
     for (; part.points.begin < row.points.end; part.points.begin = part.points.end) {
       part.points.end = std::min(row.points.end, part.points.begin + Batch::kMost);
+      for (std::uint32_t i = part.points.begin; i < part.points.end; ++i) {
+        __builtin_prefetch(&result_of(i), 1);
+      }
       kernel(part,
              {batch_.best.data(), batch_.second.data(), batch_.who.data(), part.points.begin});
       write(part.points);
@@ -70,14 +78,16 @@ class NearestAll {
   }
 
   void write(Range points) {
-    for (std::uint32_t i = points.begin; i < points.end && !core::is_stopping(); ++i) {
+    for (std::uint32_t i = points.begin; i < points.end; ++i) {
       const std::uint32_t place = i - points.begin;
       const float best = batch_.best[place];
       if (best > question_.limits.far) {
         result_of(i) = Nearest::kNone;
-      } else if (batch_.second[place] > not_surely_farther(best)) [[likely]] {
+      } else if (is_much_farther(batch_.second[place], best) ||
+                 batch_.second[place] > not_surely_farther(best)) [[likely]] {
         result_of(i) = question_.others.grid.id[batch_.who[place]];
       } else {
+        if (core::is_stopping()) return;  // a crowd at one distance takes long
         result_of(i) = exactly(i, not_surely_farther(best));
       }
     }
