@@ -47,8 +47,8 @@ _beespace() {
         --heights) values='auto geometric pressure' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         -o | --output) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --units | --max-age | --threshold | --vertical | --threads | --max-results | --horizon) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --grounded --units --heights --skip-bad --max-age --threshold --vertical --separation --inclusive --threads --max-results --horizon --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --max-age | --threshold | --vertical | --threads | --max-results | --horizon) return ;;
+        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-age --threshold --vertical --separation --inclusive --threads --max-results --horizon --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     replay)
@@ -60,8 +60,8 @@ _beespace() {
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --report) values='conflicts bees separation events' ;;
         -o | --output) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --units | --tolerance | --threshold | --vertical | --threads | --max-results | --every | --horizon | --leave-factor | --look-every | --memory | --temporary) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --grounded --units --heights --skip-bad --max-gap --tolerance --straight --threshold --vertical --separation --inclusive --threads --max-results --report --every --horizon --leave-factor --look-every --memory --temporary --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --max-results | --every | --horizon | --leave-factor | --look-every | --memory | --temporary) return ;;
+        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --max-results --report --every --horizon --leave-factor --look-every --memory --temporary --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     watch)
@@ -122,8 +122,8 @@ _beespace() {
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
         --obstacles | -o | --output) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --units | --threshold | --max-speed | --max-acceleration | --max-horizontal | --max-climb | --max-descent | --max-height | --clearance | --threads) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --grounded --units --heights --skip-bad --threshold --max-speed --max-acceleration --max-horizontal --max-climb --max-descent --max-height --obstacles --clearance --max-gap --straight --threads --output --csv --json --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --threshold | --max-speed | --max-acceleration | --max-horizontal | --max-climb | --max-descent | --max-height | --clearance | --threads) return ;;
+        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --threshold --max-speed --max-acceleration --max-horizontal --max-climb --max-descent --max-height --obstacles --clearance --max-gap --straight --threads --output --csv --json --quiet --help --version' files=yes ;;
       esac
       ;;
     fleet)
@@ -133,8 +133,8 @@ _beespace() {
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
         --set) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --units | --set-columns) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --grounded --units --heights --skip-bad --set --set-columns --max-gap --json --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --set-columns) return ;;
+        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --set --set-columns --max-gap --json --quiet --help --version' files=yes ;;
       esac
       ;;
     report)
@@ -145,8 +145,8 @@ _beespace() {
         --max-gap) values='never' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --compare | --fleet-log | --obstacles | -o | --output) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --units | --tolerance | --threshold | --vertical | --threads) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --obstacles --output --json --fail-on-risk --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads) return ;;
+        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --obstacles --output --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     view)
@@ -157,8 +157,8 @@ _beespace() {
         --max-gap) values='never' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --compare | --fleet-log | --obstacles) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --units | --tolerance | --threshold | --vertical | --threads | --port) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --obstacles --no-open --port --json --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --port) return ;;
+        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --obstacles --no-open --port --json --quiet --help --version' files=yes ;;
       esac
       ;;
     plot)
@@ -169,8 +169,8 @@ _beespace() {
         --max-gap) values='never' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         -o | --output) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --units | --tolerance | --threshold | --vertical | --threads | --width | --title) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --width --title --json --fail-on-risk --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --width | --title) return ;;
+        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --width --title --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     export)
@@ -181,9 +181,9 @@ _beespace() {
         --max-gap) values='never' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --format) values='kml czml geojson csv' ;;
-        -o | --output | --obstacles) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --units | --tolerance | --threshold | --vertical | --threads | --origin) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --format --origin --obstacles --json --fail-on-risk --quiet --help --version' files=yes ;;
+        -o | --output) files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --origin) return ;;
+        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --format --origin --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     generate)

@@ -12,7 +12,7 @@ namespace beespace::cli {
 namespace {
 
 // The first ids of so many.
-std::string named(const std::vector<std::string>& ids, std::uint64_t count) {
+std::string first_ids(const std::vector<std::string>& ids, std::uint64_t count) {
   std::string text;
   for (const std::string& id : ids) text += (text.empty() ? "" : ", ") + id;
   if (count > ids.size()) text += ", ...";
@@ -78,11 +78,11 @@ void append_missing(std::string& out, const io::MissingRecords& missing) {
   if (missing.shared > 0) {
     append_summary_line(
         out, "two in one",
-        red(printable(named(missing.shared_ids, missing.shared))) + ": at two places in turn");
+        red(printable(first_ids(missing.shared_ids, missing.shared))) + ": at two places in turn");
   }
   if (missing.jumping > 0) {
     append_summary_line(out, "jumps",
-                        red(printable(named(missing.jumping_ids, missing.jumping))) +
+                        red(printable(first_ids(missing.jumping_ids, missing.jumping))) +
                             ": faster than anything that flies, or than it says itself");
   }
   if (missing.files > 0) {
@@ -104,8 +104,8 @@ void append_missing(std::string& out, const io::MissingRecords& missing) {
   }
   append_summary_line(out, "left out", text + ": place, height or time is missing or bad");
   if (missing.nowhere == 0) return;
-  append_summary_line(out, "",
-                      "known nowhere: " + printable(named(missing.nowhere_ids, missing.nowhere)));
+  append_summary_line(
+      out, "", "known nowhere: " + printable(first_ids(missing.nowhere_ids, missing.nowhere)));
 }
 
 void write_missing(io::JsonWriter& json, const io::MissingRecords& missing) {

@@ -27,7 +27,6 @@ namespace beespace::io {
 namespace {
 
 constexpr std::size_t kMostKeys = 64;
-constexpr char kBetween = '\x1F';  // in the record that the layout is chosen from
 
 ColumnContent content_of(JsonElement value) {
   if (value.is_null()) return ColumnContent::kUnknown;
@@ -127,7 +126,7 @@ class JsonLines final : public LineReader {
   // The layout of all keys known so far. A former one stays where there is an error.
   std::optional<Error> choose(JsonMap object) {
     TableLayout table;
-    table.delimiter = kBetween;
+    table.delimiter = kUnitSeparator;
     table.columns = names_.size();
     table.names = names_;
     std::string record;
@@ -135,7 +134,7 @@ class JsonLines final : public LineReader {
       JsonElement value;
       const bool here = object.get(name, value);
       table.contents.push_back(here ? content_of(value) : ColumnContent::kUnknown);
-      if (!record.empty() || &name != &names_.front()) record += kBetween;
+      if (!record.empty() || &name != &names_.front()) record += kUnitSeparator;
       if (here) record += field_text(value);
     }
     auto layout = choose_track_layout(std::move(table), record, options_);

@@ -18,7 +18,7 @@ bool is_in_space(const Point& at, Frame frame) {
 }
 
 // Nothing where it is not told, or is 0, which may mean the same.
-std::optional<double> speed_of(const Velocity* velocity) {
+std::optional<double> own_speed(const Velocity* velocity) {
   if (velocity == nullptr) return std::nullopt;
   const double climb = std::isnan(velocity->z) ? 0.0 : velocity->z;
   const double speed_mps = std::hypot(velocity->x, velocity->y, climb);
@@ -29,7 +29,7 @@ std::optional<double> speed_of(const Velocity* velocity) {
 
 bool Jumps::take(const Fix& fix, const Velocity* velocity, Frame frame) {
   const auto before = std::exchange(last_, fix);
-  const auto own_before_mps = std::exchange(own_mps_, speed_of(velocity));
+  const auto own_before_mps = std::exchange(own_mps_, own_speed(velocity));
   if (!before || !(fix.time_s > before->time_s)) return false;
   if (is_in_space(before->position, frame) && is_in_space(fix.position, frame)) return false;
   double most_mps = kMostSpeed_mps;

@@ -304,11 +304,11 @@ void RecordingAssembly::leave_out_zeros() {
 // Once all is settled.
 void RecordingAssembly::find_doubtful_tracks() {
   std::unordered_set<std::string> shared;
-  for (const SharedTrack& track : tracks_.shared(facts_->frame)) {
+  for (const SharedTrack& track : tracks_.shared(recording_.frame)) {
     share(track);
     shared.insert(track.id);
   }
-  for (const SharedTrack& track : tracks_.jumping(facts_->frame)) {
+  for (const SharedTrack& track : tracks_.jumping(recording_.frame)) {
     if (!shared.contains(track.id)) jump(track);
   }
 }
@@ -548,7 +548,7 @@ Result<Recording> RecordingAssembly::finish() {
     recording_.heights = facts_->heights;
     if (!several_height_units_) recording_.height_unit = facts_->height_unit;
   }
-  if (facts_ && !frame_is_settled_) find_doubtful_tracks();
+  if (!frame_is_settled_) find_doubtful_tracks();
   recording_.missing = missing();
   recording_.bees = tracks_.release();
   if (auto error = doubtful_units()) return *std::move(error);

@@ -26,7 +26,6 @@
 namespace beespace::io {
 namespace {
 
-constexpr char kUnit = '\x1F';
 constexpr std::array<std::string_view, 3> kCoords = {"x", "y", "z"};
 
 // A place of the body of an animal.
@@ -214,16 +213,16 @@ LongTable long_table(std::string_view text, const PoseLayout& pose, std::size_t 
         out.text.append("a row of ").append(std::to_string(fields.size())).append(" values\n");
         continue;
       }
-      out.text.append(fields[pose.frame]) += kUnit;
+      out.text.append(fields[pose.frame]) += kUnitSeparator;
       const bool named = pose.id || !part.animal.empty();
-      if (named) out.text.append(pose.id ? fields[*pose.id] : part.animal) += kUnit;
+      if (named) out.text.append(pose.id ? fields[*pose.id] : part.animal) += kUnitSeparator;
       double likelihood = 1.0;
       const bool told = part.likelihood &&
                         parse_number(fields[*part.likelihood], likelihood) == NumberKind::kNumber;
       const bool unsure = told && likelihood < least_likelihood;
       if (unsure) ++out.unsure;
       for (std::size_t axis = 0; axis < dimensions; ++axis) {
-        out.text.append(unsure ? std::string_view() : fields[*part.axes[axis]]) += kUnit;
+        out.text.append(unsure ? std::string_view() : fields[*part.axes[axis]]) += kUnitSeparator;
       }
       out.text.back() = '\n';
     }
@@ -233,7 +232,7 @@ LongTable long_table(std::string_view text, const PoseLayout& pose, std::size_t 
 
 TableLayout layout_of(const PoseLayout& pose, std::size_t dimensions) {
   TableLayout table;
-  table.delimiter = kUnit;
+  table.delimiter = kUnitSeparator;
   table.names = {"frame"};
   if (pose.id || !pose.parts.front().animal.empty()) table.names.emplace_back("id");
   for (std::size_t axis = 0; axis < dimensions; ++axis) table.names.emplace_back(kCoords[axis]);

@@ -41,14 +41,14 @@ struct SpotLayout {
   std::uint64_t lines_before = 0;
 };
 
-std::vector<std::string> fields_of(std::string_view line, char delimiter) {
+std::vector<std::string> spot_fields(std::string_view line, char delimiter) {
   std::vector<std::string> fields;
   FieldCursor cursor(line, delimiter);
   for (Field field; cursor.next(field);) fields.emplace_back(without_padding(unquoted(field)));
   return fields;
 }
 
-bool is_number(std::string_view text) {
+bool is_spot_number(std::string_view text) {
   double number = 0.0;
   return parse_number(text, number) == NumberKind::kNumber;
 }
@@ -78,7 +78,7 @@ std::optional<SpotLayout> spot_layout(std::string_view text) {
   bool found = false;
   for (const char delimiter : {',', '\t', ';'}) {
     spots.delimiter = delimiter;
-    found = found || find_columns(fields_of(first.text, delimiter), spots);
+    found = found || find_columns(spot_fields(first.text, delimiter), spots);
     if (found) break;
   }
   if (!found) return std::nullopt;
@@ -86,8 +86,8 @@ std::optional<SpotLayout> spot_layout(std::string_view text) {
   spots.lines_before = 1;
   for (int i = 0; i < kMostRowsOfNames && spots.offset < text.size(); ++i) {
     const Line line = line_at(text, spots.offset, '\n');
-    const auto fields = fields_of(line.text, spots.delimiter);
-    if (fields.size() != spots.columns || is_number(fields[spots.read[2]])) break;
+    const auto fields = spot_fields(line.text, spots.delimiter);
+    if (fields.size() != spots.columns || is_spot_number(fields[spots.read[2]])) break;
     for (std::size_t k = 0; k < kRead.size(); ++k) {
       if (auto unit = in_brackets(fields[spots.read[k]]); !unit.empty()) {
         spots.units[k] = std::move(unit);
@@ -107,7 +107,7 @@ std::string records_of(std::string_view text, const SpotLayout& spots) {
   while (walk.next()) {
     out.append(walk.line() - lines, '\n');
     lines = walk.line() + 1;
-    const auto fields = fields_of(walk.record(), spots.delimiter);
+    const auto fields = spot_fields(walk.record(), spots.delimiter);
     if (fields.size() != spots.columns) {
       out.append("a row of ").append(std::to_string(fields.size())).append(" values\n");
       continue;
@@ -118,7 +118,7 @@ std::string records_of(std::string_view text, const SpotLayout& spots) {
   return out;
 }
 
-TableLayout layout_of(const SpotLayout& spots) {
+TableLayout spot_table(const SpotLayout& spots) {
   TableLayout table;
   table.delimiter = kUnitSeparator;
   for (std::size_t i = 0; i < kRead.size(); ++i) {
@@ -157,7 +157,7 @@ std::optional<Error> read_trackmate_table(std::string_view text, RecordingAssemb
     return Error{ErrorCode::kNoPoints, "there are rows that name columns and none after them", {}};
   }
   if (options.progress != nullptr) options.progress->total += records.size();
-  auto layout = choose_track_layout(layout_of(*spots), records, options, SeenRecords::kWhole);
+  auto layout = choose_track_layout(spot_table(*spots), records, options, SeenRecords::kWhole);
   if (!layout) {
     Error error = std::move(layout).error();
     error.location.column.reset();

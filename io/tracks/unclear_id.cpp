@@ -7,6 +7,8 @@
 #include "io/table/table_sources.hpp"
 #include "io/tracks/track_record.hpp"
 
+#include <beespace/track.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -18,24 +20,24 @@
 namespace beespace::io {
 namespace {
 
-struct NamedFix {
+struct LabelledFix {
   Fix fix;
   std::size_t value;  // of the column, as they came
 };
 
-struct Sample {
-  std::vector<NamedFix> fixes;      // in the order of time
+struct LabelledFixes {
+  std::vector<LabelledFix> fixes;   // in the order of time
   std::vector<std::string> values;  // each once
 };
 
 // The first records, as if that column were what they are called.
-Sample sample_of(std::string_view text, const TrackLayout& layout, std::size_t column) {
+LabelledFixes sample_of(std::string_view text, const TrackLayout& layout, std::size_t column) {
   constexpr std::size_t kMostLookedAt = 20'000;
   TrackLayout labelled = layout;
   labelled.label = column;
   TrackRecordReader reader(labelled);
   TrackRecord record;
-  Sample sample;
+  LabelledFixes sample;
   std::unordered_map<std::string, std::size_t> known;
   RecordWalk walk(text, layout.table.data_offset, layout.table);
   while (walk.next() && sample.fixes.size() < kMostLookedAt) {
@@ -46,12 +48,12 @@ Sample sample_of(std::string_view text, const TrackLayout& layout, std::size_t c
   }
   std::stable_sort(
       sample.fixes.begin(), sample.fixes.end(),
-      [](const NamedFix& a, const NamedFix& b) { return a.fix.time_s < b.fix.time_s; });
+      [](const LabelledFix& a, const LabelledFix& b) { return a.fix.time_s < b.fix.time_s; });
   return sample;
 }
 
 // Whether those of each value together go a small part of the way of all as one.
-bool explains(const Sample& sample, Frame frame) {
+bool explains(const LabelledFixes& sample, Frame frame) {
   constexpr std::size_t kFewest = 4;  // fixes of a value, on average
   constexpr double kPart = 4.0;
   if (sample.values.size() < 2 || kFewest * sample.values.size() > sample.fixes.size()) {
@@ -61,7 +63,7 @@ bool explains(const Sample& sample, Frame frame) {
   const Fix* last_of_all = nullptr;
   double as_one_m = 0.0;
   double as_several_m = 0.0;
-  for (const NamedFix& at : sample.fixes) {
+  for (const LabelledFix& at : sample.fixes) {
     const auto way_m = [&](const Fix* from) {
       return from == nullptr ? 0.0 : flat_distance_m(from->position, at.fix.position, frame);
     };
@@ -71,7 +73,7 @@ bool explains(const Sample& sample, Frame frame) {
   return as_one_m > kPart * as_several_m;
 }
 
-Error which_id(const TrackLayout& layout, std::size_t column, const Sample& sample) {
+Error which_id(const TrackLayout& layout, std::size_t column, const LabelledFixes& sample) {
   const ColumnChoice& choice = layout.table.choice;
   const bool geographic = layout.frame == Frame::kWgs84;
   const auto number = [](std::size_t of) { return std::to_string(of + 1); };
@@ -104,7 +106,7 @@ std::optional<Error> unclear_id(std::string_view text, const Header& header,
                        (layout.quality && i == layout.quality->column) ||
                        std::find(layout.sets.begin(), layout.sets.end(), i) != layout.sets.end();
     if (!unclear || taken || names_other_quantity(table.names[i])) continue;
-    const Sample sample = sample_of(text, layout, i);
+    const LabelledFixes sample = sample_of(text, layout, i);
     if (explains(sample, layout.frame)) return which_id(layout, i, sample);
   }
   return std::nullopt;

@@ -31,13 +31,16 @@ void expect_no_all_clear(const Arguments& command, const std::string& place,
 }
 
 TEST(DoubtfulPlaces, ZerosAndJumpsAreNoAllClear) {
-  for (const Arguments& command :
-       {Arguments{"replay", "--fail-on-risk"},
-        Arguments{"replay", "--fail-on-risk", "--memory", "64MiB"}, Arguments{"verify"}}) {
+  for (const Arguments& command : {Arguments{"replay", "--fail-on-risk"},
+                                   Arguments{"replay", "--fail-on-risk", "--memory", "64MiB"}}) {
     expect_no_all_clear(command, "0,0,0", "5 records were left out");
     expect_no_all_clear(command, "-180,-90,0", "5 records were left out");
     expect_no_all_clear(command, "9.5,47,100", "1 bee jumps");
   }
+  expect_no_all_clear({"verify"}, "9.5,47,100", "1 bee jumps");
+  // Who has no place then cannot be verified.
+  expect_failure({"verify", "--threshold", "0.5"}, meeting("0,0,0"), 3,
+                 "bee 'b' has no fix at 2 s");
 }
 
 TEST(DoubtfulPlaces, OfPredictionsAndLiveSwarmsToo) {
