@@ -12,13 +12,13 @@
 namespace beespace::cli_test {
 namespace {
 
-const std::string kHeader = "id,time_s,x,y,z,vx,vy,vz\n";
+const std::string kMovingHeader = "id,time_s,x,y,z,vx,vy,vz\n";
 
 // Two abreast, 10 m apart; at 5 s the curve of the first is halfway on the second's side: its
 // velocities lead it there and back, 9.5 m of the 10.
 std::string bulge(double vy_mps) {
   const std::string v = std::to_string(vy_mps);
-  return kHeader + "a,0,0,0,10,1," + v + ",0\na,10,10,0,10,1,-" + v + ",0\n" +
+  return kMovingHeader + "a,0,0,0,10,1," + v + ",0\na,10,10,0,10,1,-" + v + ",0\n" +
          "b,0,0,10,10,1,0,0\nb,10,10,10,10,1,0,0\n";
 }
 
@@ -63,7 +63,7 @@ TEST(VelocityCurves, CylindersAreLookedAtToo) {
       run({"replay", "--threshold", "2", "--vertical", "1", "--fail-on-risk"}, kNear);
   EXPECT_EQ(near.exit_code, 1) << near.err;
   expect_parts(near.err, {"a and b, 0.500 m horizontally and 0 m vertically apart at 5.00 s"});
-  const std::string high = kHeader +
+  const std::string high = kMovingHeader +
                            "a,0,0,0,10,1,0,3.8\na,10,10,0,10,1,0,-3.8\n"
                            "b,0,0,0,20,1,0,0\nb,10,10,0,20,1,0,0\n";
   EXPECT_EQ(
@@ -104,7 +104,7 @@ TEST(VelocityCurves, WithMemoryTheyAreNotLookedAt) {
 
 // Where velocities agree with straight lines, or are not known, nothing is said of them.
 TEST(VelocityCurves, VelocitiesThatAgreeChangeNothing) {
-  const std::string agree = kHeader +
+  const std::string agree = kMovingHeader +
                             "a,0,0,0,10,1,0,0\na,10,10,0,10,1,0,0\n"
                             "b,0,0,10,10,1,0,0\nb,10,10,10,10,,,\n";
   const Finished finished = run({"replay", "--threshold", "2", "--fail-on-risk"}, agree);
