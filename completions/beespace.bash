@@ -61,7 +61,7 @@ _beespace() {
         --report) values='conflicts bees separation events' ;;
         -o | --output) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --max-results | --every | --horizon | --leave-factor | --look-every | --memory | --temporary) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --max-results --report --every --horizon --leave-factor --look-every --memory --temporary --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --straight --threshold --vertical --separation --inclusive --threads --max-results --report --every --horizon --leave-factor --look-every --memory --temporary --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     watch)
@@ -181,9 +181,9 @@ _beespace() {
         --max-gap) values='never' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --format) values='kml czml geojson csv' ;;
-        -o | --output) files=yes ;;
+        -o | --output | --obstacles) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --origin) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --format --origin --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --format --origin --obstacles --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     generate)
