@@ -164,7 +164,7 @@ TEST(Columns, AnIdThatIsNotUnderstoodIsAskedFor) {
              "bee, the records go to and fro between its values; say --columns id=1, or, if "
              "all are of one bee, --columns time=2,lon=3,lat=4"});
   }
-  expect_error(record(in_turn("Nr", "1", "2")), {ErrorCode::kMissingColumn, "bees.csv", "id=1"});
+  expect_error(record(in_turn("track", "1", "2")), {ErrorCode::kMissingColumn, "bees.csv", "id=1"});
   RecordingOptions options;
   options.columns = "id=1";
   EXPECT_EQ(recording_of(record(in_turn("Wirt", "Anna", "Clara"), options)).bees.size(), 2u);
