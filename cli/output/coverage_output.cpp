@@ -86,7 +86,8 @@ void append_missing(std::string& out, const io::MissingRecords& missing) {
                             ": faster than anything that flies, or than it says itself");
   }
   if (missing.files > 0) {
-    append_summary_line(out, "not read", red(printable(first_ids(missing.file_names, missing.files))));
+    append_summary_line(out, "not read",
+                        red(printable(first_ids(missing.file_names, missing.files))));
   }
   if (missing.swapped > 0) {
     append_summary_line(out, "swapped",
