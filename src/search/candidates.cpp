@@ -21,6 +21,9 @@ constexpr double kCellInBox = 0x1p-19;
 constexpr unsigned kMostPasses = 4;
 constexpr std::size_t kWorthIt = 8;
 constexpr double kShrinks = 16.0;
+// A search takes up to 40 bytes a point. With its copy of those that are left it must not take
+// more.
+constexpr double kMostLeft = 9.0 / 16.0;
 
 double longest_side(const core::Bounds& box) {
   double longest = 0.0;
@@ -56,6 +59,10 @@ bool Candidates::leave_out(const PointsView& points, double threshold_m,
                               std::max(kCellInThresholds * threshold_m, kCellInBox * side),
                               with.memory);
   core::Vector<PointId> left = core::occupancy_filter(points, lattice, threshold_m, with);
+  if (ids_.empty() &&
+      static_cast<double>(left.size()) > kMostLeft * static_cast<double>(points.size())) {
+    return false;
+  }
   core::Buffer<Point> places(with.memory, left.size());
   with.crew.split(left.size(), [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t i = begin; i < end; ++i) places[i] = points[left[i]];

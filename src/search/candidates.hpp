@@ -24,7 +24,8 @@ namespace beespace::search {
 class Candidates {
  public:
   // None where the domain's own points are to be searched: there are two sets, no axis is too long,
-  // or too few would be left out. Cost: a few table look-ups a point. Working memory: 36 bytes for
+  // or too few would be left out (seven in sixteen, so that the copy does not take more memory than
+  // that spares). Cost: a few table look-ups a point. Working memory: 36 bytes for
   // each of those that are left, and 8 more a point while it looks for them.
   static std::optional<Candidates> of(const SearchDomain& domain, double threshold_m,
                                       const core::Resources& with, const TuningOverrides& tuning);
