@@ -90,7 +90,7 @@ Result<UnitTaken> UnitChoice::choose(UnitRole role, const std::string& of, std::
   if (!aviation_.empty() && !name.empty()) {
     return unknown(role, column);
   }
-  if (!overrides_.spoken_of.empty() && role != UnitRole::kPosition) return unknown(role, column);
+  if (!overrides_.spoken_of.empty() && role == UnitRole::kHeight) return unknown(role, column);
   if (convention == UnitConvention::kAviation) {
     return at_column(ErrorCode::kInvalidArgument,
                      "--units aviation does not say in which unit x, y and z are; add it, as in "

@@ -122,11 +122,11 @@ TEST_F(CMovers, OfWhichNothingIsKnownAreNeitherGuessedNorPassedOver) {
 
 TEST_F(CMovers, OfDegreesFlyAlongTheAxesOfEcef) {
   const auto recording =
-      read("id,time_s,lon,lat,height_m,ve,vn,vu\na,0,90,0,0,8,0,3\nb,2,0,0,100,0,5,0\n");
+      read("id,time_s,lon,lat,height_m,ve,vn,vu\na,0,90,0,0,8,0,3\nb,2,180,0,100,0,5,0\n");
   const Movers movers = movers_of(recording.recording);
   ASSERT_EQ(movers.code, BEESPACE_OK) << text_of(movers.error);
   constexpr double kA = 6378137.0;
-  const std::vector<double> places = {-16, kA + 6, 0, kA + 100, 0, 0};
+  const std::vector<double> places = {-16, kA + 6, 0, -kA - 100, 0, 0};
   const std::vector<double> speeds = {-8, 3, 0, 0, 0, 5};
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_NEAR(movers.xyz[i], places[i], 1e-8) << i;

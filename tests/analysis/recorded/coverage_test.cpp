@@ -133,9 +133,9 @@ TEST(Coverage, DronesThatEndInTheAirAreCutOff) {
   // What moves on at that height flies.
   recording.bees[2].fixes[3].position.x = 10.0;
   EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_cut_off, 2U);
-  // Aircraft come and go.
+  // In degrees, too.
   recording.frame = io::Frame::kWgs84;
-  EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_cut_off, 0U);
+  EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_cut_off, 2U);
 }
 
 TEST(TrackEnds, AreTheFirstTwoAndTheLastTwo) {

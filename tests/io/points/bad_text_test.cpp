@@ -35,7 +35,7 @@ TEST(BadText, TheLowestColumnIsReportedWhateverItsRole) {
 }
 
 TEST(BadText, DecimalCommasGetAHint) {
-  expect_error(load_text("x;y;z\n1,5;2,5;3,5\n"),
+  expect_error(load_text("x;y;z\n1,500;2,500;3,500\n"),
                {ErrorCode::kNotANumber, "bees.csv:2:1", "decimals with a point, not with a comma"});
   expect_error(load_text("1,5 2,5 3,5\n", in_metres()),
                {ErrorCode::kNotANumber, "bees.csv:1:1", "decimals with a point"});

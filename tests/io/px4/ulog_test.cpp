@@ -157,12 +157,13 @@ TEST(Ulog, HeightsAboveTheEllipsoidAreTakenForAllWhereAsked) {
 // should be 0 are often a little beside it.
 TEST(Ulog, DegreesTooSmallToBeAnythingAreZero) {
   UlogMaking log = px4_log();
-  log.data(kGlobalNumber, global_message({.micros = 5'000'000, .lat = 1e-40, .lon = -4e-310}));
+  log.data(kGlobalNumber, global_message({.micros = 5'000'000, .lat = 1e-40, .lon = 0.001}));
+  log.data(kGlobalNumber, global_message({.micros = 6'000'000, .lat = 0.001, .lon = -4e-310}));
   const auto recording = load(log.bytes());
   ASSERT_TRUE(recording) << recording.error().message;
-  const Point& at = recording.value().bees.at(0).fixes.at(0).position;
-  EXPECT_EQ(at.x, 0.0);
-  EXPECT_EQ(at.y, 0.0);
+  const auto& fixes = recording.value().bees.at(0).fixes;
+  EXPECT_EQ(fixes.at(0).position.y, 0.0);
+  EXPECT_EQ(fixes.at(1).position.x, 0.0);
 }
 
 TEST(Ulog, VelocitiesAreThoseOfTheLocalPositionOfTheSameMeasurement) {

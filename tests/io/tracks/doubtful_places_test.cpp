@@ -47,7 +47,7 @@ TEST(ZeroPlaces, AreLeftOutAndCounted) {
 
 TEST(ZeroPlaces, AreKeptWhereOthersAreNear) {
   const auto read = recording_of(
-      record(kDegrees + "a,0,0,0,100\na,1,0.00001,0,100\nb,0,0.5,-0.5,100\nb,1,0,0,100\n"));
+      record(kDegrees + "a,0,0,0,100\na,1,0.00001,0,100\nb,0,0.5,-0.5,100\nb,1000,0,0,100\n"));
   EXPECT_TRUE(read.missing.none());
   EXPECT_EQ(read.bees[0].fixes.size() + read.bees[1].fixes.size(), 4u);
 }
@@ -135,7 +135,7 @@ TEST(Heights, WithoutAUnitAreAskedAboutWhereNothingFliesSoHigh) {
   RecordingOptions options;
   options.units.spoken_of = "--separation enroute";
   expect_error(record(at("Altitude", "900"), options),
-               {ErrorCode::kInvalidArgument, "bees.csv",
+               {ErrorCode::kInvalidArgument, "bees.csv:1:5",
                 "column 5 'Altitude' holds the height, but in which unit? --separation enroute "
                 "speaks of aviation, where it may be ft or m"});
   EXPECT_TRUE(recording_of(record(at("Altitude [m]", "900"), options)).missing.none());
@@ -158,13 +158,14 @@ TEST(Columns, AnIdThatIsNotUnderstoodIsAskedFor) {
   for (const char* const header : {"Wirt", "Sender", "track"}) {
     expect_error(
         record(in_turn(header, "Anna", "Clara")),
-        {ErrorCode::kMissingColumn, "bees.csv",
+        {ErrorCode::kMissingColumn, "bees.csv:1",
          "but column 1 '" + std::string(header) +
              "' ('Anna', 'Clara') may: taken for one "
              "bee, the records go to and fro between its values; say --columns id=1, or, if "
              "all are of one bee, --columns time=2,lon=3,lat=4"});
   }
-  expect_error(record(in_turn("track", "1", "2")), {ErrorCode::kMissingColumn, "bees.csv", "id=1"});
+  expect_error(record(in_turn("track", "1", "2")),
+               {ErrorCode::kMissingColumn, "bees.csv:1", "id=1"});
   RecordingOptions options;
   options.columns = "id=1";
   EXPECT_EQ(recording_of(record(in_turn("Wirt", "Anna", "Clara"), options)).bees.size(), 2u);
