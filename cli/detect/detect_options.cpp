@@ -162,8 +162,7 @@ Status settle(DetectRequest& request) {
     return status;
   }
   take_heights_of(request.separation, request.load.heights);
-  request.load.units.spoken_of =
-      spoken_of_aviation(request.separation, request.threshold, request.vertical);
+  request.load.units.spoken_of = spoken_of_aviation(request.separation, request.threshold);
   PairOptions& search = request.search;
   search.threshold_m = request.threshold ? request.threshold->metric : kDefaultThreshold_m;
   search.max_results = request.max_results.value_or(search.max_results);

@@ -58,13 +58,9 @@ Status settle_separation(const char* command, const UsualSeparation* usual,
 }
 
 std::string spoken_of_aviation(const UsualSeparation* usual,
-                               const std::optional<io::StatedLength>& threshold,
-                               const std::optional<io::StatedLength>& vertical) {
+                               const std::optional<io::StatedLength>& threshold) {
   if (usual != nullptr) return std::string("--separation ") + usual->name;
-  if (threshold && threshold->unit == io::Unit::kNauticalMile) return "--threshold in NM";
-  const bool feet =
-      vertical && (vertical->unit == io::Unit::kFoot || vertical->unit == io::Unit::kFlightLevel);
-  return feet ? "--vertical in ft" : "";
+  return threshold && threshold->unit == io::Unit::kNauticalMile ? "--threshold in NM" : "";
 }
 
 void take_heights_of(const UsualSeparation* usual, io::HeightSource& heights) {

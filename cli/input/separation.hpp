@@ -39,8 +39,7 @@ Status settle_separation(const char* command, const UsualSeparation* usual,
 
 // What of these speaks of aviation: "--separation enroute", "--threshold in NM"; or nothing.
 std::string spoken_of_aviation(const UsualSeparation* usual,
-                               const std::optional<io::StatedLength>& threshold,
-                               const std::optional<io::StatedLength>& vertical);
+                               const std::optional<io::StatedLength>& threshold);
 
 // Heights by pressure, where the input has them, for minima that are of these, unless heights are
 // chosen.

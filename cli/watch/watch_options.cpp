@@ -199,8 +199,7 @@ Status settle(const Command& command, Asked& asked) {
     return settled;
   }
   take_heights_of(request.separation, request.lines.heights);
-  request.lines.units.spoken_of =
-      spoken_of_aviation(request.separation, request.threshold, request.vertical);
+  request.lines.units.spoken_of = spoken_of_aviation(request.separation, request.threshold);
   if (request.threshold) swarm.threshold_m = request.threshold->metric;
   if (request.vertical) swarm.vertical_m = request.vertical->metric;
   swarm.leave_factor = asked.live.leave_factor;

@@ -280,7 +280,7 @@ TEST_F(Export, PathsAreBrokenWhereBeesAreUnknown) {
 }
 
 TEST_F(Export, TellsAcrossAndInHeightWithAVerticalThreshold) {
-  const Arguments nmac = {"--separation", "nmac"};
+  const Arguments nmac = {"--separation", "nmac", "--units", "height=m"};
   expect_parts(exported(bees_, "kml", nmac), {"36 ft across, 0 ft in height"});
   expect_parts(exported(flight_, "geojson", nmac),
                {R"("horizontal_m":11.0)", R"("vertical_m":0,"horizontal_NM":0.00)",

@@ -88,7 +88,7 @@ TEST(WatchEvents, AnEncounterIsPredictedEnteredPassedAndLeft) {
 TEST(WatchEvents, APredictionSaysThatTwoCloseInBeyondTheHorizon) {
   const auto event = lines_of(watched({"--horizon", "8"}, passing_by()).out).at(0);
   EXPECT_EQ(event, R"({"event": "predicted", "time_s": 7.5, "first": "a", "second": "b", )"
-                   R"("distance_m": 2, "closest_s": 9, "closing": true})");
+                   R"("distance_m": 0.1999999999999993, "closest_s": 9.9, "closing": true})");
 }
 
 TEST(WatchEvents, TheLeaveFactorMovesTheLeavingAndTheHorizonThePrediction) {
@@ -202,8 +202,8 @@ TEST(WatchEvents, AircraftAreWatchedAsTheyAreReplayed) {
     const std::string time = std::to_string(t);
     const std::string along = std::to_string(0.1 * t / 60.0);
     const std::string back = std::to_string(0.1 - 0.1 * t / 60.0);
-    table += "KLM1," + time + "," + along + ",0,10000,185,0,0\n";
-    table += "BAW2," + time + "," + back + ",0,10200,-185,0,0\n";
+    table += "KLM1," + time + "," + along + ",0.001,10000,185,0,0\n";
+    table += "BAW2," + time + "," + back + ",0.001,10200,-185,0,0\n";
   }
   const Arguments near = {"--threshold", "1000", "--vertical", "201"};
   const Finished watched = watch_file(near, table);
