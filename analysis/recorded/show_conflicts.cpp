@@ -32,6 +32,7 @@ class Neighbours {
   // Errors: those of Index::build().
   static Result<Neighbours> of(std::vector<Standing> standing, const ConflictOptions& options) {
     std::vector<Point> places;
+    places.reserve(standing.size());
     for (const Standing& one : standing) places.push_back(one.at);
     auto index = Index::build(places, {options.threads, options.stop});
     if (!index) return std::move(index).error();

@@ -163,7 +163,8 @@ class Following {
   // The closest share of the thresholds, up to `most`, to which all curves can be followed.
   std::optional<double> share_within(double most) {
     constexpr double kCoarser = 4.0;
-    for (double share = kFinest; share <= most; share *= kCoarser) {
+    double share = kFinest;
+    while (share <= most) {
       double lines = 0.0;
       double fixes = 0.0;
       for (std::size_t bee = 0; bee < recording_.bees.size(); ++bee) {
@@ -174,6 +175,7 @@ class Following {
         if (failed) return std::nullopt;
       }
       if (lines <= kMostLines * fixes + kFewLines) return share;
+      share *= kCoarser;
     }
     return std::nullopt;
   }
