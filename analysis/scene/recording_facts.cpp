@@ -285,7 +285,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
                           " with a drone that stands on the ground, which is drawn there");
   }
   if (recording.show) {
-    *in_space = with_standing(*std::move(in_space), recording, bees_named(*standing, facts));
+    *in_space = with_standing(*in_space, recording, bees_named(*standing, facts));
   }
   take_pairs(*uprights, facts);
   take_tracks(*std::move(in_space), recording.frame, facts);
