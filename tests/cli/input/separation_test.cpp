@@ -35,11 +35,11 @@ constexpr Usual kUsual[] = {
 // One second of flight side by side: so many metres apart along the equator (a degree is 111,319.49
 // m there), and so many feet in height.
 std::string two(double metres, double feet) {
-  const std::string apart = std::to_string(metres / 111'319.49079);
+  const std::string apart = std::to_string(1.0 + metres / 111'319.49079);
   const std::string above = std::to_string(10'000 + feet);
   std::string text = "id,time_s,lon,lat,alt_ft,ve,vn,vu\n";
   for (const char* const time : {"0", "1"}) {
-    text.append("a,").append(time).append(",0,0,10000,0,0,0\n");
+    text.append("a,").append(time).append(",1,0,10000,0,0,0\n");
     text.append("b,").append(time).append(",").append(apart).append(",0,").append(above);
     text.append(",0,0,0\n");
   }
