@@ -10,9 +10,9 @@
 
 namespace beespace::io {
 
-// Whether a file of that name holds no places: texts and pictures for people, sound, models,
+// Whether a file of that path, by its name, holds no places: texts and pictures for people, sound, models,
 // programs and their settings, hidden files and what systems put beside.
-bool holds_no_places(std::string_view name);
+bool holds_no_places(std::string_view path);
 
 // Whether a file is what is read of another one, in a form for other programs: "a.h5" beside
 // "a.csv", of which `stem` is "a".
