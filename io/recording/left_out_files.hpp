@@ -10,8 +10,8 @@
 
 namespace beespace::io {
 
-// Whether a file of that path, by its name, holds no places: texts and pictures for people, sound, models,
-// programs and their settings, hidden files and what systems put beside.
+// Whether a file of that path, by its name, holds no places: texts and pictures for people, sound,
+// models, programs and their settings, hidden files and what systems put beside.
 bool holds_no_places(std::string_view path);
 
 // Whether a file is what is read of another one, in a form for other programs: "a.h5" beside
