@@ -6,6 +6,7 @@
 #include "cli/output/rows.hpp"
 #include "io/recording/recording.hpp"
 
+#include <beespace/conflict.hpp>
 #include <beespace/result.hpp>
 #include <beespace/swarm.hpp>
 #include <beespace/track.hpp>
