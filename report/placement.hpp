@@ -20,7 +20,7 @@ class PlacementAxes {
  public:
   explicit PlacementAxes(const Placement& placement);
 
-  [[nodiscard]] Point operator()(const Point& given) const;
+  [[nodiscard]] Point operator()(const Point& p) const;
   [[nodiscard]] double height_of(double z) const { return z + up_m_; }
   // Whether what goes round to the left as given goes round to the right on the Earth.
   [[nodiscard]] bool mirrors() const { return side_ > 0.0; }

@@ -2,6 +2,7 @@
 
 #include "io/bytes/number_text.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/problems/skipped_records.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/problems/unplaced.hpp"
 #include "io/table/record_walk.hpp"
