@@ -274,7 +274,7 @@ void TrackGathering::leave_out(const std::function<bool(const Fix&)>& is_none,
   if (std::erase_if(bees_, empties) == 0) return;
   index_.clear();
   for (std::size_t i = 0; i < bees_.size(); ++i) {
-    if (!bees_[i].recorded.path) index_.emplace(bees_[i].recorded.id, i);
+    if (!is_of_show(bees_[i].recorded)) index_.emplace(bees_[i].recorded.id, i);
   }
   last_ = 0;
 }

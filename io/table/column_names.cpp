@@ -201,6 +201,12 @@ std::vector<std::string> split_words(std::string_view name) {
   return words;
 }
 
+std::string plain_name(std::string_view name) {
+  std::string plain;
+  for (const std::string& word : split_words(name)) plain.append(plain.empty() ? "" : "_") += word;
+  return plain;
+}
+
 ColumnMeaning read_column_name(const ColumnSchema& schema, std::string_view name) {
   const Words words = split_words(name);
   Words rest = words;

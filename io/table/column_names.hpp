@@ -31,5 +31,7 @@ ColumnMeaning read_column_name(const ColumnSchema& schema, std::string_view name
 
 // Runs of letters and digits, in lower case; bytes beyond ASCII count as letters.
 std::vector<std::string> split_words(std::string_view name);
+// These with "_" between them: "status_status" of "status.Status".
+std::string plain_name(std::string_view name);
 
 }  // namespace beespace::io

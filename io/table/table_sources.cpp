@@ -126,12 +126,6 @@ constexpr std::string_view kSets =
     "study study_name study_id experiment experiment_name experiment_id trial trial_name trial_id "
     "trial_number trial_no replicate arena arena_id video video_name video_id video_file";
 
-std::string plain_name(std::string_view name) {
-  std::string plain;
-  for (const std::string& word : split_words(name)) plain.append(plain.empty() ? "" : "_") += word;
-  return plain;
-}
-
 bool has_name(const std::vector<std::string>& names, std::string_view wanted) {
   return std::any_of(names.begin(), names.end(),
                      [wanted](const std::string& name) { return plain_name(name) == wanted; });

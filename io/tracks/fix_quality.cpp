@@ -20,12 +20,6 @@ constexpr double kLeastOfRos = 0.0;
 constexpr double kLeastType = 2.0;
 constexpr double kLeastQuality = 1.0;
 
-std::string plain_name(std::string_view name) {
-  std::string plain;
-  for (const std::string& word : split_words(name)) plain.append(plain.empty() ? "" : "_") += word;
-  return plain;
-}
-
 bool ends_as(std::string_view name, std::string_view end) {
   return name == end || (name.size() > end.size() && name.ends_with(end) &&
                          name[name.size() - end.size() - 1] == '_');

@@ -10,7 +10,7 @@ interface Program {
   /** Vertex and fragment shader. */
   text: string;
   attributes: string[];
-  /** Asked for when it draws for the first time: whoever asks waits until the graphics card has made the program. */
+  /** Asked for when it draws for the first time: asking waits until the graphics card has made the program. */
   uniforms: Map<string, WebGLUniformLocation> | null;
 }
 

@@ -4,7 +4,7 @@ import { formatCoordinate, formatCount } from './numbers';
 
 export const kFoot_m = 0.3048;
 
-/** Below this nobody speaks of levels: transition altitudes are higher nearly everywhere. */
+/** Below this there are no flight levels: transition altitudes are higher nearly everywhere. */
 const kLowestLevel_ft = 5000;
 
 /** 38,000 ft; of pressure altitudes also the level: FL380. */

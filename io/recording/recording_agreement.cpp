@@ -1,0 +1,162 @@
+// What inputs must agree on to be one recording: whether they are in degrees or metres, have a
+// time, what heights are above, axes, zones and units.
+#include "io/problems/excerpt.hpp"
+#include "io/recording/recording_assembly.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+std::string frame_words(Frame frame) {
+  return frame == Frame::kWgs84 ? "in degrees" : "in metres";
+}
+
+std::string height_words(HeightDatum heights) {
+  switch (heights) {
+    case HeightDatum::kEllipsoid:
+      return "above the WGS84 ellipsoid";
+    case HeightDatum::kMeanSeaLevel:
+      return "above mean sea level";
+    case HeightDatum::kPressure:
+      return "by pressure";
+    case HeightDatum::kHome:
+      return "above the place of take-off";
+    case HeightDatum::kUnstated:
+      break;
+  }
+  return "not said to be above anything";
+}
+
+std::string clock_words(const SourceFacts& facts) {
+  if (!facts.clock) return "counted from a zero of their own";
+  return facts.clock->dated ? "dates without a time zone" : "times of day without a date";
+}
+
+}  // namespace
+
+std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
+  const auto disagree = [this](ErrorCode code, const std::string& message) {
+    return Error{code, message, {sources_.back()}};
+  };
+  if (!facts_) {
+    facts_ = facts;
+    facts_source_ = sources_.back();
+    recording_.units = facts.units;
+    return agree_on_heights(facts.heights);
+  }
+  if (facts.frame != facts_->frame && facts.frame != Frame::kAuto &&
+      facts_->frame != Frame::kAuto) {
+    return disagree(ErrorCode::kUnknownFrame,
+                    "this is " + frame_words(facts.frame) + ", but " + facts_source_ + " is " +
+                        frame_words(facts_->frame) +
+                        "; read them apart, or convert one of them first");
+  }
+  // A height that is missing is not 0.
+  if (facts.dimensions != facts_->dimensions) {
+    return disagree(ErrorCode::kMissingColumn,
+                    std::string("there are ") + (facts.dimensions == 2 ? "no " : "") +
+                        "heights here, but " + (facts.dimensions == 2 ? "" : "none ") + "in " +
+                        facts_source_ +
+                        "; give heights to all, or leave them out of all with --columns " +
+                        (facts.frame == Frame::kWgs84 ? "lon=...,lat=..." : "x=...,y=...") +
+                        ", or read them apart");
+  }
+  if (facts.has_time != facts_->has_time) {
+    return disagree(ErrorCode::kMissingColumn,
+                    std::string("there is ") + (facts.has_time ? "a" : "no") + " time here, but " +
+                        (facts.has_time ? "none" : "one") + " in " + facts_source_ +
+                        "; read them apart");
+  }
+  if (facts.since_1970 != facts_->since_1970) {
+    return disagree(ErrorCode::kInvalidArgument,
+                    std::string("times here ") +
+                        (facts.since_1970 ? "are counted from 1970" : "have a zero of their own") +
+                        ", but those of " + facts_source_ +
+                        (facts.since_1970 ? " have a zero of their own" : " do not") +
+                        (facts.clock || facts_->clock
+                             ? "; say of dates without a time zone which it is, with --time-zone"
+                             : "; read them apart, or name the column unix_time_s if it counts "
+                               "from 1970"));
+  }
+  if (facts.clock.has_value() != facts_->clock.has_value() ||
+      (facts.clock && facts.clock->dated != facts_->clock->dated)) {
+    return disagree(ErrorCode::kInvalidArgument, "times here are " + clock_words(facts) +
+                                                     ", but those of " + facts_source_ + " are " +
+                                                     clock_words(*facts_) + "; read them apart");
+  }
+  if (facts_->frame == Frame::kAuto) {
+    facts_->frame = facts.frame;
+    facts_->frame_reason = facts.frame_reason;
+  }
+  if (facts.named_time != facts_->named_time) facts_->named_time = Unit::kUnstated;
+  facts_->supposed_metres = facts_->supposed_metres || facts.supposed_metres;
+  // The least that any of them says.
+  facts_->naming = std::min(facts_->naming, facts.naming);
+  if (auto error = agree_on_heights(facts.heights)) return error;
+  agree_on_units(facts);
+  if (facts.description != facts_->description) facts_->description = "several formats";
+  return std::nullopt;
+}
+
+std::optional<Error> RecordingAssembly::agree_on_heights(HeightDatum heights) {
+  if (heights != HeightDatum::kUnstated) {
+    if (stated_heights_ != HeightDatum::kUnstated && heights != stated_heights_) {
+      return Error{ErrorCode::kInvalidArgument,
+                   "heights here are " + height_words(heights) + ", but elsewhere, as in " +
+                       stated_by_ + ", " + height_words(stated_heights_) + "; read them apart",
+                   {sources_.back()}};
+    }
+    if (stated_by_.empty()) stated_by_ = sources_.back();
+    stated_heights_ = heights;
+  }
+  if (heights == facts_->heights) return std::nullopt;
+  note("some inputs say that heights are " + height_words(stated_heights_) +
+       ", others say nothing; they are compared as they are");
+  facts_->heights = HeightDatum::kUnstated;
+  return std::nullopt;
+}
+
+std::optional<Error> RecordingAssembly::agree_on_axes(std::string_view name) {
+  if (!axes_name_) {
+    axes_name_ = name;
+    axes_source_ = sources_.back();
+  }
+  if (*axes_name_ == name) return std::nullopt;
+  return Error{ErrorCode::kUnknownFrame,
+               "this position is in the frame " + excerpt(name) + " of ROS, but others, as in " +
+                   axes_source_ + ", are in " + excerpt(*axes_name_) +
+                   ": they cannot be compared; bring all into one, as by the transforms of /tf",
+               {}};
+}
+
+std::optional<Error> RecordingAssembly::agree_on_zone(std::string_view stated,
+                                                      std::string_view zone) {
+  if (!zone_) {
+    zone_ = zone;
+    stated_zone_ = stated;
+    note("eastings and northings are of UTM zone " + excerpt(stated) + ", all of them");
+  }
+  if (*zone_ == zone) return std::nullopt;
+  return Error{ErrorCode::kUnknownFrame,
+               "this easting and northing are of UTM zone " + excerpt(stated) +
+                   ", but those before are of " + excerpt(stated_zone_) +
+                   ": they cannot be compared; take longitude and latitude, as with --columns "
+                   "lon=...,lat=..., or bring all into one zone",
+               {}};
+}
+
+// Each is converted by its own; heights as they are stated can be compared only in one unit.
+void RecordingAssembly::agree_on_units(const SourceFacts& facts) {
+  for (const UnitTaken& taken : facts.units) {
+    auto& known = recording_.units;
+    if (std::find(known.begin(), known.end(), taken) == known.end()) known.push_back(taken);
+  }
+  if (facts.height_unit == facts_->height_unit) return;
+  note("inputs state heights in different units; they are compared in metres");
+  facts_->height_unit = Unit::kMetre;
+  several_height_units_ = true;
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,225 @@
+// What is settled once all is read: times, the frame, what is left out or doubtful, and the notes.
+#include "io/bytes/number_text.hpp"
+#include "io/problems/excerpt.hpp"
+#include "io/problems/skipped_records.hpp"
+#include "io/recording/recording_assembly.hpp"
+#include "io/recording/swapped_degrees.hpp"
+#include "io/recording/unit_doubts.hpp"
+#include "io/recording/zero_places.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+namespace beespace::io {
+
+// Where no place is known, zeros may be written.
+void RecordingAssembly::leave_out_zeros() {
+  if (!facts_ || facts_->frame != Frame::kWgs84 || frame_is_settled_) return;
+  ZeroPlaces zeros;
+  for (const Point& at : tracks_.positions()) zeros.look_at(at);
+  tracks_.leave_out([&zeros](const Fix& fix) { return zeros.is_none(fix.position); },
+                    [this](const std::string& id) { leave_out(kZeroPlace, id); });
+}
+
+// Once all is settled.
+void RecordingAssembly::find_doubtful_tracks() {
+  std::unordered_set<std::string> shared;
+  for (const SharedTrack& track : tracks_.shared(recording_.frame)) {
+    share(track);
+    shared.insert(track.id);
+  }
+  for (const SharedTrack& track : tracks_.jumping(recording_.frame)) {
+    if (!shared.contains(track.id)) jump(track);
+  }
+}
+
+// Once all is read.
+MissingRecords RecordingAssembly::missing() const {
+  MissingRecords missing = recording_.missing;
+  missing.count = missing_;
+  missing.without_id = missing_without_id_;
+  missing.bees = missing_ids_.size();
+  for (const std::string& id : missing_ids_) {
+    if (tracks_.contains(id)) continue;
+    ++missing.nowhere;
+    if (missing.nowhere_ids.size() < MissingRecords::kMostNamed) missing.nowhere_ids.push_back(id);
+  }
+  return missing;
+}
+
+Error RecordingAssembly::conflict_error(const TimeConflict& conflict) const {
+  const std::string first = place_text(conflict.first);
+  std::string message = "bee " + excerpt(conflict.id) + " is at another place at the same time";
+  if (facts_ && facts_->has_time) {
+    message += ", " + exact(conflict.time_s) + " s, in " + first +
+               "; correct one of them, or name the column that tells the bees apart with "
+               "--columns id=...";
+  } else {
+    message = "bee " + excerpt(conflict.id) + " comes twice, before in " + first +
+              "; without a time each bee has one record";
+  }
+  return {ErrorCode::kTimeOrder, message + std::string(kOrLeaveOut), location_of(conflict.second)};
+}
+
+std::optional<Error> RecordingAssembly::settle_times() {
+  std::vector<TimeConflict> conflicts;
+  tracks_.settle([&conflicts](const TimeConflict& conflict) { conflicts.push_back(conflict); });
+  std::sort(conflicts.begin(), conflicts.end(), [](const TimeConflict& a, const TimeConflict& b) {
+    if (a.second.source != b.second.source) return a.second.source < b.second.source;
+    return a.second.line < b.second.line;
+  });
+  for (const TimeConflict& conflict : conflicts) {
+    if (auto error = bad(conflict_error(conflict), conflict.id)) return error;
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> RecordingAssembly::settle_frame() {
+  if (!facts_ || frame_is_settled_) return std::nullopt;
+  SourceFacts& facts = *facts_;
+  const bool bare = options_.frame == Frame::kAuto && facts.naming == Naming::kBareAxes;
+  if (facts.frame == Frame::kAuto || bare) {
+    const std::vector<Point> points = tracks_.positions();
+    if (points.empty()) return std::nullopt;
+    const Extent extent = extent_of(points);
+    if (facts.frame == Frame::kAuto) {
+      auto decision = frame_from_values(points, extent, facts.dimensions, facts.naming);
+      if (!decision) {
+        Error error = std::move(decision).error();
+        error.location.source = facts_source_;
+        if (error.location.record) {
+          error.location = location_of(tracks_.origin(*error.location.record));
+        }
+        return error;
+      }
+      facts.frame = decision->frame;
+      facts.frame_reason = decision->reason;
+      if (!decision->note.empty()) note(decision->note);
+    } else if (auto error = contradiction_to_metres(points, extent, facts.dimensions)) {
+      error->location.source = facts_source_;
+      return error;
+    }
+  }
+  return std::nullopt;
+}
+
+void RecordingAssembly::note_counts() {
+  if (const auto count = tracks_.out_of_order(); count > 0) {
+    note(counted(count, "record goes", "records go") +
+         " back in time; the records of each bee are brought into the order of time");
+  }
+  if (const auto count = tracks_.repeated(); count > 0) {
+    note(counted(count, "record repeats", "records repeat") +
+         " a time and place of the same bee and " + (count == 1 ? "is" : "are") + " left out");
+  }
+  if (const auto count = tracks_.clashing(); count > 0) {
+    note(counted(count, "record says", "records say") +
+         " another place for a time that the same bee has been heard at (times are rounded); the "
+         "first is taken");
+  }
+  for (std::string& text : left_out_.notes()) note(std::move(text));
+  if (kept_in_flight_ > 0) {
+    note(counted(kept_in_flight_, "record says", "records say") +
+         " that an aircraft is on the ground, but it is higher than any airport, or faster or "
+         "steeper than it could be there: taken for flying, and kept");
+  }
+  if (const auto count = tracks_.in_several_sources(); count > 0) {
+    note(counted(count, "bee is", "bees are") +
+         " in several files under the same id; each is taken for one, merged by time");
+  }
+  if (const auto count = set_names_.told_apart(); count > 0) {
+    note(counted(count, "bee has", "bees have") +
+         " the name of one of another study, trial, video or day; they are told apart, as in " +
+         excerpt(set_names_.example()));
+  }
+  if (const auto count = tracks_.renamed(); count > 0) {
+    note(counted(count, "bee has", "bees have") +
+         " the name of another one; they are told apart as in 'name#2'");
+  }
+}
+
+Error RecordingAssembly::nothing_left() const {
+  std::string message = "no bee is left";
+  if (!recording_.skipped.empty()) {
+    const auto count = recording_.skipped_count;
+    message = count == 1 ? "the only record is bad: "
+                         : "all " + std::to_string(count) + " records are bad; the first: ";
+    message += recording_.skipped.front().message;
+  }
+  const std::vector<std::string> left_out = left_out_.notes();
+  for (const std::string& text : left_out) {
+    message += (&text == &left_out.front() ? ": " : ". Also, ") + text;
+  }
+  return {ErrorCode::kNoPoints, message, {sources_.empty() ? "" : sources_.front()}};
+}
+
+// Headers are wrong about units now and then, and speeds show it.
+std::optional<Error> RecordingAssembly::doubtful_units() const {
+  if (facts_ && facts_->supposed_metres) {
+    if (auto error = doubt_of_metres(recording_)) {
+      error->location.source = facts_source_;
+      return error;
+    }
+  }
+  if (!facts_ || facts_->named_time == Unit::kUnstated) return std::nullopt;
+  auto error = doubt_of_time_unit(recording_, facts_->named_time);
+  if (error) error->location.source = facts_source_;
+  return error;
+}
+
+// Heights without a unit that are metres of nothing that flies: they may be feet.
+std::optional<Error> RecordingAssembly::doubtful_heights() const {
+  constexpr double kHighest_m = 20'000.0;
+  if (!facts_ || facts_->frame != Frame::kWgs84) return std::nullopt;
+  const auto& units = recording_.units;
+  const bool unsaid = std::any_of(units.begin(), units.end(), [](const UnitTaken& taken) {
+    return taken.of == "heights" && taken.evidence == UnitEvidence::kUsual;
+  });
+  const double highest_m = std::max(highest_m_, tracks_.highest_m());
+  if (!unsaid || !(highest_m > kHighest_m)) return std::nullopt;
+  return Error{
+      ErrorCode::kInvalidArgument,
+      "heights go up to " + exact(highest_m) +
+          ", but no unit is named: are they metres, or feet? Say it in the header, or with "
+          "--units height=ft or height=m",
+      {facts_source_}};
+}
+
+Result<Recording> RecordingAssembly::finish() {
+  settle_heard();
+  claims_.finish([this](const auto&... of) { settle_claim(of...); });
+  if (tracks_.empty()) return nothing_left();
+  if (auto error = settle_frame()) return *std::move(error);
+  leave_out_zeros();
+  if (tracks_.empty()) return nothing_left();
+  if (auto error = settle_times()) return *std::move(error);
+  if (auto error = doubtful_heights()) return *std::move(error);
+  if (facts_) {
+    recording_.frame = facts_->frame;
+    recording_.frame_reason = facts_->frame_reason;
+    recording_.format_description = facts_->description;
+    recording_.since_1970 = facts_->since_1970;
+    recording_.clock = facts_->clock;
+    if (facts_->since_1970) recording_.time_zone = options_.time_zone;
+    recording_.flat = facts_->dimensions == 2;
+    recording_.heights = facts_->heights;
+    if (!several_height_units_) recording_.height_unit = facts_->height_unit;
+  }
+  if (!frame_is_settled_) find_doubtful_tracks();
+  recording_.missing = missing();
+  recording_.bees = tracks_.release();
+  if (auto error = doubtful_units()) return *std::move(error);
+  if (recording_.height_unit == Unit::kMetre) {
+    for (RecordedBee& bee : recording_.bees) bee.stated_heights.clear();
+  }
+  note_counts();
+  if (auto swapped = swapped_degrees(recording_)) {
+    note(std::move(swapped->note));
+    // Who says which column is which means it.
+    if (options_.columns.empty()) recording_.missing.swapped = swapped->bees;
+  }
+  return std::move(recording_);
+}
+
+}  // namespace beespace::io
