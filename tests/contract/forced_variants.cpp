@@ -18,6 +18,7 @@
 #include <beespace/nearest.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <span>
@@ -132,13 +133,24 @@ Variant forced(const std::string& name, const TuningOverrides& tuning, unsigned 
   return {name, [kept](const Inquiry& inquiry) { return kept->ask(inquiry); }, {}};
 }
 
+// "avx2", say; the name of the widest set that this machine has ends in "Widest", so that a test
+// run can be asked for it on any machine.
+std::string variant_name(cpu::InstructionSet set) {
+  const auto wider = [set](cpu::InstructionSet other) {
+    return other > set && cpu::is_available(other);
+  };
+  const bool widest =
+      std::none_of(std::begin(cpu::kInstructionSets), std::end(cpu::kInstructionSets), wider);
+  return std::string(cpu::name_of(set)) + (widest ? "Widest" : "");
+}
+
 }  // namespace
 
 std::vector<Variant> forced_kernels() {
   std::vector<Variant> all;
   for (const cpu::InstructionSet set : cpu::kInstructionSets) {
     if (!cpu::is_available(set)) continue;
-    const std::string name = cpu::name_of(set);
+    const std::string name = variant_name(set);
     TuningOverrides tuning;
     tuning.method = TuningOverrides::Method::kSweep;
     tuning.crowds = TuningOverrides::Crowds::kNever;
@@ -165,12 +177,12 @@ std::vector<Variant> forced_crowds() {
     tuning.crowds = TuningOverrides::Crowds::kAlways;
     tuning.instruction_set = set;
     for (const unsigned workers : {1U, 3U}) {
-      const std::string name = std::string(cpu::name_of(set)) + "Crowds" + std::to_string(workers);
+      const std::string name = variant_name(set) + "Crowds" + std::to_string(workers);
       all.push_back(forced(name, tuning, workers));
       all.back().questions = {Question::kCounts, Question::kCountsBetween, Question::kGroups};
     }
     tuning.fold_beyond_cells = 4;
-    all.push_back(forced(std::string(cpu::name_of(set)) + "CrowdsFolded", tuning, 2));
+    all.push_back(forced(variant_name(set) + "CrowdsFolded", tuning, 2));
     all.back().questions = {Question::kCounts, Question::kCountsBetween, Question::kGroups};
   }
   return all;
@@ -187,7 +199,7 @@ std::vector<Variant> forced_trees() {
     tuning.crowds = TuningOverrides::Crowds::kAlways;
     tuning.crowd_decisions = 0;
     for (const unsigned workers : {1U, 3U}) {
-      const std::string name = std::string(cpu::name_of(set)) + "Trees" + std::to_string(workers);
+      const std::string name = variant_name(set) + "Trees" + std::to_string(workers);
       all.push_back(forced(name, tuning, workers));
       all.back().questions = {Question::kNearest,        Question::kNearestWithin,
                               Question::kNearestBetween, Question::kNearestWithinBetween,
@@ -206,7 +218,7 @@ std::vector<Variant> forced_shells() {
     TuningOverrides tuning;
     tuning.instruction_set = set;
     tuning.nearest = TuningOverrides::Nearest::kShells;
-    all.push_back(forced(std::string(cpu::name_of(set)) + "Shells", tuning, 2));
+    all.push_back(forced(variant_name(set) + "Shells", tuning, 2));
     all.back().questions = {Question::kNearestBetween, Question::kNearestWithinBetween,
                             Question::kClosestPairBetween};
   }
