@@ -79,7 +79,7 @@ async function show(page: Page, renderers: (Painter | null)[]): Promise<void> {
   aim(opening, selected);
   for (const { view } of stages) view?.drawAndWait();
   performance.mark('beespace: first frame');
-  document.documentElement.dataset.beespace = 'drawn';
+  tell('drawn');
   await progress('Reading names …');
 
   const companies: Company[] = [];
@@ -117,7 +117,13 @@ async function show(page: Page, renderers: (Painter | null)[]): Promise<void> {
     aim(opening, named);
   });
   await progress(null);
-  document.documentElement.dataset.beespace = 'ready';
+  tell('ready');
+}
+
+/** How far the page is; one that its guard has called damaged stays so. */
+function tell(state: 'drawn' | 'ready'): void {
+  const { dataset } = document.documentElement;
+  if (dataset.beespace !== 'failed') dataset.beespace = state;
 }
 
 /** What cannot be read was changed on its way. */
@@ -131,10 +137,17 @@ async function undamaged<T>(read: () => T | Promise<T>): Promise<T> {
 
 class DamagedPage extends Error {}
 
-/** The program is there before the data are. */
+/**
+ * The program is there before the data are. The guard has spoken once the document's parts are there: the document is
+ * "interactive" a little before that.
+ */
 function whole(): Promise<void> {
-  if (document.readyState !== 'loading') return Promise.resolve();
-  return new Promise((resolve) => document.addEventListener('DOMContentLoaded', () => resolve()));
+  const [navigation] = performance.getEntriesByType('navigation') as PerformanceNavigationTiming[];
+  if (document.readyState === 'complete' || (navigation?.domContentLoadedEventEnd ?? 0) > 0) return Promise.resolve();
+  return new Promise((resolve) => {
+    addEventListener('DOMContentLoaded', () => resolve());
+    addEventListener('load', () => resolve());
+  });
 }
 
 async function start(): Promise<void> {

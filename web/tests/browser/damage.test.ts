@@ -11,12 +11,13 @@ const kPage = readFileSync(`${kPages}/again.html`, 'latin1');
 const kJson = '<script type="application/json" id="beespace-page">';
 
 /** What a reader sees of such a page: the body's text, and whether it says that it is damaged. */
-async function seen(html: string): Promise<{ text: string; state: string; says: boolean }> {
+async function seen(html: string, prepare = (): void => {}): Promise<{ text: string; state: string; says: boolean }> {
   const file = `${kArtefacts}/damaged.html`;
   writeFileSync(file, html, 'latin1');
   const context = await (await launched()).newContext({ viewport: { width: 1200, height: 800 } });
   try {
     const page = await context.newPage();
+    await page.addInitScript(prepare);
     await page.goto(pathToFileURL(file).href);
     const settled = (): boolean => ['ready', 'failed'].includes(document.documentElement.dataset.beespace ?? '');
     await page.waitForFunction(settled, null, { timeout: 4000 }).catch(() => null);
@@ -83,6 +84,15 @@ for (const [what, at] of [
     assert.ok(unguarded || (says && state !== 'ready'), `${state}: ${text.slice(0, 200)}`);
   });
 }
+
+test('a damaged page is not drawn by a program that starts before the guard has looked', async () => {
+  const interactive = (): void => {
+    Object.defineProperty(document, 'readyState', { get: () => 'interactive' });
+  };
+  const { state, says } = await seen(flipped(kPage.indexOf('<style>') + 40), interactive);
+  assert.ok(says && state === 'failed', state);
+  assert.equal((await seen(kPage, interactive)).state, 'ready');
+});
 
 test('a page whose counts contradict each other says so, though its checksum is right', async () => {
   const end = kPage.indexOf('</script>', kData);
