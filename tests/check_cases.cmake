@@ -1,6 +1,6 @@
 # Fails where a pattern of CASES, in GoogleTest's filter syntax, names no test case of PROGRAM: after
 # a case is renamed, its pattern would silently select nothing.
-string(REGEX REPLACE "^-|:" ";" patterns "${CASES}")
+string(REGEX REPLACE "[-:]" ";" patterns "${CASES}")
 foreach(pattern IN LISTS patterns)
   if(pattern STREQUAL "")
     continue()
