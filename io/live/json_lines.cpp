@@ -16,6 +16,7 @@
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
 
+#include "io/tracks/wall_times.hpp"
 #include <algorithm>
 #include <array>
 #include <limits>

@@ -8,6 +8,7 @@
 #include "io/recording/wall_clock.hpp"
 #include "io/table/table_layout.hpp"
 #include "io/tracks/fix_quality.hpp"
+#include "io/units/iso_time.hpp"
 #include "io/units/time_zone.hpp"
 #include "io/units/unit_taken.hpp"
 
@@ -38,6 +39,9 @@ struct TimeChoice {
   bool since_1970 = false;
   bool by_size = false;                  // the unit was told by the size of the numbers
   std::optional<std::size_t> date = {};  // the column of the day
+  DateOrder dates = DateOrder::kUnsaid;  // where the year is last
+  std::string dates_reason = {};         // why it is that one
+  bool to_the_minute = false;            // the first time has no seconds
   std::optional<TimeZone> zone = {};     // of dates and times that name none themselves
   std::string zone_reason = {};          // why it is that one
   // Of dates and times, or times of day, without a zone: what they are counted from.
