@@ -196,6 +196,10 @@ std::optional<Error> read_array(LoadedPoints& loaded, RecordSource& source,
     }
     Error error{ErrorCode::kNotFinite,
                 layout.coordinate_text(row, 0) + ", " + layout.coordinate_text(row, 1) + ", " +
+  if (!options.part_of_more) {
+    if (auto error = leave_out_zeros(loaded, source, options.skip_bad)) return error;
+  }
+  loaded.notes.insert(loaded.notes.end(), source.table->notes.begin(), source.table->notes.end());
                     layout.coordinate_text(row, 2) + " is no position; correct it" +
                     std::string(kOrLeaveOut),
                 {}};
