@@ -7,6 +7,7 @@
 #include "io/frames/coordinate_frame.hpp"
 #include "io/frames/frame_decision.hpp"
 #include "io/problems/left_out.hpp"
+#include "io/recording/address_names.hpp"
 #include "io/recording/ground_claims.hpp"
 #include "io/recording/recording.hpp"
 #include "io/recording/recording_options.hpp"
@@ -80,6 +81,10 @@ class RecordingAssembly {
   // What to call a bee whose id is unique within a study, or the like, only.
   std::string_view name_within_set(std::string_view id, std::string_view set) {
     return set_names_.name_of(id, set);
+  }
+  // What to call an aircraft of that address, which another input may write in capitals.
+  std::string_view name_of_address(std::string_view address) {
+    return address_names_.name_of(address);
   }
   // Of times of day without a date: whether one comes before the last one of that bee, so that
   // another day may have begun.
@@ -183,6 +188,7 @@ class RecordingAssembly {
   // The same of dates and times, and how many records came in order.
   struct ClockTime {
     double last_s = 0.0;
+  AddressNames address_names_;
     std::uint64_t in_order = 0;
   };
   std::map<std::string, ClockTime, std::less<>> clock_times_;

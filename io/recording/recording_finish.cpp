@@ -155,6 +155,11 @@ Error RecordingAssembly::nothing_left() const {
 }
 
 // Headers are wrong about units now and then, and speeds show it.
+  if (const auto count = address_names_.spelt_twice(); count > 0) {
+    note(counted(count, "address of an aircraft is", "addresses of aircraft are") +
+         " written in capitals and in small letters, as " + excerpt(address_names_.example()) +
+         ": one aircraft each");
+  }
 std::optional<Error> RecordingAssembly::doubtful_units() const {
   if (facts_ && facts_->supposed_metres) {
     if (auto error = doubt_of_metres(recording_)) {
@@ -168,22 +173,11 @@ std::optional<Error> RecordingAssembly::doubtful_units() const {
   return error;
 }
 
-// Heights without a unit that are metres of nothing that flies: they may be feet.
 std::optional<Error> RecordingAssembly::doubtful_heights() const {
-  constexpr double kHighest_m = 20'000.0;
   if (!facts_ || facts_->frame != Frame::kWgs84) return std::nullopt;
-  const auto& units = recording_.units;
-  const bool unsaid = std::any_of(units.begin(), units.end(), [](const UnitTaken& taken) {
-    return taken.of == "heights" && taken.evidence == UnitEvidence::kUsual;
-  });
-  const double highest_m = std::max(highest_m_, tracks_.highest_m());
-  if (!unsaid || !(highest_m > kHighest_m)) return std::nullopt;
-  return Error{
-      ErrorCode::kInvalidArgument,
-      "heights go up to " + exact(highest_m) +
-          ", but no unit is named: are they metres, or feet? Say it in the header, or with "
-          "--units height=ft or height=m",
-      {facts_source_}};
+  auto error = doubt_of_heights(recording_.units, std::max(highest_m_, tracks_.highest_m()));
+  if (error) error->location.source = facts_source_;
+  return error;
 }
 
 Result<Recording> RecordingAssembly::finish() {

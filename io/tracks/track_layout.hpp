@@ -83,10 +83,11 @@ struct TrackLayout {
   // it is as good as none.
   bool places_may_be_unknown = false;
   bool infinite_is_unknown = false;
-  bool ids_may_be_empty = false;  // of who is none of the animals
-  bool show = false;              // of a drone show: a path with colours
-  bool supposed_metres = false;   // its positions: nothing says so
-  bool ids_within_file = false;   // of ROS: another file may call another bee so
+  bool ids_may_be_empty = false;   // of who is none of the animals
+  bool show = false;               // of a drone show: a path with colours
+  bool supposed_metres = false;    // its positions: nothing says so
+  bool ids_are_addresses = false;  // of aircraft, in capitals or not
+  bool ids_within_file = false;    // of ROS: another file may call another bee so
   // Of aircraft with two kinds of heights, that which is not taken, and its unit: where it
   // contradicts the other one, neither is believed.
   Unit other_height_unit = Unit::kMetre;
