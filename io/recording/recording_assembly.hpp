@@ -159,7 +159,9 @@ class RecordingAssembly {
   void leave_out_zeros();
   void find_doubtful_tracks();
   void settle_heard();
-  void settle_claim(const std::string& id, std::uint64_t claims, bool in_flight);
+  void settle_claim(const std::string& id, const GroundClaims::Run& run);
+  // Of aircraft that take off from the ground, or land there, when they did.
+  void settle_ground(RecordedBee& bee) const;
   [[nodiscard]] MissingRecords missing() const;
   [[nodiscard]] std::optional<Error> doubtful_heights() const;
   [[nodiscard]] std::optional<Error> doubtful_units() const;
@@ -174,6 +176,7 @@ class RecordingAssembly {
   LeftOut left_out_;
   GroundClaims claims_;
   std::uint64_t kept_in_flight_ = 0;
+  std::unordered_map<std::string, std::vector<GroundClaims::Run>> grounded_;  // surely, by id
   std::uint64_t missing_ = 0;  // records
   std::uint64_t missing_without_id_ = 0;
   std::vector<std::string> missing_ids_;  // of the others, each once, in the order of the input

@@ -217,3 +217,4 @@ Result<Recording> RecordingAssembly::finish() {
 }
 
 }  // namespace beespace::io
+  for (RecordedBee& bee : recording_.bees) settle_ground(bee);
