@@ -155,6 +155,7 @@ class RecordingAssembly {
   [[nodiscard]] ErrorLocation location_of(Origin origin) const;
   [[nodiscard]] std::string place_text(Origin origin) const;
   std::optional<Error> settle_times();
+  [[nodiscard]] std::optional<Error> settle_files() const;
   std::optional<Error> settle_frame();
   void leave_out_zeros();
   void find_doubtful_tracks();
@@ -175,8 +176,8 @@ class RecordingAssembly {
   TrackGathering tracks_;
   LeftOut left_out_;
   GroundClaims claims_;
-  std::uint64_t kept_in_flight_ = 0;
   std::unordered_map<std::string, std::vector<GroundClaims::Run>> grounded_;  // surely, by id
+  std::uint64_t kept_in_flight_ = 0;
   std::uint64_t missing_ = 0;  // records
   std::uint64_t missing_without_id_ = 0;
   std::vector<std::string> missing_ids_;  // of the others, each once, in the order of the input
@@ -187,11 +188,11 @@ class RecordingAssembly {
   std::unordered_set<std::string> stems_;  // those given away by name_of_source()
   std::string source_stem_;                // the last of them
   SetNames set_names_;
+  AddressNames address_names_;
   std::unordered_map<std::string, double> times_of_day_s_;  // by bee: the last one
   // The same of dates and times, and how many records came in order.
   struct ClockTime {
     double last_s = 0.0;
-  AddressNames address_names_;
     std::uint64_t in_order = 0;
   };
   std::map<std::string, ClockTime, std::less<>> clock_times_;

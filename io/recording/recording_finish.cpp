@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
 namespace beespace::io {
 
@@ -28,6 +29,11 @@ void RecordingAssembly::find_doubtful_tracks() {
   for (const SharedTrack& track : tracks_.shared(recording_.frame)) {
     share(track);
     shared.insert(track.id);
+  }
+  // Of reports as they were received it is said, and not believed.
+  for (const TimeConflict& conflict : tracks_.contradicting(recording_.frame)) {
+    if (!shared.insert(conflict.id).second) continue;
+    share({conflict.id, conflict.time_s, conflict.second});
   }
   for (const SharedTrack& track : tracks_.jumping(recording_.frame)) {
     if (!shared.contains(track.id)) jump(track);
@@ -73,6 +79,22 @@ std::optional<Error> RecordingAssembly::settle_times() {
     if (auto error = bad(conflict_error(conflict), conflict.id)) return error;
   }
   return std::nullopt;
+}
+
+// Of one id in several files at once: two trials, or two animals, are not one.
+std::optional<Error> RecordingAssembly::settle_files() const {
+  if (!facts_ || frame_is_settled_ || tracks_.rounds_times()) return std::nullopt;
+  const std::vector<TimeConflict> conflicts = tracks_.contradicting(facts_->frame);
+  if (conflicts.empty()) return std::nullopt;
+  const TimeConflict& conflict = conflicts.front();
+  return Error{ErrorCode::kTimeOrder,
+               "bee " + excerpt(conflict.id) +
+                   " is in several files at the same time, and its place here, at " +
+                   exact(conflict.time_s) + " s, does not go with that in " +
+                   place_text(conflict.first) +
+                   ": are they two? Give each an id of its own; files that are of different "
+                   "trials are read each for itself",
+               location_of(conflict.second)};
 }
 
 std::optional<Error> RecordingAssembly::settle_frame() {
@@ -133,6 +155,11 @@ void RecordingAssembly::note_counts() {
          " the name of one of another study, trial, video or day; they are told apart, as in " +
          excerpt(set_names_.example()));
   }
+  if (const auto count = address_names_.spelt_twice(); count > 0) {
+    note(counted(count, "address of an aircraft is", "addresses of aircraft are") +
+         " written in capitals and in small letters, as " + excerpt(address_names_.example()) +
+         ": one aircraft each");
+  }
   if (const auto count = tracks_.renamed(); count > 0) {
     note(counted(count, "bee has", "bees have") +
          " the name of another one; they are told apart as in 'name#2'");
@@ -155,11 +182,6 @@ Error RecordingAssembly::nothing_left() const {
 }
 
 // Headers are wrong about units now and then, and speeds show it.
-  if (const auto count = address_names_.spelt_twice(); count > 0) {
-    note(counted(count, "address of an aircraft is", "addresses of aircraft are") +
-         " written in capitals and in small letters, as " + excerpt(address_names_.example()) +
-         ": one aircraft each");
-  }
 std::optional<Error> RecordingAssembly::doubtful_units() const {
   if (facts_ && facts_->supposed_metres) {
     if (auto error = doubt_of_metres(recording_)) {
@@ -188,6 +210,7 @@ Result<Recording> RecordingAssembly::finish() {
   leave_out_zeros();
   if (tracks_.empty()) return nothing_left();
   if (auto error = settle_times()) return *std::move(error);
+  if (auto error = settle_files()) return *std::move(error);
   if (auto error = doubtful_heights()) return *std::move(error);
   if (facts_) {
     recording_.frame = facts_->frame;
@@ -203,6 +226,7 @@ Result<Recording> RecordingAssembly::finish() {
   if (!frame_is_settled_) find_doubtful_tracks();
   recording_.missing = missing();
   recording_.bees = tracks_.release();
+  for (RecordedBee& bee : recording_.bees) settle_ground(bee);
   if (auto error = doubtful_units()) return *std::move(error);
   if (recording_.height_unit == Unit::kMetre) {
     for (RecordedBee& bee : recording_.bees) bee.stated_heights.clear();
@@ -217,4 +241,3 @@ Result<Recording> RecordingAssembly::finish() {
 }
 
 }  // namespace beespace::io
-  for (RecordedBee& bee : recording_.bees) settle_ground(bee);
