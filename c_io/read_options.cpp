@@ -2,6 +2,7 @@
 
 #include "c/door/door.hpp"
 #include "c/door/structs.hpp"
+#include "io/units/iso_time.hpp"
 #include "io/units/stated_length.hpp"
 #include "io/units/time_zone.hpp"
 #include "io/units/unit_overrides.hpp"
@@ -92,6 +93,12 @@ Status read_clock_and_pixel(const beespace_io_options& given, io::RecordingOptio
     if (!zone) return refused("time_zone: " + zone.error().message);
     options.time_zone = *std::move(zone);
   }
+  Status chosen = choose<io::DateOrder>("dates", given.dates,
+                                        {{"auto", io::DateOrder::kUnsaid},
+                                         {"day-first", io::DateOrder::kDayFirst},
+                                         {"month-first", io::DateOrder::kMonthFirst}},
+                                        options.dates);
+  if (!chosen) return chosen;
   if (given.scale != nullptr) {
     options.pixel = io::parse_stated(given.scale, io::Quantity::kLength);
     if (!options.pixel || !(options.pixel->metric > 0.0) || !std::isfinite(options.pixel->metric)) {
@@ -131,8 +138,9 @@ Result<io::LoadOptions> points_options(const beespace_io_options* options) {
   if (const auto unit = text_of(given->time_unit); !unit.empty() && unit != "auto") {
     return refused("time_unit is for recordings: points have no times; leave it out");
   }
-  if (given->time_zone != nullptr || given->scale != nullptr || given->fps != 0.0) {
-    return refused("time_zone, scale and fps are for recordings; leave them out");
+  if (given->time_zone != nullptr || given->scale != nullptr || given->fps != 0.0 ||
+      given->dates != nullptr) {
+    return refused("time_zone, dates, scale and fps are for recordings; leave them out");
   }
   read.format_can_be_said = true;
   read.threads = threads_of(given->threads);

@@ -31,6 +31,7 @@ constexpr Wording kWordings[] = {
     {"is for 'beespace replay'", "is read as a recording"},
     {"--time-unit", "time_unit"},
     {"--time-zone", "time_zone"},
+    {"--dates", "dates"},
     {"--scale", "scale"},
     {"--fps", "fps"},
     {" (--least-likelihood)", ""},

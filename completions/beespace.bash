@@ -44,36 +44,39 @@ _beespace() {
       case $previous in
         --crs) values='auto wgs84 metres' ;;
         --time-unit) values='auto s ms us ns' ;;
+        --dates) values='auto day-first month-first' ;;
         --heights) values='auto geometric pressure' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         -o | --output) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --max-age | --threshold | --vertical | --threads | --max-results | --horizon) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-age --threshold --vertical --separation --inclusive --threads --max-results --horizon --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-age --threshold --vertical --separation --inclusive --threads --max-results --horizon --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     replay)
       case $previous in
         --crs) values='auto wgs84 metres' ;;
         --time-unit) values='auto s ms us ns' ;;
+        --dates) values='auto day-first month-first' ;;
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --report) values='conflicts bees separation events' ;;
         -o | --output) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --max-results | --every | --horizon | --leave-factor | --look-every | --memory | --temporary) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --straight --threshold --vertical --separation --inclusive --threads --max-results --report --every --horizon --leave-factor --look-every --memory --temporary --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --straight --threshold --vertical --separation --inclusive --threads --max-results --report --every --horizon --leave-factor --look-every --memory --temporary --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     watch)
       case $previous in
         --crs) values='auto wgs84 metres' ;;
         --time-unit) values='auto s ms us ns' ;;
+        --dates) values='auto day-first month-first' ;;
         --heights) values='auto geometric pressure' ;;
         --clock) values='report arrival' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --max-acceleration) values='none' ;;
         --columns | --time-zone | --fps | --scale | --units | --max-age | --max-skew | --max-bees | --speed | --rate | --threshold | --vertical | --threads | --horizon | --leave-factor | --look-every | --max-pairs | --max-speed | --uncertainty | --step) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --units --heights --max-age --clock --max-skew --max-bees --speed --rate --threshold --vertical --separation --threads --horizon --leave-factor --look-every --max-pairs --advise --max-speed --max-acceleration --uncertainty --step --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --units --heights --max-age --clock --max-skew --max-bees --speed --rate --threshold --vertical --separation --threads --horizon --leave-factor --look-every --max-pairs --advise --max-speed --max-acceleration --uncertainty --step --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     advise)
@@ -119,71 +122,77 @@ _beespace() {
       case $previous in
         --crs) values='auto wgs84 metres' ;;
         --time-unit) values='auto s ms us ns' ;;
+        --dates) values='auto day-first month-first' ;;
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
         --obstacles | -o | --output) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --threshold | --max-speed | --max-acceleration | --max-horizontal | --max-climb | --max-descent | --max-height | --clearance | --threads) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --threshold --max-speed --max-acceleration --max-horizontal --max-climb --max-descent --max-height --obstacles --clearance --max-gap --straight --threads --output --csv --json --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --threshold --max-speed --max-acceleration --max-horizontal --max-climb --max-descent --max-height --obstacles --clearance --max-gap --straight --threads --output --csv --json --quiet --help --version' files=yes ;;
       esac
       ;;
     fleet)
       case $previous in
         --crs) values='auto wgs84 metres' ;;
         --time-unit) values='auto s ms us ns' ;;
+        --dates) values='auto day-first month-first' ;;
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
         --set) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --set-columns) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --set --set-columns --max-gap --json --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --set --set-columns --max-gap --json --quiet --help --version' files=yes ;;
       esac
       ;;
     report)
       case $previous in
         --crs) values='auto wgs84 metres' ;;
         --time-unit) values='auto s ms us ns' ;;
+        --dates) values='auto day-first month-first' ;;
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --compare | --fleet-log | --obstacles | -o | --output) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --obstacles --output --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --obstacles --output --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     view)
       case $previous in
         --crs) values='auto wgs84 metres' ;;
         --time-unit) values='auto s ms us ns' ;;
+        --dates) values='auto day-first month-first' ;;
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --compare | --fleet-log | --obstacles) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --port) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --obstacles --no-open --port --json --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --obstacles --no-open --port --json --quiet --help --version' files=yes ;;
       esac
       ;;
     plot)
       case $previous in
         --crs) values='auto wgs84 metres' ;;
         --time-unit) values='auto s ms us ns' ;;
+        --dates) values='auto day-first month-first' ;;
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         -o | --output) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --width | --title) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --width --title --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --width --title --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     export)
       case $previous in
         --crs) values='auto wgs84 metres' ;;
         --time-unit) values='auto s ms us ns' ;;
+        --dates) values='auto day-first month-first' ;;
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --format) values='kml czml geojson csv' ;;
         -o | --output | --obstacles) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --origin) return ;;
-        *) options='--crs --columns --time-unit --time-zone --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --format --origin --obstacles --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --format --origin --obstacles --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     generate)

@@ -86,6 +86,7 @@ typedef struct beespace_io_options {
   const char* time_zone;  ///< Of dates and times that name none: "UTC", "Europe/Madrid", "+02:00".
   const char* scale;      ///< Of positions in pixels, how long one is: "0.1mm"; NULL: none are.
   double fps;  ///< Of recordings in which a column counts frames: how many a second; 0: none does.
+  const char* dates;  ///< Of dates as 05/06/2024: "day-first", "month-first"; "auto": one tells it.
 } beespace_io_options;
 
 /* ---- What is to be said of what was read ---------------------------------------------------- */

@@ -13,16 +13,21 @@
 #include "io/points/piece_reading.hpp"
 #include "io/points/record_source.hpp"
 #include "io/points/table_reading.hpp"
+#include "io/points/zero_points.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/problems/signatures.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/table/coordinate_units.hpp"
 #include "io/table/decimal_comma.hpp"
 #include "io/table/position_columns.hpp"
+#include "io/tracks/utm_zone.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace beespace::io {
 namespace {
@@ -45,6 +50,41 @@ Error explain(const RecordSource& source, std::uint64_t row, const Point& point,
                             symbol_of(source.array->units[problem.axis]));
   error.location.record = row;
   return error;
+}
+
+// Where loggers write zeros, no place is known.
+Error no_place(const RecordSource& source, std::uint64_t row) {
+  Error error = explain(source, row, {}, {0, 0, ErrorCode::kInvalidLongitude});
+  error.message =
+      "longitude 0 and latitude 0 exactly, or -180 and -90, are written where no place is known, "
+      "and nothing else is near; correct it" +
+      std::string(kOrLeaveOut);
+  return error;
+}
+
+// Errors: kInvalidLongitude, where such records are not to be left out.
+std::optional<Error> leave_out_zeros(LoadedPoints& loaded, RecordSource& source, bool skip_bad) {
+  if (loaded.frame != Frame::kWgs84) return std::nullopt;
+  ZeroPoints looked;
+  std::vector<std::size_t> zeros = looked.look_at(loaded.points);
+  std::erase_if(zeros, [&](std::size_t zero) { return !looked.is_none(loaded.points[zero]); });
+  if (zeros.empty()) return std::nullopt;
+  if (!skip_bad) return no_place(source, source.skipped.row_of(zeros.front()));
+  SkippedRecords found;
+  for (const std::size_t zero : zeros) {
+    const std::uint64_t row = source.skipped.row_of(zero);
+    const bool listed = found.errors.size() < kMostSkippedListed;
+    found.add(row, listed ? no_place(source, row) : Error());
+  }
+  auto zero = zeros.begin();
+  std::size_t index = 0;
+  std::erase_if(loaded.points, [&](const Point&) {
+    const bool is_one = zero != zeros.end() && *zero == index++;
+    if (is_one) ++zero;
+    return is_one;
+  });
+  source.skipped.merge(std::move(found));
+  return std::nullopt;
 }
 
 // The frame of points that are still as they were read, and the points in metres.
@@ -156,6 +196,10 @@ std::optional<Error> read_records(LoadedPoints& loaded, RecordSource& source,
     auto error = contradiction_to_metres(loaded.points, content->extent, choice.dimensions);
     if (error) return error;
   }
+  if (!options.part_of_more) {
+    if (auto error = leave_out_zeros(loaded, source, options.skip_bad)) return error;
+  }
+  loaded.notes.insert(loaded.notes.end(), source.table->notes.begin(), source.table->notes.end());
   note_columns(*source.table, loaded.frame, loaded.notes);
   return std::nullopt;
 }
@@ -172,6 +216,17 @@ std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
         source.bytes.view.size() - source.text.size() + source.table->data_offset;
   }
   const auto& choice = source.table->choice;
+  if (const auto column = find_utm_zone(*source.table)) {
+    std::optional<std::string> zone;
+    auto error =
+        other_zone(source.text.substr(source.table->data_offset), *source.table, *column, zone);
+    if (error) {
+      *error->location.line += source.table->lines_before;
+      return error;
+    }
+    loaded.notes.push_back("eastings and northings are of UTM zone " + excerpt(zone.value_or("")) +
+                           ", all of them");
+  }
   return read_records(loaded, source,
                       frame_before_values(options.frame, {choice.evidence, choice.reason}),
                       options);
@@ -239,6 +294,7 @@ std::optional<Error> load_array(LoadedPoints& loaded, RecordSource& source, Form
   if (options.progress != nullptr) options.progress->done += source.bytes.view.size();
   if (loaded.points.empty()) return std::nullopt;
   auto error = settle_by_values(loaded, source, extent_of(loaded.points), options);
+  if (!error && !options.part_of_more) error = leave_out_zeros(loaded, source, options.skip_bad);
   loaded.units = units_in(loaded.frame, choice);
   return error;
 }
@@ -321,6 +377,10 @@ Result<TableBeginning> find_points_table(std::string_view bytes, const LoadOptio
 std::string all_bad_text(std::uint64_t records, const Error& first) {
   const std::string all = "all " + std::to_string(records) + " records are bad; the first: ";
   return (records == 1 ? "the only record is bad: " : all) + first.message;
+}
+
+Error no_place_error(const LoadedPoints& loaded, std::size_t point) {
+  return no_place(*loaded.records, loaded.records->skipped.row_of(point));
 }
 
 Result<LoadedPoints> load_points(const std::string& path, const LoadOptions& options) {

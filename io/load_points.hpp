@@ -33,6 +33,9 @@ Format format_of(std::string_view bytes, const std::string& path, Format asked);
 // What is wrong where so many records were left out, and no other is there.
 std::string all_bad_text(std::uint64_t records, const Error& first);
 
+// That a point, where loggers write zeros, is no place. Without source.
+Error no_place_error(const LoadedPoints& loaded, std::size_t point);
+
 struct TableBeginning {
   TableLayout layout;          // of `text`
   std::string_view text = {};  // without a byte-order mark

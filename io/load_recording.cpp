@@ -188,7 +188,10 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
   const bool object = front_of(content->view) == '{';
   if (format == RecordingFormat::kAuto) {
     const std::string_view text = without_byte_order_mark(content->view);
-    if (object && is_json_lines(text)) return read_json_lines(text, stem_of(path), assembly);
+    if (object && is_json_lines(text)) {
+      if (is_aircraft_lines(text)) return read_aircraft_lines(text, assembly);
+      return read_json_lines(text, stem_of(path), assembly);
+    }
     if (front_of(text) == '[') return read_json_list(*content, source, path, assembly);
   }
   if (!tables && object) return read_json_file(*content, source, path, assembly);

@@ -2,8 +2,10 @@
 
 #include "io/bytes/gzip.hpp"
 #include "io/load_points.hpp"
+#include "io/problems/skipped_records.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
+#include "io/tracks/utm_zone.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -49,6 +51,7 @@ PointStream::PointStream(std::string path, const LoadOptions& options, std::size
       block_bytes_(block_bytes),
       stream_(std::move(stream)) {
   options_.progress = nullptr;
+  options_.part_of_more = true;
 }
 
 Result<PointStream> PointStream::open(const std::string& path, const LoadOptions& options,
@@ -148,6 +151,7 @@ Status PointStream::settle_table() {
   table_->header = *header_;
   at_ += pending().size() - beginning->text.size() + table_->data_offset;
   table_->data_offset = 0;
+  utm_column_ = find_utm_zone(*table_);
   const ColumnChoice& choice = table_->choice;
   return settle_frame({choice.evidence, choice.reason},
                       choice.naming == Naming::kSure || choice.naming == Naming::kBareAxes);
@@ -252,6 +256,12 @@ Result<std::optional<LoadedPoints>> PointStream::next_of_table() {
     if (!lines) return std::move(lines).error();
     if (lines->view.empty()) break;
     const std::uint64_t count = lines_in(lines->view, table_->line_end);
+    if (utm_column_) {
+      if (auto error = other_zone(lines->view, *table_, *utm_column_, utm_zone_)) {
+        *error->location.line += table_->lines_before;
+        return *std::move(error);
+      }
+    }
     auto block = load_lines(*std::move(lines), *table_, frame_, options_);
     if (!block) return std::move(block).error();
     table_->lines_before += count;
@@ -319,9 +329,11 @@ Result<std::optional<LoadedPoints>> PointStream::next() {
   row_ = rows_;
   if (!*block) {
     if (auto problem = nothing_left()) return placed(*std::move(problem));
+    if (auto problem = no_place()) return placed(*std::move(problem));
     return block;
   }
   LoadedPoints& points = **block;
+  look_for_zeros(points);
   for (Error& error : points.skipped) {
     *error.location.record += rows_;
     error = placed(std::move(error));
@@ -336,6 +348,32 @@ Result<std::optional<LoadedPoints>> PointStream::next() {
 std::optional<Error> PointStream::nothing_left() const {
   if (points_ > 0 || !bad_) return std::nullopt;
   return Error{ErrorCode::kNoPoints, all_bad_text(rows_, *bad_), {}};
+}
+
+void PointStream::look_for_zeros(const LoadedPoints& block) {
+  if (block.frame != Frame::kWgs84) return;
+  for (const std::size_t zero : zeros_.look_at(block.points)) {
+    const Point& at = block.points[zero];
+    const bool known = std::any_of(first_zeros_.begin(), first_zeros_.end(), [&](const Zero& one) {
+      return (one.at.z < 0.0) == (at.z < 0.0);
+    });
+    if (known) continue;
+    Error error = no_place_error(block, zero);
+    if (error.location.record) *error.location.record += rows_;
+    first_zeros_.push_back({at, std::move(error)});
+  }
+}
+
+// At the end: those that were handed out cannot be left out any more.
+std::optional<Error> PointStream::no_place() const {
+  const auto none = std::find_if(first_zeros_.begin(), first_zeros_.end(),
+                                 [&](const Zero& zero) { return zeros_.is_none(zero.at); });
+  if (none == first_zeros_.end()) return std::nullopt;
+  if (!options_.skip_bad) return none->error;
+  Error error = without_advice(none->error);
+  error.code = ErrorCode::kInvalidArgument;
+  error.message += ", or leave --memory out, as with it --skip-bad does not leave it out";
+  return error;
 }
 
 void PointStream::look_at_values(const LoadedPoints& block) {

@@ -12,6 +12,7 @@
 #include "io/points/array_layout.hpp"
 #include "io/points/load_options.hpp"
 #include "io/points/loaded_points.hpp"
+#include "io/points/zero_points.hpp"
 #include "io/table/table_layout.hpp"
 
 #include <beespace/points_view.hpp>
@@ -23,6 +24,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace beespace::io {
 
@@ -78,6 +80,9 @@ class PointStream {
   Result<std::optional<LoadedPoints>> next_of_array();
   [[nodiscard]] Result<std::optional<LoadedPoints>> load_rows(std::string_view rows,
                                                               std::uint64_t count) const;
+  // Whether zeros were written where no place is known.
+  void look_for_zeros(const LoadedPoints& block);
+  [[nodiscard]] std::optional<Error> no_place() const;
   // Whether values contradict what names say: all of them, at the end.
   void look_at_values(const LoadedPoints& block);
   [[nodiscard]] std::optional<Error> contradiction() const;
@@ -97,15 +102,23 @@ class PointStream {
   FrameDecision frame_;
   std::optional<TableLayout> table_;           // of the lines that come next
   std::shared_ptr<const std::string> header_;  // that it views
+  std::optional<std::size_t> utm_column_;      // of the zone beside eastings and northings
+  std::optional<std::string> utm_zone_;
   std::optional<ArrayLayout> array_;
   Bytes mapped_;         // of an array
   bool is_npy_ = false;  // the array
 
   std::optional<LoadedPoints> first_;  // the first block, as long as it waits
   std::uint64_t row_ = 0;
-  std::uint64_t rows_ = 0;               // that were read
-  std::uint64_t points_ = 0;             // among these
-  std::optional<Error> bad_;             // the first record that was left out
+  std::uint64_t rows_ = 0;    // that were read
+  std::uint64_t points_ = 0;  // among these
+  std::optional<Error> bad_;  // the first record that was left out
+  struct Zero {
+    Point at;
+    Error error;
+  };
+  ZeroPoints zeros_;
+  std::vector<Zero> first_zeros_;        // the first one of each kind, if it is one
   std::optional<FrameWitness> witness_;  // where values may contradict names
 };
 

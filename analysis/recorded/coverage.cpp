@@ -56,6 +56,14 @@ struct Outside {
   bool cut_off = false;
 };
 
+// From when, or until when, an aircraft is in the air beyond `end_s`, its first or last fix: the
+// end of all, unless it is on the ground in between. What is as short as is usual is known.
+double grounded(const std::optional<double>& ground_s, double end_s, double whole_s,
+                double usual_s) {
+  if (!ground_s) return whole_s;
+  return std::abs(*ground_s - end_s) <= usual_s ? end_s : *ground_s;
+}
+
 // A drone of a show is known while it stands on the ground. Those in degrees report each at times
 // of its own: one is cut off where it is not heard of for longer than that is usual.
 std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s) {
@@ -75,8 +83,11 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
   for (std::size_t i = 0; i < outside.size(); ++i) {
     const auto ends = ends_of(recording.bees[i]);
     if (!ends) continue;
-    add(outside[i], ends->first.time_s - whole.first, ends->first, ends->second);
-    add(outside[i], whole.second - ends->last.time_s, ends->last, ends->last_but_one);
+    const io::RecordedBee& bee = recording.bees[i];
+    const double from_s = grounded(bee.on_ground_until_s, ends->first.time_s, whole.first, usual_s);
+    const double until_s = grounded(bee.on_ground_from_s, ends->last.time_s, whole.second, usual_s);
+    add(outside[i], ends->first.time_s - from_s, ends->first, ends->second);
+    add(outside[i], until_s - ends->last.time_s, ends->last, ends->last_but_one);
   }
   return outside;
 }

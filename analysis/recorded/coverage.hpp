@@ -8,7 +8,8 @@
 // before and after on the ground, if it begins and ends there: otherwise it is in the air, and it
 // is not known where. What is recorded with heights may be cut off in the air, too: where its fixes
 // begin or end above the lowest place of all ends, or moving there; in degrees, where they begin
-// later or end earlier by more than a gap. What is in a plane comes and goes.
+// later or end earlier by more than a gap. What is in a plane comes and goes. An aircraft that says
+// to be on the ground before or after is known from there on.
 #pragma once
 
 #include "analysis/recorded/gaps.hpp"

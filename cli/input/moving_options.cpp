@@ -59,6 +59,11 @@ void add_clock_and_pixel_options(Command& command, io::RecordingOptions& load) {
   command.option("--time-zone", "ZONE", load.time_zone, read_time_zone,
                  "Of dates and times that name none, and in which\ntimes are told: UTC, "
                  "Europe/Madrid, +02:00");
+  command.choice("--dates", load.dates,
+                 {{"auto", io::DateOrder::kUnsaid},
+                  {"day-first", io::DateOrder::kDayFirst},
+                  {"month-first", io::DateOrder::kMonthFirst}},
+                 "Of dates as 05/06/2024, if none of them tells it");
   command.option("--fps", "N", load.frames_per_second, amount("frames a second", kAboveZero),
                  "Where a column counts frames: how many a second");
   command.option("--scale", "LENGTH", load.pixel, read_pixel,

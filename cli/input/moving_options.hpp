@@ -52,7 +52,7 @@ inline constexpr const char* kVerticalHelp =
 // How to read: --crs, --time-unit, --units and --heights.
 void add_frame_option(Command& command, io::Frame& frame, const char* help);
 void add_time_unit_option(Command& command, io::Unit& unit);
-// --time-zone, --fps and --scale.
+// --time-zone, --dates, --fps and --scale.
 void add_clock_and_pixel_options(Command& command, io::RecordingOptions& load);
 void add_units_options(Command& command, io::UnitOverrides& units, io::HeightSource& heights);
 

@@ -80,8 +80,8 @@ void append_velocities(std::string& out, const analysis::Findings& findings, dou
   const io::Recording& recording = findings.recording;
   append_summary_line(
       out, "velocities",
-      "curves with them leave the straight lines by up to " + io::grouped(curves->most_off_m, 2) +
-          " m (" + printable(text_of(analysis::name_of(curves->bee, recording))) + " from " +
+      "curves with them leave the straight lines by up to " + io::length(curves->most_off_m) +
+          " (" + printable(text_of(analysis::name_of(curves->bee, recording))) + " from " +
           analysis::moment_text(curves->span.begins_s, recording) + " to " +
           analysis::moment_text(curves->span.ends_s, recording) + "); " +
           (curves->followed ? "both are looked at (--straight: not the curves)"

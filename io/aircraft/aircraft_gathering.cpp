@@ -28,14 +28,15 @@ std::optional<Error> AircraftGathering::add(const AircraftReport& report, std::u
   LeftOut left_out;
   const auto chosen = choice_.choose(report, left_out);
   if (!chosen) return chosen.error();
+  const std::string_view id = assembly_.name_of_address(report.id);
   if (!chosen.value()) {
     const Fix place = choice_.place_of(report);
     const bool placed = std::isfinite(place.time_s + place.position.x + place.position.y);
     for (const LeftOutReason& reason : left_out.reasons()) {
       if (placed && reason.which == kOnGround.which) {
-        assembly_.claims_ground(report.id, place);
+        assembly_.claims_ground(id, place);
       } else {
-        assembly_.leave_out(reason, report.id);
+        assembly_.leave_out(reason, id);
       }
     }
     return std::nullopt;
@@ -44,11 +45,11 @@ std::optional<Error> AircraftGathering::add(const AircraftReport& report, std::u
   origin.source = assembly_.source() & 0xFF'FFFFu;
   origin.line = line & 0xFF'FFFF'FFFFu;
   const AircraftFix& fix = **chosen;
-  assembly_.flies_at(report.id, fix.fix);
+  assembly_.flies_at(id, fix.fix);
   std::optional<double> stated;
   if (report.height_unit != Unit::kMetre) stated = fix.stated_height;
-  assembly_.tracks().add(report.id, fix.fix, &fix.velocity, origin, stated);
-  if (!report.label.empty()) assembly_.tracks().label(report.id, report.label);
+  assembly_.tracks().add(id, fix.fix, &fix.velocity, origin, stated);
+  if (!report.label.empty()) assembly_.tracks().label(id, report.label);
   return std::nullopt;
 }
 

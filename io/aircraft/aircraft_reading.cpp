@@ -3,10 +3,14 @@
 #include "io/aircraft/aircraft_gathering.hpp"
 #include "io/aircraft/aircraft_object.hpp"
 #include "io/aircraft/state_vector.hpp"
+#include "io/bytes/characters.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/problems/skipped_records.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace beespace::io {
@@ -26,6 +30,9 @@ AircraftChoice choice_of(const RecordingAssembly& assembly) {
   return {assembly.options().heights, assembly.options().grounded};
 }
 
+// Where reports are: in the line of a text, or in a document by their number.
+using LineNumber = std::optional<std::uint64_t>;
+
 // The list under `key`; nothing where it is null, as OpenSky has it when no aircraft flies.
 Result<std::optional<JsonArray>> list_of(JsonElement root, std::string_view key) {
   const auto member = json_member(root, key);
@@ -38,74 +45,183 @@ Result<std::optional<JsonArray>> list_of(JsonElement root, std::string_view key)
                {}};
 }
 
-// Each of the list by `read`, which says what is wrong with one.
-template <class Read>
-std::optional<Error> read_list(JsonElement root, std::string_view key, RecordingAssembly& assembly,
-                               AircraftGathering& gathering, const Read& read) {
-  const auto list = list_of(root, key);
-  if (!list) return list.error();
-  if (!list.value()) return std::nullopt;
-  std::uint64_t index = 0;
-  AircraftReport report;
-  for (const JsonElement element : **list) {
-    auto error = read(element, report);
-    if (!error) error = gathering.add(report, index + 1);
-    if (error) {
-      std::string whose(key);
-      whose.append("[").append(std::to_string(index)).append("]");
-      if (!report.id.empty()) whose.append(" (").append(excerpt(report.id)).append(")");
-      error->message.insert(0, whose.append(": "));
-      error->location.record = index;
-      if (auto fatal = assembly.bad(*std::move(error), report.id)) return fatal;
-    }
-    ++index;
-  }
-  return std::nullopt;
+// The key under which readsb lists aircraft; the interface of ADS-B Exchange, and those made like
+// it, have "ac".
+std::string_view list_key(JsonElement root) {
+  JsonArray list;
+  const auto ac = json_member(root, "ac");
+  return !has_member(root, "aircraft") && ac && ac->get(list) ? "ac" : "aircraft";
 }
 
-std::optional<Error> read_aircraft(JsonElement root, RecordingAssembly& assembly) {
-  AircraftGathering gathering(choice_of(assembly), assembly);
-  if (auto error =
-          gathering.begin("aircraft.json of readsb or dump1090", Unit::kFoot, kAgeRounding_s)) {
+// "now", in seconds since 1970, or, as ADS-B Exchange has it, in milliseconds: its size tells.
+double in_seconds(double now) {
+  constexpr double kEarliest_ms = 5e11;
+  constexpr double kMsPerSecond = 1000.0;
+  return now >= kEarliest_ms ? now / kMsPerSecond : now;
+}
+
+class AircraftDocuments {
+ public:
+  explicit AircraftDocuments(RecordingAssembly& assembly) : assembly_(assembly) {}
+
+  // Errors have the line, where there is one, or the record.
+  std::optional<Error> read(JsonElement root, LineNumber line) {
+    auto error = json_twice(root, {"now", "aircraft", "ac", "states"});
+    if (!error) {
+      error = has_member(root, "states") ? read_states(root, line) : read_aircraft(root, line);
+    }
+    if (error && line && !error->location.line) error->location.line = line;
     return error;
   }
-  double now_s = 0.0;
-  const auto now = json_member(root, "now");
-  if (!now) {
-    return Error{ErrorCode::kMissingColumn,
-                 "there is no 'now', which tells when the positions were heard; correct it",
-                 {}};
-  }
-  if (!read_json(*now, now_s)) return json_number_problem(*now, "'now'");
-  return read_list(root, "aircraft", assembly, gathering,
-                   [now_s](JsonElement element, AircraftReport& report) -> std::optional<Error> {
-                     report = AircraftReport();
-                     JsonMap object;
-                     if (element.get(object)) {
-                       return read_aircraft_object(object, now_s, report);
-                     }
-                     return Error{ErrorCode::kMalformedRecord,
-                                  "it is " + std::string(json_kind(element)) +
-                                      " where an aircraft, an object, should be; correct it",
-                                  {}};
-                   });
-}
 
-std::optional<Error> read_states(JsonElement root, RecordingAssembly& assembly) {
-  AircraftGathering gathering(choice_of(assembly), assembly);
-  if (auto error = gathering.begin("state vectors of OpenSky", Unit::kMetre, 0.0)) return error;
-  return read_list(root, "states", assembly, gathering, read_state_vector);
+  // One aircraft, with a time of its own.
+  std::optional<Error> read_object(JsonMap object, std::uint64_t line) {
+    if (auto error = begin_readsb()) return error;
+    AircraftReport report;
+    auto error = read_aircraft_object(object, AircraftReport::kUnknown, report);
+    if (!error) error = readsb_->add(report, line);
+    if (!error) return std::nullopt;
+    error->location.line = line;
+    return assembly_.bad(*std::move(error), report.id);
+  }
+
+ private:
+  std::optional<Error> begin_readsb() {
+    if (readsb_) return std::nullopt;
+    readsb_.emplace(choice_of(assembly_), assembly_);
+    return readsb_->begin("aircraft.json of readsb or dump1090", Unit::kFoot, kAgeRounding_s);
+  }
+
+  std::optional<Error> begin_opensky() {
+    if (opensky_) return std::nullopt;
+    opensky_.emplace(choice_of(assembly_), assembly_);
+    return opensky_->begin("state vectors of OpenSky", Unit::kMetre, 0.0);
+  }
+
+  // Each of the list by `take`, which says what is wrong with one.
+  template <class Read>
+  std::optional<Error> read_list(JsonElement root, std::string_view key,
+                                 AircraftGathering& gathering, LineNumber line, const Read& take) {
+    const auto list = list_of(root, key);
+    if (!list) return list.error();
+    if (!list.value()) return std::nullopt;
+    std::uint64_t index = 0;
+    AircraftReport report;
+    for (const JsonElement element : **list) {
+      auto error = take(element, report);
+      if (!error) error = gathering.add(report, line.value_or(index + 1));
+      if (error) {
+        std::string whose(key);
+        whose.append("[").append(std::to_string(index)).append("]");
+        if (!report.id.empty()) whose.append(" (").append(excerpt(report.id)).append(")");
+        error->message.insert(0, whose.append(": "));
+        if (line) {
+          error->location.line = line;
+        } else {
+          error->location.record = index;
+        }
+        if (auto fatal = assembly_.bad(*std::move(error), report.id)) return fatal;
+      }
+      ++index;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> read_aircraft(JsonElement root, LineNumber line) {
+    if (auto error = begin_readsb()) return error;
+    double now_s = 0.0;
+    const auto now = json_member(root, "now");
+    if (!now) {
+      return Error{ErrorCode::kMissingColumn,
+                   "there is no 'now', which tells when the positions were heard; correct it",
+                   {}};
+    }
+    if (!read_json(*now, now_s)) return json_number_problem(*now, "'now'");
+    now_s = in_seconds(now_s);
+    return read_list(root, list_key(root), *readsb_, line,
+                     [now_s](JsonElement element, AircraftReport& report) -> std::optional<Error> {
+                       report = AircraftReport();
+                       JsonMap object;
+                       if (element.get(object)) {
+                         return read_aircraft_object(object, now_s, report);
+                       }
+                       return Error{ErrorCode::kMalformedRecord,
+                                    "it is " + std::string(json_kind(element)) +
+                                        " where an aircraft, an object, should be; correct it",
+                                    {}};
+                     });
+  }
+
+  std::optional<Error> read_states(JsonElement root, LineNumber line) {
+    if (auto error = begin_opensky()) return error;
+    return read_list(root, "states", *opensky_, line, read_state_vector);
+  }
+
+  RecordingAssembly& assembly_;
+  std::optional<AircraftGathering> readsb_;
+  std::optional<AircraftGathering> opensky_;
+};
+
+bool is_aircraft_with_time(JsonElement root) {
+  JsonMap object;
+  return root.get(object) && is_aircraft_object(object) && has_member(root, "now");
 }
 
 }  // namespace
 
 bool is_aircraft_document(JsonElement root) {
-  return has_member(root, "aircraft") || has_member(root, "states");
+  JsonArray list;
+  const auto ac = json_member(root, "ac");
+  return has_member(root, "aircraft") || has_member(root, "states") ||
+         (has_member(root, "now") && ac && ac->get(list));
 }
 
 std::optional<Error> read_aircraft_document(JsonElement root, RecordingAssembly& assembly) {
-  if (auto error = json_twice(root, {"now", "aircraft", "states"})) return error;
-  return has_member(root, "aircraft") ? read_aircraft(root, assembly) : read_states(root, assembly);
+  return AircraftDocuments(assembly).read(root, std::nullopt);
+}
+
+bool is_aircraft_lines(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string_view::npos) return false;
+  const std::size_t end = std::min(text.find('\n', begin), text.size());
+  JsonParser parser;
+  JsonElement root;
+  if (!parser.parse(text.substr(begin, end - begin), root).empty()) return false;
+  return is_aircraft_document(root) || is_aircraft_with_time(root);
+}
+
+std::optional<Error> read_aircraft_lines(std::string_view text, RecordingAssembly& assembly) {
+  AircraftDocuments documents(assembly);
+  JsonParser parser;
+  std::uint64_t number = 0;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = without_padding(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    ++number;
+    if (line.empty()) continue;
+    JsonElement root;
+    JsonMap object;
+    const std::string_view problem = parser.parse(line, root);
+    std::optional<Error> error;
+    if (!problem.empty()) {
+      error = json_syntax_error(line, problem, "each object must be whole in one line");
+    } else if (is_aircraft_document(root)) {
+      if (auto fatal = documents.read(root, number)) return fatal;
+      continue;
+    } else if (root.get(object) && is_aircraft_object(object)) {
+      if (auto fatal = documents.read_object(object, number)) return fatal;
+      continue;
+    } else {
+      error = Error{ErrorCode::kUnsupportedFormat,
+                    "this line is no list of aircraft, and no aircraft; correct it" +
+                        std::string(kOrLeaveOut),
+                    {}};
+    }
+    error->location.line = number;
+    if (auto fatal = assembly.bad(*std::move(error))) return fatal;
+  }
+  return std::nullopt;
 }
 
 }  // namespace beespace::io

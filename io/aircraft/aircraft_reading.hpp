@@ -8,6 +8,7 @@
 #include <beespace/result.hpp>
 
 #include <optional>
+#include <string_view>
 
 namespace beespace::io {
 
@@ -16,5 +17,11 @@ bool is_aircraft_document(JsonElement root);
 
 // Into the source that `assembly` has begun. Errors have the record, and of the whole none.
 std::optional<Error> read_aircraft_document(JsonElement root, RecordingAssembly& assembly);
+
+// Whether the first line of a text is such a document, or one aircraft with a time of its own.
+bool is_aircraft_lines(std::string_view text);
+
+// The same, one a line. Errors have the line.
+std::optional<Error> read_aircraft_lines(std::string_view text, RecordingAssembly& assembly);
 
 }  // namespace beespace::io

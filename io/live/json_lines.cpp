@@ -11,10 +11,12 @@
 #include "io/live/report_layout.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/problems/unplaced.hpp"
+#include "io/recording/address_names.hpp"
 #include "io/table/coordinate_units.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
+#include "io/tracks/wall_times.hpp"
 
 #include <algorithm>
 #include <array>
@@ -179,6 +181,7 @@ class JsonLines final : public LineReader {
     report.frame = layout_.frame;
     report.since_1970 = layout_.time->since_1970;
     if (auto error = read_id(report)) return *std::move(error);
+    if (layout_.ids_are_addresses) report.id = address_names_.name_of(report.id);
     last_id_ = report.id;
     if (const LeftOutReason* const reason = reason_to_leave_out()) {
       left_out_.add(*reason);
@@ -300,6 +303,7 @@ class JsonLines final : public LineReader {
   TrackLayout layout_;
   bool chosen_ = false;
   LeftOut left_out_;
+  AddressNames address_names_;
   bool hides_ = false;
   std::optional<Error> unit_problem_;  // that a later key has brought
   std::array<std::optional<JsonElement>, TrackSlot::kNothing + 1> values_ = {};

@@ -5,6 +5,7 @@
 #include "io/json/json_line.hpp"
 #include "io/live/line_reader.hpp"
 #include "io/problems/text_check.hpp"
+#include "io/recording/unit_doubts.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 
@@ -104,6 +105,12 @@ Result<std::optional<ReportLine>> ReportLines::take(std::string_view line) {
   bad_id_ = {};
   hidden_id_ = {};
   auto report = read(without_line_end(line));
+  if (report && *report) {
+    if (auto doubt = height_doubt(**report)) {
+      doubted_ = true;
+      report = *std::move(doubt);
+    }
+  }
   if (report) {
     if (!*report && understood_ && reader_->hides()) hidden_id_ = reader_->last_id();
     return report;
@@ -134,8 +141,15 @@ Result<std::optional<ReportLine>> ReportLines::take_frame(std::string_view logge
   return report;
 }
 
+std::optional<Error> ReportLines::height_doubt(const ReportLine& report) const {
+  if (report.frame != Frame::kWgs84 || report.leaves || !reader_) return std::nullopt;
+  constexpr double kUsual_m = 15'000.0;  // so that facts are not asked for each report
+  if (!(report.position.z > kUsual_m)) return std::nullopt;
+  return doubt_of_heights(reader_->facts().units, report.position.z);
+}
+
 bool ReportLines::ended() const {
-  return reader_ && reader_->ended();
+  return doubted_ || (reader_ && reader_->ended());
 }
 
 std::string ReportLines::description() const {

@@ -86,7 +86,8 @@ class ReportLines {
   // Of a line that is no report: whose it was where it speaks of a bee that flies and does not say
   // where; or empty. As long as the line.
   [[nodiscard]] std::string_view hidden_id() const { return hidden_id_; }
-  // Whether that error is about all lines to come: another header, of other columns.
+  // Whether that error is about all lines to come: another header, of other columns, or heights
+  // that are in another unit than those before were taken for.
   [[nodiscard]] bool ended() const;
 
   [[nodiscard]] std::uint64_t lines() const { return lines_; }
@@ -102,9 +103,12 @@ class ReportLines {
   Result<std::optional<ReportLine>> read(std::string_view line);
   Result<std::optional<ReportLine>> read_report(std::string_view line);
   Result<std::optional<ReportLine>> leave(std::string_view line);
+  // What came before was taken for metres in good faith; nothing is any more.
+  [[nodiscard]] std::optional<Error> height_doubt(const ReportLine& report) const;
 
   RecordingOptions options_;
   std::string source_;
+  bool doubted_ = false;
   std::unique_ptr<LineReader> reader_;  // of the kind that the first line told
   std::unique_ptr<LineReader> later_;   // until a line is understood: of a later one
   std::unique_ptr<JsonLine> leave_;

@@ -4,6 +4,7 @@
 #include "io/problems/excerpt.hpp"
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/text_check.hpp"
+#include "io/recording/address_names.hpp"
 #include "io/recording/set_names.hpp"
 #include "io/table/fields.hpp"
 #include "io/tracks/track_layout.hpp"
@@ -147,6 +148,7 @@ class TableLines final : public LineReader {
       if (record_.id.empty()) record_.id = id_of(line);
       return without_advice(*std::move(error));
     }
+    if (layout_.ids_are_addresses) record_.id = address_names_.name_of(record_.id);
     if (!layout_.sets.empty() && !record_.id.empty()) {
       record_.id = set_names_.name_of(record_.id, record_.set);
     }
@@ -201,6 +203,7 @@ class TableLines final : public LineReader {
   bool ended_ = false;
   LeftOut left_out_;
   SetNames set_names_;
+  AddressNames address_names_;
   bool hides_ = false;
   std::optional<TrackRecordReader> reader_;
   TrackRecord record_;

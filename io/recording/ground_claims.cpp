@@ -11,6 +11,9 @@ namespace {
 constexpr double kMinute_s = 60.0;
 constexpr double kHalf_s = 30.0;  // so much of where it flew is kept, and up to twice as much
 constexpr double kFastRoll_mps = 45.0;
+constexpr double kLongRoll_mps = 25.0;  // for two minutes
+constexpr double kStep_s = 10.0;
+constexpr double kLevelRoll_mps = 1.0;
 constexpr double kSteep_m = 100.0;
 constexpr double kAboveFlight_m = 50.0;
 constexpr double kLevel_m = 50.0;
@@ -39,10 +42,18 @@ void GroundClaims::Stretch::add(const Stretch& other) {
   high_m = std::max(high_m, other.high_m);
 }
 
+GroundClaims::Run GroundClaims::run_of(const Aircraft& aircraft) {
+  return {aircraft.claims, aircraft.in_flight, aircraft.slow && !aircraft.in_flight,
+          aircraft.run.begins_s, aircraft.run.ends_s};
+}
+
 void GroundClaims::begin_run(Aircraft& aircraft, const Fix& fix) {
   aircraft.over = false;
   aircraft.in_flight = false;
+  aircraft.fast = false;
+  aircraft.slow = false;
   aircraft.anchor = fix;
+  aircraft.step = fix;
   aircraft.window = {};
   aircraft.run = {};
   aircraft.before = aircraft.earlier;
@@ -62,8 +73,17 @@ void GroundClaims::claim(Aircraft& aircraft, const Fix& fix, Frame frame) {
       fix.position.z - aircraft.before.low_m > kAboveFlight_m) {
     aircraft.in_flight = true;
   }
+  if (const double since_s = fix.time_s - aircraft.step.time_s; since_s >= kStep_s) {
+    const double climb_m = std::abs(fix.position.z - aircraft.step.position.z);
+    const bool level = !(climb_m > kLevelRoll_mps * since_s);  // also where no height is known
+    if (level && speed_between(aircraft.step, fix, frame) < kLongRoll_mps) aircraft.slow = true;
+    aircraft.step = fix;
+  }
   if (fix.time_s - aircraft.anchor.time_s < kMinute_s) return;
-  if (speed_between(aircraft.anchor, fix, frame) > kFastRoll_mps) aircraft.in_flight = true;
+  const double speed_mps = speed_between(aircraft.anchor, fix, frame);
+  const bool fast = speed_mps > kLongRoll_mps;
+  if (speed_mps > kFastRoll_mps || (fast && aircraft.fast)) aircraft.in_flight = true;
+  aircraft.fast = fast;
   aircraft.anchor = fix;
   aircraft.window = {};
   aircraft.window.add(fix);
@@ -98,7 +118,7 @@ void GroundClaims::take(std::string_view id, const Fix& fix, bool on_ground, Fra
   const bool anew = aircraft.known && !(since_s >= 0.0 && since_s <= kMinute_s);
   const bool judged = aircraft.over && (on_ground || fix.time_s - aircraft.run.ends_s > kMinute_s);
   if (aircraft.claims > 0 && (anew || judged)) {
-    settle(name, aircraft.claims, aircraft.in_flight);
+    settle(name, run_of(aircraft));
     aircraft.claims = 0;
     aircraft.over = false;
   }
@@ -114,7 +134,7 @@ void GroundClaims::take(std::string_view id, const Fix& fix, bool on_ground, Fra
 
 void GroundClaims::finish(const Settle& settle) {
   for (const auto& [id, aircraft] : aircraft_) {
-    if (aircraft.claims > 0) settle(id, aircraft.claims, aircraft.in_flight);
+    if (aircraft.claims > 0) settle(id, run_of(aircraft));
   }
   aircraft_.clear();
 }

@@ -8,7 +8,12 @@
 // - its heights differ by more than 100 m within two minutes: no runway does;
 // - it is more than 50 m higher than where the aircraft flew within the minute before or after;
 // - at least 20 s before and after it the aircraft flies within 50 m of its height, at over 30 m/s:
-//   who touches down and goes comes from higher, and climbs.
+//   who touches down and goes comes from higher, and climbs;
+// - it goes on at more than 25 m/s on average in each of two minutes, one after the other: so slow
+//   is who flies at 60 kt, and nobody rolls so far.
+//
+// A run is surely on the ground where it is not taken for flight, and two of its claims, 10 s or
+// more apart, are no more than 25 m/s and a climb of 1 m/s away from each other.
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"
@@ -26,9 +31,16 @@ namespace beespace::io {
 
 class GroundClaims {
  public:
-  // Of a run that is over, for which nothing more can be said: whose, how many claims it had, and
-  // whether they were made in flight.
-  using Settle = std::function<void(const std::string& id, std::uint64_t claims, bool in_flight)>;
+  // A run that is over, for which nothing more can be said.
+  struct Run {
+    std::uint64_t claims = 0;
+    bool in_flight = false;  // they were made in flight
+    bool surely_ground = false;
+    double begins_s = 0.0;
+    double ends_s = 0.0;
+  };
+  // Whose run it is.
+  using Settle = std::function<void(const std::string& id, const Run& run)>;
 
   // The next report of that aircraft. Where the height is unknown it is not-a-number.
   void take(std::string_view id, const Fix& fix, bool on_ground, Frame frame, const Settle& settle);
@@ -57,7 +69,10 @@ class GroundClaims {
     std::uint64_t claims = 0;
     bool over = false;  // it flies again
     bool in_flight = false;
+    bool fast = false;     // the last minute of claims was that of no roll
+    bool slow = false;     // some claims were those of who stands or taxies
     Fix anchor = {};       // the first claim, or one a minute and more ago
+    Fix step = {};         // the same, of ten seconds
     Stretch window = {};   // of the claims since then
     Stretch run = {};      // of all claims
     Stretch before = {};   // of where it flew before
@@ -65,6 +80,7 @@ class GroundClaims {
     bool flew = false;     // there is one
   };
 
+  static Run run_of(const Aircraft& aircraft);
   static void begin_run(Aircraft& aircraft, const Fix& fix);
   static void claim(Aircraft& aircraft, const Fix& fix, Frame frame);
   static void fly(Aircraft& aircraft, const Fix& fix, Frame frame);

@@ -16,12 +16,14 @@ constexpr std::string_view kForPeople =
     "md rst pdf rtf doc docx odt ppt pptx odp html htm png jpg jpeg gif bmp svg tif tiff webp heic "
     "eps mp3 wav ogg flac m4a aac mp4 m4v mov avi mkv webm blend blend1 py ipynb r m sh bat yaml "
     "yml "
-    "toml ini cfg";
+    "toml ini cfg czml";
 constexpr std::string_view kOfSystems =
     "__macosx thumbs.db desktop.ini $recycle.bin lost+found icon\r";
 constexpr std::string_view kOfRecordings =
     "csv tsv txt ndjson jsonl tlog ulg ulog skyc zip gz zst bin dat";
-constexpr std::string_view kOtherForms = "h5 hdf5 pickle pkl npy npz mat slp xlsx parquet rlog";
+// Of the forms for globes and maps CZML is written for looking at alone.
+constexpr std::string_view kOtherForms =
+    "kml kmz geojson h5 hdf5 pickle pkl npy npz mat slp xlsx parquet rlog";
 
 constexpr std::string_view kPartsOfShows =
     "lights.json yaw.json yawControl.json pyro.json cues.json";

@@ -34,6 +34,10 @@ struct RecordedBee {
   std::optional<BezierPath> path = {};  // instead of fixes, where the input has a curve
   // Instead of both, of a drone of a show that never takes off: where it stands all the time.
   std::optional<Point> stands = {};
+  // Of aircraft that say so in records which are left out: until when they stand on the ground
+  // before the first fix, and since when after the last one.
+  std::optional<double> on_ground_until_s = {};
+  std::optional<double> on_ground_from_s = {};
   std::string label = {};  // what it is called beside its id: the flight; or nothing
 };
 

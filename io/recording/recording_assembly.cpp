@@ -82,8 +82,30 @@ void RecordingAssembly::leave_file_out(std::string_view name) {
   if (missing.file_names.size() < MissingRecords::kMostNamed) missing.file_names.emplace_back(name);
 }
 
-void RecordingAssembly::settle_claim(const std::string& id, std::uint64_t claims, bool in_flight) {
-  for (std::uint64_t i = 0; i < claims; ++i) leave_out(in_flight ? kGroundInFlight : kOnGround, id);
+void RecordingAssembly::settle_claim(const std::string& id, const GroundClaims::Run& run) {
+  for (std::uint64_t i = 0; i < run.claims; ++i) {
+    leave_out(run.in_flight ? kGroundInFlight : kOnGround, id);
+  }
+  if (run.surely_ground) grounded_[id].push_back(run);
+}
+
+void RecordingAssembly::settle_ground(RecordedBee& bee) const {
+  const auto known = grounded_.find(bee.id);
+  if (known == grounded_.end() || bee.fixes.empty()) return;
+  for (const GroundClaims::Run& run : known->second) {
+    const double first_s = bee.fixes.front().time_s;
+    const double last_s = bee.fixes.back().time_s;
+    if (run.begins_s <= first_s) {
+      auto& until_s = bee.on_ground_until_s;
+      until_s = std::max(until_s.value_or(run.ends_s), std::min(run.ends_s, first_s));
+      until_s = std::min(*until_s, first_s);
+    }
+    if (run.ends_s >= last_s) {
+      auto& from_s = bee.on_ground_from_s;
+      const double begins_s = std::max(run.begins_s, last_s);
+      from_s = std::min(from_s.value_or(begins_s), begins_s);
+    }
+  }
 }
 
 void RecordingAssembly::flies_at(std::string_view id, const Fix& fix) {

@@ -7,6 +7,7 @@
 #include "io/frames/coordinate_frame.hpp"
 #include "io/frames/frame_decision.hpp"
 #include "io/problems/left_out.hpp"
+#include "io/recording/address_names.hpp"
 #include "io/recording/ground_claims.hpp"
 #include "io/recording/recording.hpp"
 #include "io/recording/recording_options.hpp"
@@ -81,6 +82,10 @@ class RecordingAssembly {
   std::string_view name_within_set(std::string_view id, std::string_view set) {
     return set_names_.name_of(id, set);
   }
+  // What to call an aircraft of that address, which another input may write in capitals.
+  std::string_view name_of_address(std::string_view address) {
+    return address_names_.name_of(address);
+  }
   // Of times of day without a date: whether one comes before the last one of that bee, so that
   // another day may have begun.
   bool goes_back(std::string_view id, double time_s);
@@ -150,11 +155,14 @@ class RecordingAssembly {
   [[nodiscard]] ErrorLocation location_of(Origin origin) const;
   [[nodiscard]] std::string place_text(Origin origin) const;
   std::optional<Error> settle_times();
+  [[nodiscard]] std::optional<Error> settle_files() const;
   std::optional<Error> settle_frame();
   void leave_out_zeros();
   void find_doubtful_tracks();
   void settle_heard();
-  void settle_claim(const std::string& id, std::uint64_t claims, bool in_flight);
+  void settle_claim(const std::string& id, const GroundClaims::Run& run);
+  // Of aircraft that take off from the ground, or land there, when they did.
+  void settle_ground(RecordedBee& bee) const;
   [[nodiscard]] MissingRecords missing() const;
   [[nodiscard]] std::optional<Error> doubtful_heights() const;
   [[nodiscard]] std::optional<Error> doubtful_units() const;
@@ -168,6 +176,7 @@ class RecordingAssembly {
   TrackGathering tracks_;
   LeftOut left_out_;
   GroundClaims claims_;
+  std::unordered_map<std::string, std::vector<GroundClaims::Run>> grounded_;  // surely, by id
   std::uint64_t kept_in_flight_ = 0;
   std::uint64_t missing_ = 0;  // records
   std::uint64_t missing_without_id_ = 0;
@@ -179,6 +188,7 @@ class RecordingAssembly {
   std::unordered_set<std::string> stems_;  // those given away by name_of_source()
   std::string source_stem_;                // the last of them
   SetNames set_names_;
+  AddressNames address_names_;
   std::unordered_map<std::string, double> times_of_day_s_;  // by bee: the last one
   // The same of dates and times, and how many records came in order.
   struct ClockTime {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
 namespace beespace::io {
 
@@ -28,6 +29,11 @@ void RecordingAssembly::find_doubtful_tracks() {
   for (const SharedTrack& track : tracks_.shared(recording_.frame)) {
     share(track);
     shared.insert(track.id);
+  }
+  // Of reports as they were received it is said, and not believed.
+  for (const TimeConflict& conflict : tracks_.contradicting(recording_.frame)) {
+    if (!shared.insert(conflict.id).second) continue;
+    share({conflict.id, conflict.time_s, conflict.second});
   }
   for (const SharedTrack& track : tracks_.jumping(recording_.frame)) {
     if (!shared.contains(track.id)) jump(track);
@@ -73,6 +79,22 @@ std::optional<Error> RecordingAssembly::settle_times() {
     if (auto error = bad(conflict_error(conflict), conflict.id)) return error;
   }
   return std::nullopt;
+}
+
+// Of one id in several files at once: two trials, or two animals, are not one.
+std::optional<Error> RecordingAssembly::settle_files() const {
+  if (!facts_ || frame_is_settled_ || tracks_.rounds_times()) return std::nullopt;
+  const std::vector<TimeConflict> conflicts = tracks_.contradicting(facts_->frame);
+  if (conflicts.empty()) return std::nullopt;
+  const TimeConflict& conflict = conflicts.front();
+  return Error{ErrorCode::kTimeOrder,
+               "bee " + excerpt(conflict.id) +
+                   " is in several files at the same time, and its place here, at " +
+                   exact(conflict.time_s) + " s, does not go with that in " +
+                   place_text(conflict.first) +
+                   ": are they two? Give each an id of its own; files that are of different "
+                   "trials are read each for itself",
+               location_of(conflict.second)};
 }
 
 std::optional<Error> RecordingAssembly::settle_frame() {
@@ -133,6 +155,11 @@ void RecordingAssembly::note_counts() {
          " the name of one of another study, trial, video or day; they are told apart, as in " +
          excerpt(set_names_.example()));
   }
+  if (const auto count = address_names_.spelt_twice(); count > 0) {
+    note(counted(count, "address of an aircraft is", "addresses of aircraft are") +
+         " written in capitals and in small letters, as " + excerpt(address_names_.example()) +
+         ": one aircraft each");
+  }
   if (const auto count = tracks_.renamed(); count > 0) {
     note(counted(count, "bee has", "bees have") +
          " the name of another one; they are told apart as in 'name#2'");
@@ -168,22 +195,11 @@ std::optional<Error> RecordingAssembly::doubtful_units() const {
   return error;
 }
 
-// Heights without a unit that are metres of nothing that flies: they may be feet.
 std::optional<Error> RecordingAssembly::doubtful_heights() const {
-  constexpr double kHighest_m = 20'000.0;
   if (!facts_ || facts_->frame != Frame::kWgs84) return std::nullopt;
-  const auto& units = recording_.units;
-  const bool unsaid = std::any_of(units.begin(), units.end(), [](const UnitTaken& taken) {
-    return taken.of == "heights" && taken.evidence == UnitEvidence::kUsual;
-  });
-  const double highest_m = std::max(highest_m_, tracks_.highest_m());
-  if (!unsaid || !(highest_m > kHighest_m)) return std::nullopt;
-  return Error{
-      ErrorCode::kInvalidArgument,
-      "heights go up to " + exact(highest_m) +
-          ", but no unit is named: are they metres, or feet? Say it in the header, or with "
-          "--units height=ft or height=m",
-      {facts_source_}};
+  auto error = doubt_of_heights(recording_.units, std::max(highest_m_, tracks_.highest_m()));
+  if (error) error->location.source = facts_source_;
+  return error;
 }
 
 Result<Recording> RecordingAssembly::finish() {
@@ -194,6 +210,7 @@ Result<Recording> RecordingAssembly::finish() {
   leave_out_zeros();
   if (tracks_.empty()) return nothing_left();
   if (auto error = settle_times()) return *std::move(error);
+  if (auto error = settle_files()) return *std::move(error);
   if (auto error = doubtful_heights()) return *std::move(error);
   if (facts_) {
     recording_.frame = facts_->frame;
@@ -209,6 +226,7 @@ Result<Recording> RecordingAssembly::finish() {
   if (!frame_is_settled_) find_doubtful_tracks();
   recording_.missing = missing();
   recording_.bees = tracks_.release();
+  for (RecordedBee& bee : recording_.bees) settle_ground(bee);
   if (auto error = doubtful_units()) return *std::move(error);
   if (recording_.height_unit == Unit::kMetre) {
     for (RecordedBee& bee : recording_.bees) bee.stated_heights.clear();

@@ -3,6 +3,7 @@
 
 #include "io/bytes/progress.hpp"
 #include "io/table/column_options.hpp"
+#include "io/units/iso_time.hpp"
 #include "io/units/time_zone.hpp"
 #include "io/units/units.hpp"
 
@@ -24,6 +25,7 @@ struct RecordingOptions : ColumnOptions {
   Unit time_unit = Unit::kUnstated;  // kUnstated: as the header says
   // Of dates and times that name none; and in which people are told what counts from 1970.
   std::optional<TimeZone> time_zone = {};
+  DateOrder dates = DateOrder::kUnsaid;  // of those whose year is last and that do not tell it
   std::optional<double> frames_per_second = {};  // of tables that count the pictures of a video
   // Of tables of poses: places of a smaller likelihood are as if they were not there. DeepLabCut
   // does not draw what is below 0.6, if it is not told otherwise.

@@ -2,6 +2,7 @@
 
 #include "io/frames/track_domain.hpp"
 #include "io/recording/jumps.hpp"
+#include "io/recording/overlapping_files.hpp"
 #include "io/recording/shared_id.hpp"
 
 #include <algorithm>
@@ -227,6 +228,21 @@ std::vector<SharedTrack> TrackGathering::shared(Frame frame) const {
     }
   }
   return shared;
+}
+
+std::vector<TimeConflict> TrackGathering::contradicting(Frame frame) const {
+  std::vector<TimeConflict> found;
+  for (const Bee& bee : bees_) {
+    if (!bee.several_sources) continue;
+    const auto source_of = [&bee](std::size_t fix) {
+      return static_cast<std::uint32_t>(bee.origins[fix].source);
+    };
+    const auto at = find_contradiction(bee.recorded.fixes, source_of, frame);
+    if (!at) continue;
+    found.push_back({bee.recorded.id, bee.recorded.fixes[at->fix].time_s, bee.origins[at->before],
+                     bee.origins[at->fix]});
+  }
+  return found;
 }
 
 std::vector<SharedTrack> TrackGathering::jumping(Frame frame) const {

@@ -102,6 +102,10 @@ class TrackGathering {
   // Once all is settled; of each bee the first jump.
   [[nodiscard]] std::vector<SharedTrack> shared(Frame frame) const;
   [[nodiscard]] std::vector<SharedTrack> jumping(Frame frame) const;
+  // The same of who is in several sources at the same time, at places that do not go together.
+  [[nodiscard]] std::vector<TimeConflict> contradicting(Frame frame) const;
+  // Whether times are rounded, or those of arrival.
+  [[nodiscard]] bool rounds_times() const { return repeat_s_.has_value(); }
 
   // In the order in which they came first. Nothing is left here.
   std::vector<RecordedBee> release();

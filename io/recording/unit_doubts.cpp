@@ -1,5 +1,6 @@
 #include "io/recording/unit_doubts.hpp"
 
+#include "io/bytes/number_text.hpp"
 #include "io/recording/flat_distance.hpp"
 
 #include <algorithm>
@@ -123,6 +124,30 @@ std::optional<Error> doubt_of_time_unit(const Recording& recording, Unit named) 
   if (speed >= kSlow_mps || speed * kThousand < kUsual_mps) return std::nullopt;
   if (median(steps.seconds) < kSeldom_s) return std::nullopt;
   return doubt(steps, named, Unit::kMicrosecond, kThousand, "");
+}
+
+std::optional<Error> doubt_of_heights(const std::vector<UnitTaken>& units, double highest_m) {
+  constexpr double kHighest_m = 20'000.0;
+  if (!(highest_m > kHighest_m)) return std::nullopt;
+  const auto doubtful = std::find_if(units.begin(), units.end(), [](const UnitTaken& taken) {
+    return taken.of == "heights" &&
+           (taken.evidence == UnitEvidence::kUsual ||
+            (taken.evidence == UnitEvidence::kSource && taken.unit == Unit::kMetre));
+  });
+  if (doubtful == units.end()) return std::nullopt;
+  const std::string up_to = "heights go up to " + exact(highest_m);
+  if (doubtful->evidence == UnitEvidence::kSource) {
+    return Error{ErrorCode::kInvalidArgument,
+                 up_to + " m (" + doubtful->reason +
+                     "): are they in feet? Say it with --units height=ft, or height=m if they are "
+                     "in metres",
+                 {}};
+  }
+  return Error{ErrorCode::kInvalidArgument,
+               up_to +
+                   ", but no unit is named: are they metres, or feet? Say it in the header, or "
+                   "with --units height=ft or height=m",
+               {}};
 }
 
 std::optional<Error> doubt_of_metres(const Recording& recording) {

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "io/recording/recording.hpp"
+#include "io/units/unit_taken.hpp"
 #include "io/units/units.hpp"
 
 #include <beespace/result.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace beespace::io {
 
@@ -20,5 +22,10 @@ std::optional<Error> doubt_of_time_unit(const Recording& recording, Unit named);
 // Doubts that positions of drones, whose unit nothing names, are in metres, where these make them
 // faster than any show. Errors: kUnitNeeded, without source.
 std::optional<Error> doubt_of_metres(const Recording& recording);
+
+// Heights of positions in degrees, whose greatest is that, in a unit that nobody said, or that only
+// the words of a known source tell: higher than anything flies, they may be feet. Errors:
+// kInvalidArgument, without source.
+std::optional<Error> doubt_of_heights(const std::vector<UnitTaken>& units, double highest_m);
 
 }  // namespace beespace::io

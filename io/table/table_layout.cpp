@@ -6,9 +6,11 @@
 #include "io/problems/skipped_records.hpp"
 #include "io/table/column_choice.hpp"
 #include "io/table/column_names.hpp"
+#include "io/table/delimiter.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/position_columns.hpp"
 #include "io/table/record_problems.hpp"
+#include "io/table/title_lines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,69 +23,6 @@ namespace {
 
 constexpr std::size_t kSampleLines = 16;
 constexpr std::size_t kSampleBytes = std::size_t{1} << 16;
-constexpr std::array<char, 4> kDelimiters = {'\t', ';', ',', ' '};
-
-// "1,5": a number as half of the world writes it.
-bool is_decimal_comma(std::string_view text) {
-  const std::size_t comma = text.find(',');
-  if (comma == std::string_view::npos || comma + 1 == text.size()) return false;
-  std::string point(text);
-  point[comma] = '.';
-  double value = 0.0;
-  return parse_number(point, value) == NumberKind::kNumber;
-}
-
-bool looks_numeric(std::string_view text) {
-  text = without_padding(text);
-  double value = 0.0;
-  return parse_number(text, value) != NumberKind::kNotANumber || is_decimal_comma(text);
-}
-
-struct FieldCount {
-  std::size_t fields = 0;
-  std::size_t numeric = 0;
-};
-
-FieldCount count_fields(std::string_view line, char delimiter) {
-  FieldCount count;
-  Field field;
-  FieldCursor cursor(line, delimiter);
-  while (cursor.next(field)) {
-    ++count.fields;
-    if (looks_numeric(field.text)) ++count.numeric;
-  }
-  return count;
-}
-
-// The delimiter that makes the most numbers of the first lines, and the least else; where none
-// does, the first that splits the first line. ',' is asked after ';' and tab, since it may also be
-// a decimal comma.
-char find_delimiter(const std::vector<std::string_view>& lines) {
-  char best = '\0';
-  std::size_t most = 0;
-  std::size_t least_else = 0;
-  char splitting = '\0';
-  for (const char delimiter : kDelimiters) {
-    std::size_t numeric = 0;
-    std::size_t other = 0;
-    for (const auto line : lines) {
-      const FieldCount count = count_fields(line, delimiter);
-      if (count.fields < 2) continue;
-      numeric += count.numeric;
-      other += count.fields - count.numeric;
-    }
-    if (numeric > most || (numeric == most && numeric > 0 && other < least_else)) {
-      most = numeric;
-      least_else = other;
-      best = delimiter;
-    }
-    if (splitting == '\0' && count_fields(lines.front(), delimiter).fields > 1) {
-      splitting = delimiter;
-    }
-  }
-  if (best != '\0') return best;
-  return splitting != '\0' ? splitting : ',';
-}
 
 // '\r' only where it stands alone before the first '\n'.
 char find_line_end(std::string_view text) {
@@ -226,6 +165,11 @@ bool has_columns_of_record(std::string_view line, const TableLayout& layout) {
     if (count.fields == layout.columns && count.numeric >= most) return true;
   }
   return false;
+}
+
+Error at_line(Error error, std::uint64_t line) {
+  error.location.line = line;
+  return error;
 }
 
 Error comment_error(std::string_view line, std::string_view why) {
@@ -394,25 +338,44 @@ Result<TableLayout> find_table(std::string_view text, bool skip_bad) {
   std::size_t offset = 0;
   Line line{{}, 0};
   std::vector<Comment> comments;
+  std::optional<char> named;  // the delimiter
   while (true) {
     if (offset >= text.size()) return no_points(!comments.empty());
     line = line_at(text, offset, layout.line_end);
     const bool comment = has_comment_sign(line.text);
     if (comment) comments.push_back({line.text, layout.lines_before + 1});
     if (line.text.size() > kLongestLine) {
-      Error error = long_line(line.text);
-      error.location.line = layout.lines_before + 1;
-      return error;
+      return at_line(long_line(line.text), layout.lines_before + 1);
     }
-    if (!comment && !is_blank_line(line.text)) break;
+    if (!comment && !is_blank_line(line.text)) {
+      auto excel = named ? Result<std::optional<char>>(std::optional<char>())
+                         : delimiter_named_by(line.text);
+      if (!excel) return at_line(std::move(excel).error(), layout.lines_before + 1);
+      if (!*excel) break;
+      named = *excel;
+    }
     offset = line.next;
     ++layout.lines_before;
   }
-  const std::uint64_t line_number = layout.lines_before + 1;
-  const auto samples = sample_lines(text, offset, layout.line_end);
-  layout.delimiter = find_delimiter(samples);
-  layout.data_offset = offset;
+  auto samples = sample_lines(text, offset, layout.line_end);
+  layout.delimiter = named ? *named : find_delimiter(samples);
   layout.contents = look_at_records(samples, 0, layout.delimiter);
+  const auto titles = titles_above(text, offset, layout);
+  if (!titles) {
+    Error error = titles.error();
+    *error.location.line += layout.lines_before;
+    return error;
+  }
+  if (titles->lines > 0) {
+    layout.notes.push_back("what stands above the header is passed over: " +
+                           excerpt(titles->first));
+    layout.lines_before += titles->lines;
+    offset = titles->offset;
+    line = line_at(text, offset, layout.line_end);
+    samples = sample_lines(text, offset, layout.line_end);
+  }
+  layout.data_offset = offset;
+  const std::uint64_t line_number = layout.lines_before + 1;
   if (auto error = read_header_line(samples, comments, line, skip_bad, layout)) {
     if (error->code != ErrorCode::kInvalidArgument && !error->location.line) {
       error->location.line = line_number;

@@ -62,6 +62,7 @@ struct TableLayout {
   std::uint64_t lines_before = 0;      // how many lines lie before that place
   std::uint64_t records_per_line = 1;  // where each line was taken apart into several
   ColumnChoice choice = {};
+  std::vector<std::string> notes = {};  // of lines that are passed over
 };
 
 // What a layout is told by: the longest line, and the first lines after it.

@@ -23,8 +23,9 @@ KnownColumn perhaps(std::string_view name, Role role, Unit unit = Unit::kUnstate
 // movebank-attribute-dictionary); packages of R write dots for its hyphens. Times are UTC.
 // TRex: https://trex.run/docs/formats.html; a file an individual. Of several places of a body that
 // of the weighted centroid is taken; where it was not seen they are infinite.
-const std::array<TableSource, 6>& known_sources() {
-  static const std::array<TableSource, 6> sources = {
+// PX4: vehicle_global_position as ulog2csv of pyulog writes it. Its times are those of each drone.
+const std::array<TableSource, 7>& known_sources() {
+  static const std::array<TableSource, 7> sources = {
       TableSource{"traffic",
                   "velocity vertrate baroaltitude",
                   {{"icao24"},
@@ -58,6 +59,13 @@ const std::array<TableSource, 6>& known_sources() {
                   false,
                   false,
                   true},
+      TableSource{"PX4 (ulog2csv)",
+                  "",
+                  {{"timestamp"},
+                   {"lat"},
+                   {"lon"},
+                   {"alt", Role::kHeight, Unit::kMetre, HeightDatum::kMeanSeaLevel},
+                   {"alt_ellipsoid", Role::kHeight, Unit::kMetre, HeightDatum::kEllipsoid}}},
       TableSource{"BlueSky",
                   "",
                   {{"simt", Role::kTime, Unit::kSecond},

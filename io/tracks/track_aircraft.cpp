@@ -2,6 +2,7 @@
 
 #include "io/bytes/characters.hpp"
 #include "io/problems/unplaced.hpp"
+#include "io/recording/address_names.hpp"
 #include "io/table/column_overrides.hpp"
 #include "io/table/table_sources.hpp"
 
@@ -36,6 +37,14 @@ const LeftOutReason* reason_without_height(const Header& header, HeightDatum dat
   return &kNoHeight;
 }
 
+// The unit of heights that the caller says.
+std::optional<Unit> asked_height_unit(const TrackLayout& layout) {
+  for (const UnitTaken& taken : layout.units) {
+    if (taken.of == "heights" && taken.evidence == UnitEvidence::kAsked) return taken.unit;
+  }
+  return std::nullopt;
+}
+
 // Of a known source, which says the unit of both; and what is said of it.
 void settle_other_height(const Header& header, TrackLayout& layout) {
   const ColumnChoice& choice = layout.table.choice;
@@ -56,7 +65,8 @@ void settle_other_height(const Header& header, TrackLayout& layout) {
     const KnownColumn* const known = header.source()->find(layout.table.names[i]);
     if (known == nullptr || known->unit == Unit::kUnstated) continue;
     layout.other_height = i;
-    layout.other_height_unit = known->unit;
+    // Who says another unit than the source's means both.
+    layout.other_height_unit = asked_height_unit(layout).value_or(known->unit);
   }
 }
 
@@ -87,6 +97,8 @@ void settle_aircraft(const Header& header, const RecordingOptions& options, Trac
   layout.of_aircraft = !words_of_aviation(layout.table.names).empty();
   if (!layout.of_aircraft) return;
   const ColumnChoice& choice = layout.table.choice;
+  layout.ids_are_addresses = choice.id && *choice.id < layout.table.names.size() &&
+                             names_address(layout.table.names[*choice.id]);
   layout.no_height = reason_without_height(header, choice.datum);
   layout.label = choose_label(header, choice.id);
   if (layout.label && choice.id) {

@@ -13,16 +13,16 @@ NamePattern time_names() {
   pattern.words = {
       {Says::kNoun | Says::kJoined, "time timestamp", Role::kTime, "English"},
       {Says::kNoun, "t timestamps ts datetime stamp", Role::kTime, "English"},
-      {Says::kNoun, "zeit", Role::kTime, "German"},
-      {Says::kNoun, "tiempo", Role::kTime, "Spanish"},
-      {Says::kNoun, "temps", Role::kTime, "French"},
-      {Says::kNoun, "tempo", Role::kTime, "Italian, Portuguese"},
+      {Says::kNoun, "zeit uhrzeit", Role::kTime, "German"},
+      {Says::kNoun, "tiempo hora", Role::kTime, "Spanish"},
+      {Says::kNoun, "temps heure", Role::kTime, "French"},
+      {Says::kNoun, "tempo ora", Role::kTime, "Italian, Portuguese"},
       {Says::kForeign,
        "min mins minute minutes h hr hour hours d day days tow ticks frames jd mjd"},
       {Says::kSince1970, "unix posix epoch 1970"},
       {Says::kBeside,
        "since start elapsed utc iso iso8601 8601 rfc3339 boot begin sim simulation in of the from "
-       "flight mission sample header field message msg ros"},
+       "flight mission sample header field message msg ros date datum fecha gmt"},
   };
   pattern.needed = Says::kNoun;
   pattern.unit = UnitPlace::kAnywhere;

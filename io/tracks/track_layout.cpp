@@ -425,6 +425,7 @@ Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOpti
                     ? layout_of_poses(*table, text, options, seen)
                     : choose_track_layout(*table, text, options, seen);
   if (!chosen) return at_first_line(std::move(chosen).error(), *table);
+  chosen->notes.insert(chosen->notes.begin(), table->notes.begin(), table->notes.end());
   return chosen;
 }
 

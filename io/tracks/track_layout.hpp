@@ -8,6 +8,7 @@
 #include "io/recording/wall_clock.hpp"
 #include "io/table/table_layout.hpp"
 #include "io/tracks/fix_quality.hpp"
+#include "io/units/iso_time.hpp"
 #include "io/units/time_zone.hpp"
 #include "io/units/unit_taken.hpp"
 
@@ -38,6 +39,9 @@ struct TimeChoice {
   bool since_1970 = false;
   bool by_size = false;                  // the unit was told by the size of the numbers
   std::optional<std::size_t> date = {};  // the column of the day
+  DateOrder dates = DateOrder::kUnsaid;  // where the year is last
+  std::string dates_reason = {};         // why it is that one
+  bool to_the_minute = false;            // the first time has no seconds
   std::optional<TimeZone> zone = {};     // of dates and times that name none themselves
   std::string zone_reason = {};          // why it is that one
   // Of dates and times, or times of day, without a zone: what they are counted from.
@@ -79,10 +83,11 @@ struct TrackLayout {
   // it is as good as none.
   bool places_may_be_unknown = false;
   bool infinite_is_unknown = false;
-  bool ids_may_be_empty = false;  // of who is none of the animals
-  bool show = false;              // of a drone show: a path with colours
-  bool supposed_metres = false;   // its positions: nothing says so
-  bool ids_within_file = false;   // of ROS: another file may call another bee so
+  bool ids_may_be_empty = false;   // of who is none of the animals
+  bool show = false;               // of a drone show: a path with colours
+  bool supposed_metres = false;    // its positions: nothing says so
+  bool ids_are_addresses = false;  // of aircraft, in capitals or not
+  bool ids_within_file = false;    // of ROS: another file may call another bee so
   // Of aircraft with two kinds of heights, that which is not taken, and its unit: where it
   // contradicts the other one, neither is believed.
   Unit other_height_unit = Unit::kMetre;

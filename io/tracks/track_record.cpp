@@ -13,6 +13,7 @@
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
+#include "io/tracks/wall_times.hpp"
 
 #include <cmath>
 #include <limits>

@@ -142,6 +142,7 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     if (!layout.sets.empty() && !record.id.empty()) {
       record.id = assembly.name_within_set(record.id, record.set);
     }
+    if (layout.ids_are_addresses) record.id = assembly.name_of_address(record.id);
     if (layout.ids_within_file && !(problem && record.id.empty())) {
       name_within_file(stem, assembly.has_several(), record, file_id);
     }

@@ -10,7 +10,7 @@
 #include "io/table/record_problems.hpp"
 #include "io/table/table_sources.hpp"
 #include "io/tracks/first_fields.hpp"
-#include "io/units/iso_time.hpp"
+#include "io/tracks/wall_times.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -145,80 +145,6 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
   return time;
 }
 
-// Which zone dates and times are of that name none: the caller's, or that of a known source.
-void choose_zone(const Header& header, const RecordingOptions& options, TimeChoice& time) {
-  const TableSource* const source = source_of(header.table().names);
-  if (options.time_zone) {
-    time.zone = options.time_zone;
-    time.zone_reason = "as --time-zone says";
-  } else if (source != nullptr && source->in_utc) {
-    time.zone = TimeZone::utc();
-    time.zone_reason = "the header is that of " + std::string(source->name);
-  }
-}
-
-bool may_say_day(const std::string& name) {
-  const std::vector<std::string> words = split_words(name);
-  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
-    return is_one_of("date day datum fecha jour dia giorno", word);
-  });
-}
-
-// Beside times of day, the column of the day, if it is not certain which it is or whether it is
-// one.
-std::optional<Error> doubtful_day(std::string_view text, const Header& header,
-                                  const TimeChoice& time) {
-  const TableLayout& table = header.table();
-  for (std::size_t i = 0; i < table.columns; ++i) {
-    if (i == time.column || header.override_of(Role::kId) == i) continue;
-    const bool named =
-        i < header.size() && (header.meaning(i).role == Role::kDate || may_say_day(table.names[i]));
-    const FirstFields fields = first_fields(text, table, i);
-    const bool day = !fields.empty() &&
-                     (looks_like_iso_time(fields.front()) || looks_like_other_date(fields.front()));
-    if (!named && !day) continue;
-    return missing_column(
-        "times of day are read from " + column_text(table, time.column) + ", and " +
-        column_text(table, i) +
-        " may hold their day; say so with --columns date=" + std::to_string(i + 1) +
-        ", or, if it has nothing to do with them, leave it out of the table");
-  }
-  return std::nullopt;
-}
-
-// Of dates and times, or times of day: whether they are instants, or else what they count from.
-std::optional<Error> settle_wall_times(std::string_view text, const TableLayout& table,
-                                       const FirstFields& times, TimeChoice& time) {
-  WallTime first;
-  const bool clock = time.form == TimeForm::kClock;
-  const std::string_view problem =
-      clock ? parse_clock(times.front(), first) : parse_wall_time(times.front(), first);
-  if (!problem.empty()) {
-    return not_a("time", times, problem);
-  }
-  std::int64_t day_s = first.seconds - (first.seconds % 86'400 + 86'400) % 86'400;
-  if (time.date) {
-    const auto days = first_fields(text, table, *time.date);
-    if (days.empty()) {
-      return at_column(ErrorCode::kNotANumber,
-                       column_text(table, *time.date) +
-                           ", the day of the times, is empty; fill it in, or leave it out of the "
-                           "table",
-                       *time.date);
-    }
-    const std::string_view what = parse_day(days.front(), day_s);
-    if (!what.empty()) {
-      return not_a("date", days,
-                   std::string(what) + "; if it is no day, leave that column out of the table");
-    }
-  }
-  const bool dated = !clock || time.date;
-  time.since_1970 = dated && (first.offset_s || time.zone);
-  if (time.since_1970) return std::nullopt;
-  time.clock = WallClock{dated, dated ? day_s : 0};
-  return std::nullopt;
-}
-
 // What is to be said of how frames and pixels are read.
 bool lengths_are_known(const TableLayout& table, const ColumnChoice& position,
                        const RecordingOptions& options) {
@@ -289,6 +215,17 @@ Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Heade
                  {}};
   }
   if (!column && found.size() > 1) {
+    if (const auto dated = only_dated(text, table, found)) {
+      other = found[found.front() == *dated ? 1 : 0];
+      found = {*dated};
+    }
+  }
+  // "date", with the time in it.
+  const std::optional<std::size_t> date = header.only(Role::kDate);
+  if (!column && found.empty() && date && is_date_with_time(first_fields(text, table, *date))) {
+    found = {*date};
+  }
+  if (!column && found.size() > 1) {
     return missing_column(
         "both " + column_text(table, found[0]) + " and " + column_text(table, found[1]) +
         " look like the time; say which with --columns "
@@ -299,24 +236,8 @@ Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Heade
   time.column = column ? *column : found.front();
   time.other = other;
   const FirstFields times = first_fields(text, table, time.column);
-  if (!times.empty() && looks_like_iso_time(times.front())) {
-    time.form = TimeForm::kDatesAndTimes;
-  } else if (!times.empty() && looks_like_clock(times.front())) {
-    time.form = TimeForm::kClock;
-    time.date = header.override_of(Role::kDate) ? header.override_of(Role::kDate)
-                                                : header.only(Role::kDate);
-    if (!time.date) {
-      if (auto error = doubtful_day(text, header, time)) return *std::move(error);
-    }
-  } else if (!times.empty() && looks_like_other_date(times.front())) {
-    WallTime ignored;
-    return not_a("time", times, parse_wall_time(times.front(), ignored));
-  }
-  if (time.form != TimeForm::kNumbers) {
-    choose_zone(header, options, time);
-    if (auto error = settle_wall_times(text, table, times, time)) return *std::move(error);
-    return std::optional<TimeChoice>(std::move(time));
-  }
+  if (auto error = choose_wall_times(text, header, times, options, time)) return *std::move(error);
+  if (time.form != TimeForm::kNumbers) return std::optional<TimeChoice>(std::move(time));
   auto chosen = choose_unit(time, column ? meaning : header.meaning(time.column), times, table,
                             options.time_unit);
   if (!chosen) return chosen.error();
@@ -353,39 +274,6 @@ std::optional<Error> lengths_problem(const TableLayout& table, const RecordingOp
                {}};
 }
 
-std::string read_wall_time(const TimeChoice& time, std::string_view text, std::string_view day,
-                           double& seconds) {
-  WallTime wall;
-  const bool clock = time.form == TimeForm::kClock;
-  const std::string_view problem = clock ? parse_clock(text, wall) : parse_wall_time(text, wall);
-  if (!problem.empty()) return std::string(problem);
-  if (time.date) {
-    std::int64_t day_s = 0;
-    const std::string_view what = parse_day(day, day_s);
-    if (!what.empty()) return "the day " + excerpt(day) + ": " + std::string(what);
-    wall.seconds += day_s;
-  }
-  if (time.clock) {
-    if (wall.offset_s && time.clock->dated) {
-      return "it has a time zone, but the first times have none; say with --time-zone which they "
-             "are of";
-    }
-    seconds = seconds_after(wall, time.clock->zero_s);
-    return {};
-  }
-  std::int64_t offset_s = 0;
-  if (wall.offset_s) {
-    offset_s = *wall.offset_s;
-  } else if (!time.zone) {
-    return "it has no time zone; write Z for UTC behind it, or an offset such as +02:00, or say "
-           "with --time-zone which it is";
-  } else if (std::string what = time.zone->offset_of_local(wall.seconds, offset_s); !what.empty()) {
-    return what;
-  }
-  seconds = seconds_after(wall, offset_s);
-  return {};
-}
-
 std::string time_note(const TableLayout& table, const TimeChoice& time, bool asked) {
   std::string text = "times are read from " + column_text(table, time.column);
   if (time.form == TimeForm::kFrames) {
@@ -395,12 +283,15 @@ std::string time_note(const TableLayout& table, const TimeChoice& time, bool ask
   if (time.clock) {
     text += time.clock->dated ? " as dates and times of one clock, whose time zone is not known"
                               : " as times of day of one clock";
+    text += dates_note(time);
     return text + (time.clock->dated
                        ? " and which is not turned; --time-zone UTC, or Europe/Madrid, would say it"
                        : "");
   }
   if (time.form != TimeForm::kNumbers) {
-    text += " as dates and times (ISO 8601)";
+    text += " as dates and times";
+    if (time.dates == DateOrder::kUnsaid) text += " (ISO 8601)";
+    text += dates_note(time);
     if (!time.zone) return text;
     return text + "; those without a time zone are of " + time.zone->name() + ": " +
            time.zone_reason;

@@ -33,11 +33,6 @@ std::optional<Error> frames_problem(const TableLayout& table, const TimeChoice& 
 // Lengths of an image: where neither the header nor the caller says a unit, they may be pixels.
 std::optional<Error> lengths_problem(const TableLayout& table, const RecordingOptions& options);
 
-// A field of the time, and of the day where that has a column of its own, as seconds. What is
-// wrong, as a sentence; nothing when all is well.
-std::string read_wall_time(const TimeChoice& time, std::string_view text, std::string_view day,
-                           double& seconds);
-
 // What was chosen, for the notes.
 std::string time_note(const TableLayout& table, const TimeChoice& time, bool asked);
 

@@ -1,7 +1,10 @@
 #include "io/tracks/utm_zone.hpp"
 
 #include "io/bytes/characters.hpp"
+#include "io/points/record_reading.hpp"
+#include "io/problems/excerpt.hpp"
 #include "io/table/column_names.hpp"
+#include "io/table/record_walk.hpp"
 
 #include <algorithm>
 
@@ -44,6 +47,28 @@ std::string utm_zone_of(std::string_view text) {
   const char band = hemisphere.front();
   if (band >= 'n' && band <= 'x') return number + "n";
   return band >= 'c' && band <= 'm' ? number + "south" : zone;
+}
+
+std::optional<Error> other_zone(std::string_view text, const TableLayout& table, std::size_t column,
+                                std::optional<std::string>& zone) {
+  RecordWalk walk(text, 0, table);
+  while (walk.next()) {
+    const Field field = field_at(walk.record(), table.delimiter, column);
+    const std::string here = utm_zone_of(without_padding(field.text));
+    if (!zone) zone = here;
+    if (*zone == here) continue;
+    Error error{ErrorCode::kUnknownFrame,
+                "this easting and northing are of UTM zone " + excerpt(field.text) +
+                    ", but those before are of " + excerpt(*zone) +
+                    ": they cannot be compared; take longitude and latitude, as with --columns "
+                    "lon=...,lat=..., or bring all into one zone",
+                {}};
+    error.location.line = walk.line() + 1;
+    error.location.record = walk.row();
+    error.location.column = column + 1;
+    return error;
+  }
+  return std::nullopt;
 }
 
 }  // namespace beespace::io

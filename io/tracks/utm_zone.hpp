@@ -4,6 +4,8 @@
 
 #include "io/table/table_layout.hpp"
 
+#include <beespace/result.hpp>
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -17,5 +19,11 @@ std::optional<std::size_t> find_utm_zone(const TableLayout& table);
 // The same text for the same coordinates: a number, and the hemisphere, as far as that is clear.
 // "32N", "32 n", "32T" and "32U" are one; "32S" may be one of the north or of the south.
 std::string utm_zone_of(std::string_view text);
+
+// Of the records of `text`, lines of that table behind its header, one that is of another zone than
+// `zone`, which is that of the first record if it is not known yet. Errors: kUnknownFrame, with
+// line and record counted from the beginning of the text, and column.
+std::optional<Error> other_zone(std::string_view text, const TableLayout& table, std::size_t column,
+                                std::optional<std::string>& zone);
 
 }  // namespace beespace::io

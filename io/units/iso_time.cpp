@@ -16,6 +16,14 @@ constexpr std::string_view kForm = "write it as 2024-05-01T12:00:00.25Z";
 constexpr std::string_view kOtherDate =
     "which of its numbers is the day and which the month is not said; write dates with the year "
     "first, as in 2024-05-01 (pandas: pd.to_datetime(column, dayfirst=True))";
+constexpr std::string_view kShortYear =
+    "the year has two digits; write it with four, as in 2024-05-01";
+constexpr std::string_view kNotDayFirst =
+    "there is no such month: dates with points, or of this table, have the day first, then the "
+    "month; correct it, or say --dates month-first for all";
+constexpr std::string_view kNotMonthFirst =
+    "there is no such month: dates of this table have the month first, then the day; correct it, "
+    "or say --dates day-first for all";
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -43,7 +51,7 @@ bool is_short(std::size_t digits) {
   return digits == 1 || digits == 2;
 }
 
-bool has_year_last(const DateDigits& digits) {
+bool ends_with_year(const DateDigits& digits) {
   return is_short(digits[0]) && is_short(digits[1]) && (digits[2] == 2 || digits[2] == 4);
 }
 
@@ -62,6 +70,12 @@ class Front {
     }
     text_.remove_prefix(count);
     return true;
+  }
+
+  // One digit or two.
+  bool short_number(int& value) {
+    const bool two = text_.size() > 1 && is_digit(text_[1]);
+    return number(two ? 2 : 1, value);
   }
 
   // One of these characters.
@@ -105,20 +119,34 @@ struct Clock {
   std::int64_t nanos = 0;
 };
 
-std::string_view parse_clock(Front& front, std::size_t hour_digits, Clock& clock) {
-  if (!front.number(hour_digits, clock.hour) || !front.any_of(":") ||
-      !front.number(2, clock.minute)) {
+// "AM" or "PM" behind the hours of half a day.
+std::string_view parse_half_day(Front& front, Clock& clock) {
+  constexpr int kHalfDay = 12;
+  Front behind = front;
+  while (behind.any_of(" ")) {
+  }
+  const bool before_noon = behind.word("AM");
+  if (!before_noon && !behind.word("PM")) return {};
+  if (clock.hour < 1 || clock.hour > kHalfDay) return "there is no such time of day; correct it";
+  clock.hour = clock.hour % kHalfDay + (before_noon ? 0 : kHalfDay);
+  front = behind;
+  return {};
+}
+
+// Hours, minutes, and seconds unless those are not told.
+std::string_view parse_clock(Front& front, Clock& clock) {
+  if (!front.short_number(clock.hour) || !front.any_of(":") || !front.number(2, clock.minute)) {
     return kForm;
   }
-  if (!front.any_of(":") || !front.number(2, clock.second)) {
-    return "the seconds are missing; write it as 2024-05-01T12:00:00Z";
+  if (front.any_of(":")) {
+    if (!front.number(2, clock.second)) return kForm;
+    if (front.any_of(".,") && !front.fraction(clock.nanos)) return kForm;
   }
-  if (front.any_of(".,") && !front.fraction(clock.nanos)) return kForm;
   if (clock.second == 60) return "leap seconds are not read; a minute has the seconds 00 to 59";
   if (clock.hour > 23 || clock.minute > 59 || clock.second > 59) {
     return "there is no such time of day; correct it";
   }
-  return {};
+  return parse_half_day(front, clock);
 }
 
 // Minutes east of Greenwich, perhaps behind a blank; nothing where nothing is there.
@@ -143,22 +171,44 @@ std::string_view parse_zone(Front& front, std::optional<int>& minutes) {
   return {};
 }
 
-std::string_view parse_date(Front& front, std::int64_t& days) {
-  int year = 0;
-  int month = 0;
-  int day = 0;
-  if (!front.number(4, year)) return kForm;
-  const std::string_view between = front.rest().substr(0, 1);
-  if (!front.any_of("-/") || !front.number(2, month) || !front.any_of(between) ||
-      !front.number(2, day)) {
-    return kForm;
-  }
+std::string_view days_of(int year, int month, int day, std::int64_t& days) {
   const std::chrono::year_month_day date(std::chrono::year(year),
                                          std::chrono::month(static_cast<unsigned>(month)),
                                          std::chrono::day(static_cast<unsigned>(day)));
   if (!date.ok()) return "there is no such day; correct it";
   days = std::chrono::sys_days(date).time_since_epoch().count();
   return {};
+}
+
+// "27/10/2024".
+std::string_view parse_year_last(Front& front, DateOrder order, std::int64_t& days) {
+  int first = 0;
+  int second = 0;
+  int year = 0;
+  if (!front.short_number(first)) return kForm;
+  const std::string_view between = front.rest().substr(0, 1);
+  if (!front.any_of("./-") || !front.short_number(second) || !front.any_of(between)) return kForm;
+  const bool short_year = !front.number(4, year);
+  if (short_year && !front.number(2, year)) return kForm;
+  if (order == DateOrder::kUnsaid) return kOtherDate;
+  if (short_year) return kShortYear;
+  const bool day_first = order == DateOrder::kDayFirst;
+  const int month = day_first ? second : first;
+  if (month > 12) return day_first ? kNotDayFirst : kNotMonthFirst;
+  return days_of(year, month, day_first ? first : second, days);
+}
+
+std::string_view parse_date(Front& front, DateOrder order, std::int64_t& days) {
+  int year = 0;
+  int month = 0;
+  int day = 0;
+  if (!front.number(4, year)) return parse_year_last(front, order, days);
+  const std::string_view between = front.rest().substr(0, 1);
+  if (!front.any_of("-/") || !front.number(2, month) || !front.any_of(between) ||
+      !front.number(2, day)) {
+    return kForm;
+  }
+  return days_of(year, month, day, days);
 }
 
 std::int64_t seconds_of(const Clock& clock) {
@@ -197,31 +247,50 @@ bool looks_like_iso_time(std::string_view text) {
 bool looks_like_other_date(std::string_view text) {
   const DateDigits digits = date_digits(text);
   const bool year_first = digits[0] == 4 && is_short(digits[1]) && is_short(digits[2]);
-  return year_first || has_year_last(digits);
+  return year_first || ends_with_year(digits);
 }
 
 bool looks_like_clock(std::string_view text) {
   int number = 0;
-  for (const std::size_t digits : {std::size_t{1}, std::size_t{2}}) {
-    Front front(text);
-    if (front.number(digits, number) && front.any_of(":") && front.number(2, number) &&
-        front.any_of(":")) {
-      return true;
-    }
-  }
-  return false;
+  Front front(text);
+  return front.short_number(number) && front.any_of(":") && front.number(2, number) &&
+         front.any_of(":");
 }
 
-std::string_view parse_wall_time(std::string_view text, WallTime& time) {
+bool looks_like_hours_and_minutes(std::string_view text) {
+  int number = 0;
+  Front front(text);
+  if (!front.short_number(number) || !front.any_of(":") || !front.number(2, number)) return false;
+  Clock half;
+  half.hour = 1;
+  return parse_half_day(front, half).empty() && front.rest().empty();
+}
+
+std::optional<DateOrder> order_told_by(std::string_view text) {
+  if (!ends_with_year(date_digits(text))) return std::nullopt;
+  Front front(text);
+  int first = 0;
+  int second = 0;
+  if (!front.short_number(first)) return std::nullopt;
+  if (front.any_of(".")) return DateOrder::kDayFirst;
+  if (!front.any_of("/-") || !front.short_number(second)) return std::nullopt;
+  const bool day_first = first > 12 && first <= 31 && second <= 12;
+  const bool month_first = second > 12 && second <= 31 && first <= 12;
+  if (day_first == month_first) return DateOrder::kUnsaid;
+  return day_first ? DateOrder::kDayFirst : DateOrder::kMonthFirst;
+}
+
+std::string_view parse_wall_time(std::string_view text, WallTime& time, DateOrder order) {
   Front front(text);
   std::int64_t days = 0;
-  if (const auto problem = parse_date(front, days); !problem.empty()) {
-    return problem == kForm && has_year_last(date_digits(text)) ? kOtherDate : problem;
-  }
+  if (const auto problem = parse_date(front, order, days); !problem.empty()) return problem;
   if (front.rest().empty()) return "it is a day without a time; write it as 2024-05-01T12:00:00Z";
+  front.any_of(",");
   if (!front.any_of("Tt ")) return kForm;
+  while (front.any_of(" ")) {
+  }
   Clock clock;
-  if (const auto problem = parse_clock(front, 2, clock); !problem.empty()) return problem;
+  if (const auto problem = parse_clock(front, clock); !problem.empty()) return problem;
   std::optional<int> minutes;
   if (const auto problem = parse_zone(front, minutes); !problem.empty()) return problem;
   if (!front.rest().empty()) return kForm;
@@ -234,11 +303,9 @@ std::string_view parse_wall_time(std::string_view text, WallTime& time) {
 
 std::string_view parse_clock(std::string_view text, WallTime& time) {
   constexpr std::string_view kClockForm = "write it as 07:00:00, or 07:00:00.25";
-  const std::size_t digits = text.find(':');
-  if (digits != 1 && digits != 2) return kClockForm;
   Front front(text);
   Clock clock;
-  if (const auto problem = parse_clock(front, digits, clock); !problem.empty()) {
+  if (const auto problem = parse_clock(front, clock); !problem.empty()) {
     return problem == kForm ? kClockForm : problem;
   }
   std::optional<int> minutes;
@@ -250,13 +317,12 @@ std::string_view parse_clock(std::string_view text, WallTime& time) {
   return {};
 }
 
-std::string_view parse_day(std::string_view text, std::int64_t& seconds) {
+std::string_view parse_day(std::string_view text, std::int64_t& seconds, DateOrder order) {
   Front front(text);
   std::int64_t days = 0;
-  const auto problem = parse_date(front, days);
-  if (problem == kForm || !front.rest().empty()) {
-    return has_year_last(date_digits(text)) ? kOtherDate : "write the day as 2024-05-01";
-  }
+  const auto problem = parse_date(front, order, days);
+  if (problem == kForm) return "write the day as 2024-05-01";
+  if (problem.empty() && !front.rest().empty()) return "write the day as 2024-05-01";
   seconds = days * kSecondsPerDay;
   return problem;
 }

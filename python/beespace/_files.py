@@ -401,6 +401,7 @@ def read_recording(
     heights: str | None = None,
     time_unit: str | None = None,
     time_zone: str | None = None,
+    dates: str | None = None,
     fps: float | None = None,
     scale: str | None = None,
     skip_bad: bool = False,
@@ -423,6 +424,8 @@ def read_recording(
     time_zone : str, optional
         Of dates and times that name none: "UTC", "Europe/Madrid", "+02:00". Without it, such times
         count from a midnight of their clock, and `since_1970` is False.
+    dates : {"day-first", "month-first"}, optional
+        Of dates as 05/06/2024, where none of the column tells which number is the day.
     fps : float, optional
         Where a column counts the frames of a video: how many there are in a second.
     scale : str, optional
@@ -449,7 +452,7 @@ def read_recording(
     """
     options = reading_options(
         skip_bad, grounded, 1, frame=frame, columns=columns, units=units, heights=heights,
-        time_unit=time_unit, time_zone=time_zone, scale=scale,
+        time_unit=time_unit, time_zone=time_zone, dates=dates, scale=scale,
     )
     if fps is not None:
         options.fps = frames_a_second(fps)

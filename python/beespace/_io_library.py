@@ -59,6 +59,7 @@ class COptions(ctypes.Structure):
         ("time_zone", c_char_p),
         ("scale", c_char_p),
         ("fps", c_double),
+        ("dates", c_char_p),
     ]
 
 

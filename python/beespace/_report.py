@@ -151,6 +151,7 @@ def report(
     heights: str | None = None,
     time_unit: str | None = None,
     time_zone: str | None = None,
+    dates: str | None = None,
     fps: float | None = None,
     scale: str | None = None,
     skip_bad: bool = False,
@@ -181,7 +182,7 @@ def report(
         five times the typical interval. Infinity joins all fixes.
     threads : int
         How many threads may work; 0 for one per processor.
-    frame, columns, units, heights, time_unit, time_zone, fps, scale, skip_bad, grounded
+    frame, columns, units, heights, time_unit, time_zone, dates, fps, scale, skip_bad, grounded
         How files are read: as in `read` and `read_recording`.
 
     Returns
@@ -208,7 +209,7 @@ def report(
     tail = (page_options, ctypes.byref(handle), ctypes.byref(error))
     texts = {
         "frame": frame, "columns": columns, "units": units, "heights": heights,
-        "time_unit": time_unit, "time_zone": time_zone, "scale": scale,
+        "time_unit": time_unit, "time_zone": time_zone, "dates": dates, "scale": scale,
     }
     if _are_paths(points):
         if ids is not None:

@@ -342,6 +342,11 @@ def test_zones_frames_and_pixels_are_as_they_are_said(written):
     assert zoned.since_1970 and zoned.times.tolist() == [0, 1]
     bare = beespace.read_recording(dated)
     assert not bare.since_1970 and bare.times.tolist() == [7200, 7201]
+    either = written("either.csv", "id,time,x_m,y_m\na,02/01/1970 00:00:00,1,2\n")
+    with pytest.raises(beespace.BeespaceFileError, match="dates day-first"):
+        beespace.read_recording(either)
+    ordered = beespace.read_recording(either, time_zone="UTC", dates="day-first")
+    assert ordered.times.tolist() == [86400]
     video = written("video.csv", "frame,id,x,y\n0,a,200,300\n1,a,NA,NA\n2,a,201,302\n")
     filmed = beespace.read_recording(video, fps=4, scale="50cm")
     assert filmed.times.tolist() == [0, 0.5]

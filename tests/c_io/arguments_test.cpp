@@ -65,7 +65,7 @@ TEST_F(CIoArguments, UnknownFlagsAndWordsAreRefused) {
   expect_refused(options, "time_unit is for recordings");
   options = io_options();
   options.fps = 25;
-  expect_refused(options, "time_zone, scale and fps are for recordings");
+  expect_refused(options, "time_zone, dates, scale and fps are for recordings");
   options = io_options();
   options.units = "height=cubits";
   expect_refused(options, "units: 'cubits'");

@@ -45,18 +45,18 @@ TEST_F(CReadPoints, OfATableInMetresAreItsNumbers) {
 // the semi-minor axis of WGS84.
 TEST_F(CReadPoints, OfATableInDegreesAreEarthCentred) {
   const auto read = read_points(
-      folder_.file("degrees.csv", "lon_deg,lat_deg,height_m\n0,0,100\n90,0,0\n0,90,5\n"));
+      folder_.file("degrees.csv", "lon_deg,lat_deg,height_m\n180,0,100\n90,0,0\n0,90,5\n"));
   ASSERT_EQ(read.code, BEESPACE_OK) << read.error.message;
   constexpr double kA = 6378137.0;
   const double b = kA * (1.0 - 1.0 / 298.257223563);
-  const std::vector<double> expected = {kA + 100, 0, 0, 0, kA, 0, 0, 0, b + 5};
+  const std::vector<double> expected = {-(kA + 100), 0, 0, 0, kA, 0, 0, 0, b + 5};
   const std::vector<double> xyz = xyz_of(read.points);
   ASSERT_EQ(xyz.size(), expected.size());
   for (std::size_t i = 0; i < xyz.size(); ++i) EXPECT_NEAR(xyz[i], expected[i], 1e-8) << i;
   const double* const degrees = beespace_io_points_degrees(read.points.get());
   ASSERT_NE(degrees, nullptr);
   EXPECT_EQ(std::vector<double>(degrees, degrees + 9),
-            (std::vector<double>{0, 0, 100, 90, 0, 0, 0, 90, 5}));
+            (std::vector<double>{180, 0, 100, 90, 0, 0, 0, 90, 5}));
   EXPECT_STREQ(beespace_io_facts_frame(beespace_io_points_facts(read.points.get())), "wgs84");
   EXPECT_EQ(beespace_io_points_id(read.points.get(), 0), nullptr);
   EXPECT_EQ(beespace_io_points_ids(read.points.get(), nullptr), nullptr);

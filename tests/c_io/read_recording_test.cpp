@@ -127,6 +127,17 @@ TEST_F(CReadRecording, ZonesFramesAndPixelsAreAsTheyAreSaid) {
   EXPECT_EQ(beespace_io_recording_since_1970(bare.recording.get()), 0);
   EXPECT_EQ(numbers_of(beespace_io_recording_times_s(bare.recording.get()), 2),
             (std::vector<double>{7200, 7201}));
+  const std::string either =
+      folder_.file("either.csv", "id,time,x [m],y [m]\na,02/01/1970 00:00:00,1,2\n");
+  const auto asked = read_recording({either}, nullptr);
+  EXPECT_EQ(asked.code, BEESPACE_INVALID_ARGUMENT);
+  EXPECT_NE(text_of(asked.error).find("say it with dates day-first"), std::string::npos);
+  options.time_zone = "UTC";
+  options.dates = "day-first";
+  const auto ordered = read_recording({either}, &options);
+  ASSERT_EQ(ordered.code, BEESPACE_OK) << text_of(ordered.error);
+  EXPECT_EQ(numbers_of(beespace_io_recording_times_s(ordered.recording.get()), 1),
+            std::vector<double>{86400});
   options = io_options();
   options.fps = 4;
   options.scale = "50cm";

@@ -117,6 +117,27 @@ TEST(Coverage, AShowThatIsInTheAirThroughoutHasNoGround) {
   EXPECT_FALSE(flight.may_hide_conflicts());
 }
 
+// Of an aircraft that has landed the time after that is no time in the air.
+TEST(Coverage, AircraftThatHaveLandedAreNotCutOff) {
+  io::Recording recording;
+  recording.frame = io::Frame::kWgs84;
+  recording.bees = {bee_at("a", {0, 30, 59, 60}), bee_at("b", {0, 15, 19, 20})};
+  for (io::RecordedBee& bee : recording.bees) {
+    for (Fix& fix : bee.fixes) fix.position = {8.0 + 0.001 * fix.time_s, 47.0, 500.0};
+  }
+  EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_cut_off, 1U);
+  recording.bees[1].on_ground_from_s = 24.0;
+  const Coverage landed = coverage_of(recording, {}, {5.0, 1.0});
+  EXPECT_EQ(landed.bees_cut_off, 0U);
+  EXPECT_EQ(landed.outside_s, 0.0);
+  EXPECT_FALSE(landed.may_hide_conflicts());
+  // Half a minute of flight is unknown.
+  recording.bees[1].on_ground_from_s = 50.0;
+  const Coverage late = coverage_of(recording, {}, {5.0, 1.0});
+  EXPECT_EQ(late.bees_cut_off, 1U);
+  EXPECT_EQ(late.outside_s, 30.0);
+}
+
 // In metres with heights one whose fixes end in the air is cut off; what rests at the height of
 // the others has landed.
 TEST(Coverage, DronesThatEndInTheAirAreCutOff) {

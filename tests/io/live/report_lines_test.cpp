@@ -220,5 +220,41 @@ TEST(ReportLines, AByteOrderMarkIsNoPartOfTheHeader) {
   EXPECT_EQ(report_of(lines.take("a,0,1,2,3")).id, "a");
 }
 
+// 31,000 m are feet: so may be what came before.
+TEST(ReportLines, HeightsThatNothingFliesAtEndWhatIsBelieved) {
+  for (const std::string first : {"id,time_s,lat,lon,height\n",
+                                  "time,icao24,lat,lon,velocity,heading,vertrate,callsign,"
+                                  "onground,baroaltitude,geoaltitude\n"}) {
+    const bool opensky = first.starts_with("time,");
+    const auto line = [opensky](const std::string& height) {
+      return opensky ? "1700000000,3c6444,47,8,230,90,0,DLH1,false," + height + "," + height
+                     : "a,1700000000,47,8," + height;
+    };
+    ReportLines lines;
+    EXPECT_FALSE(says_something(lines.take(first)));
+    EXPECT_EQ(report_of(lines.take(line("11000"))).position.z, 11000.0);
+    EXPECT_FALSE(lines.ended());
+    expect_line_error(lines.take(line("31000")),
+                      {ErrorCode::kInvalidArgument, "<stdin>:3", "heights go up to 31000"});
+    EXPECT_TRUE(lines.ended());
+  }
+  RecordingOptions options;
+  options.units.height = Unit::kMetre;
+  ReportLines said(options);
+  EXPECT_FALSE(says_something(said.take("id,time_s,lat,lon,height")));
+  EXPECT_EQ(report_of(said.take("a,1,47,8,31000")).position.z, 31000.0);
+}
+
+TEST(ReportLines, AddressesInCapitalsAreTheSameAircraft) {
+  ReportLines lines;
+  EXPECT_FALSE(says_something(lines.take("time_s,icao24,lat,lon,alt_ft")));
+  EXPECT_EQ(report_of(lines.take("1,3C6444,47,8,31000")).id, "3C6444");
+  EXPECT_EQ(report_of(lines.take("2,3c6444,47,8,31000")).id, "3C6444");
+  ReportLines objects;
+  const std::string object = R"("lat":47,"lon":8,"alt_ft":31000})";
+  EXPECT_EQ(report_of(objects.take(R"({"time_s":1,"icao24":"3c6444",)" + object)).id, "3c6444");
+  EXPECT_EQ(report_of(objects.take(R"({"time_s":2,"icao24":"3C6444",)" + object)).id, "3c6444");
+}
+
 }  // namespace
 }  // namespace beespace::io

@@ -17,13 +17,13 @@ constexpr std::string_view kCourseHeader =
     "Coordenada x de la abeja, coordenada y de la abeja, coordenada z de la abeja\n";
 
 TEST(TextTable, ReadsTheCourseFormatAsDegrees) {
-  const auto loaded = load_text(std::string(kCourseHeader) + "0,0,0\n90,0,1000\n0,90,0\n");
+  const auto loaded = load_text(std::string(kCourseHeader) + "180,0,0\n90,0,1000\n0,90,0\n");
   const auto points = points_of(loaded);
   ASSERT_EQ(points.size(), 3u);
   EXPECT_EQ(loaded.value().frame, Frame::kWgs84);
   EXPECT_EQ(loaded.value().format_description, "text, comma-separated");
   EXPECT_NE(loaded.value().frame_reason.find("bees"), std::string::npos);
-  EXPECT_NEAR(points[0].x, 6'378'137.0, 1e-6);
+  EXPECT_NEAR(points[0].x, -6'378'137.0, 1e-6);
   EXPECT_NEAR(points[1].y, 6'379'137.0, 1e-6);
   EXPECT_NEAR(points[2].z, 6'356'752.314245, 1e-6);
 }

@@ -69,9 +69,9 @@ TEST(Frame, TheExplicitFrameAlwaysWins) {
   LoadOptions options = in_metres();
   EXPECT_EQ(points_of(load_text("lon,lat,alt\n1,2,3\n", options)), (std::vector<Point>{{1, 2, 3}}));
   options.frame = Frame::kWgs84;
-  const auto loaded = load_text("x,y,z\n0,0,0\n", options);
+  const auto loaded = load_text("x,y,z\n180,0,0\n", options);
   ASSERT_EQ(points_of(loaded).size(), 1u);
-  EXPECT_NEAR(loaded.value().points[0].x, 6'378'137.0, 1e-6);
+  EXPECT_NEAR(loaded.value().points[0].x, -6'378'137.0, 1e-6);
   EXPECT_EQ(loaded.value().frame_reason, "asked for with --crs wgs84");
 }
 

@@ -292,11 +292,11 @@ TEST(UnitsInTables, LinesThatComeOneByOneAreReadAlike) {
 TEST(UnitsInTables, KeysThatComeLaterChangeNoUnitInSilence) {
   ReportLines lines;
   EXPECT_TRUE(says_something(
-      lines.take(R"({"id": "a", "time_s": 0, "lat": 48, "lon": 2, "altitude": 35000})")));
+      lines.take(R"({"id": "a", "time_s": 0, "lat": 48, "lon": 2, "altitude": 15000})")));
   for (int i = 1; i < 3; ++i) {
     expect_line_error(
         lines.take(R"({"id": "a", "time_s": 1, "lat": 48, "lon": 2, )"
-                   R"("altitude": 35000, "squawk": "7000"})"),
+                   R"("altitude": 15000, "squawk": "7000"})"),
         {ErrorCode::kInvalidArgument, "<stdin>:" + std::to_string(i + 1), "but in which unit?"});
   }
   ReportLines kinds;

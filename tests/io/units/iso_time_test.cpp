@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -82,7 +83,6 @@ TEST(IsoTime, OtherFormsAreRefusedAndTheRightOneIsShown) {
     EXPECT_NE(problem_of(text).find("write it as 2024-05-01T12:00:00.25Z"), std::string::npos)
         << text;
   }
-  EXPECT_NE(problem_of("2024-05-01T12:00Z").find("seconds are missing"), std::string::npos);
   EXPECT_NE(problem_of("2024-05-01").find("a day without a time"), std::string::npos);
 }
 
@@ -105,6 +105,68 @@ TEST(IsoTime, WhereTheYearIsLastDayAndMonthAreNotGuessed) {
        {"", "1.5", "10.09", "10.09/2015", "123.4.5", "1.2.345", "-1"}) {
     EXPECT_FALSE(looks_like_other_date(text)) << text;
   }
+}
+
+double seconds_by(DateOrder order, std::string_view text) {
+  WallTime time;
+  const std::string_view problem = parse_wall_time(text, time, order);
+  EXPECT_EQ(problem, "") << text;
+  return problem.empty() ? seconds_after(time, 0) : kBad;
+}
+
+// 27 October 2024 at seven.
+TEST(IsoTime, WhereTheOrderIsKnownTheYearMayBeLast) {
+  for (const std::string_view text :
+       {"27.10.2024 07:00:00", "27/10/2024 07:00:00", "27-10-2024 7:00:00", "27.10.2024, 07:00",
+        "27/10/2024 7:00 AM", "2024-10-27 07:00"}) {
+    EXPECT_EQ(seconds_by(DateOrder::kDayFirst, text), 1730012400.0) << text;
+  }
+  for (const std::string_view text : {"10/27/2024 07:00:00", "10/27/2024 7:00:00 AM"}) {
+    EXPECT_EQ(seconds_by(DateOrder::kMonthFirst, text), 1730012400.0) << text;
+  }
+  EXPECT_EQ(seconds_by(DateOrder::kDayFirst, "5/6/2024 00:00:00"), 1717545600.0);
+  EXPECT_EQ(seconds_by(DateOrder::kMonthFirst, "5/6/2024 00:00:00"), 1714953600.0);
+  WallTime time;
+  EXPECT_NE(parse_wall_time("10.27.2024 07:00", time, DateOrder::kDayFirst).find("no such month"),
+            std::string_view::npos);
+  EXPECT_NE(parse_wall_time("27/10/2024 07:00", time, DateOrder::kMonthFirst).find("no such month"),
+            std::string_view::npos);
+  EXPECT_NE(parse_wall_time("27.10.24 07:00", time, DateOrder::kDayFirst).find("two digits"),
+            std::string_view::npos);
+  EXPECT_NE(parse_wall_time("31.02.2024 07:00", time, DateOrder::kDayFirst).find("no such day"),
+            std::string_view::npos);
+}
+
+TEST(IsoTime, ADateTellsItsOrderWhereItHasNoOther) {
+  EXPECT_EQ(order_told_by("27/10/2024 07:00"), DateOrder::kDayFirst);
+  EXPECT_EQ(order_told_by("10/27/2024"), DateOrder::kMonthFirst);
+  EXPECT_EQ(order_told_by("5/6/2024"), DateOrder::kUnsaid);
+  EXPECT_EQ(order_told_by("05.06.2024"), DateOrder::kDayFirst);
+  EXPECT_EQ(order_told_by("27/27/2024"), DateOrder::kUnsaid);
+  EXPECT_EQ(order_told_by("2024-10-27"), std::nullopt);
+  EXPECT_EQ(order_told_by("17"), std::nullopt);
+}
+
+TEST(IsoTime, HalvesOfADayHaveTwelveHours) {
+  constexpr DateOrder kOrder = DateOrder::kMonthFirst;
+  const double midnight_s = seconds_by(kOrder, "10/27/2024 00:00:00");
+  EXPECT_EQ(seconds_by(kOrder, "10/27/2024 12:00:00 AM"), midnight_s);
+  EXPECT_EQ(seconds_by(kOrder, "10/27/2024 12:00 pm"), midnight_s + 43200.0);
+  EXPECT_EQ(seconds_by(kOrder, "10/27/2024 7:30:15 PM"), midnight_s + 70215.0);
+  WallTime time;
+  EXPECT_NE(parse_wall_time("10/27/2024 13:00 PM", time, kOrder).find("no such time"),
+            std::string_view::npos);
+  EXPECT_NE(parse_wall_time("10/27/2024 0:30 AM", time, kOrder).find("no such time"),
+            std::string_view::npos);
+}
+
+TEST(IsoTime, MinutesAreEnough) {
+  EXPECT_EQ(seconds_of("2024-05-01T12:00Z"), 1714564800.0);
+  EXPECT_EQ(seconds_of("2024-05-01 12:00 +00:00"), 1714564800.0);
+  EXPECT_TRUE(looks_like_hours_and_minutes("7:30"));
+  EXPECT_TRUE(looks_like_hours_and_minutes("07:30 PM"));
+  EXPECT_FALSE(looks_like_hours_and_minutes("07:30:00"));
+  EXPECT_FALSE(looks_like_hours_and_minutes("7.5"));
 }
 
 TEST(IsoTime, IsDistinguishedFromNumbersByItsYear) {
