@@ -28,6 +28,7 @@
 #include "io/tracks/wide_table.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,18 +46,22 @@ std::optional<Error> read_table(const Bytes& bytes, const std::string& path, boo
 }
 
 // Beside what is for people, what the system that packed an archive has put there.
-bool is_table_of_archive(std::string_view name) {
+bool is_of_archive(std::string_view name, bool (*is_such)(std::string_view)) {
   const bool hidden =
       name.substr(name.rfind('/') + 1).starts_with('.') || name.starts_with("__MACOSX/");
-  return is_table_name(name) && !hidden && !holds_no_places(name);
+  return is_such(name) && !hidden && !holds_no_places(name);
 }
 
-// The tables of an archive, by name.
+// The tables of an archive, by name; where there is none, its logs, of one kind as in folders.
 Result<std::vector<std::string>> tables_of(const ZipArchive& archive, const std::string& source) {
   std::vector<std::string> tables;
   std::string others;
+  for (const auto is_such : {is_table_name, is_telemetry_name, is_flight_log_name}) {
+    if (!tables.empty()) break;
+    std::copy_if(archive.names().begin(), archive.names().end(), std::back_inserter(tables),
+                 [is_such](const std::string& name) { return is_of_archive(name, is_such); });
+  }
   for (const std::string& name : archive.names()) {
-    if (is_table_of_archive(name)) tables.push_back(name);
     if (others.size() < 100) others.append(others.empty() ? "" : ", ").append(excerpt(name));
   }
   const auto foreign =
@@ -66,11 +71,12 @@ Result<std::vector<std::string>> tables_of(const ZipArchive& archive, const std:
     return Error{ErrorCode::kUnsupportedFormat, std::string(foreign_show(*foreign)), {source}};
   }
   if (tables.empty()) {
-    return Error{ErrorCode::kUnsupportedFormat,
-                 "this zip archive holds neither a show.json nor any .csv file, but " +
-                     (others.empty() ? "nothing" : others) +
-                     "; name a Skybrush show (.skyc) or an archive of tables",
-                 {source}};
+    return Error{
+        ErrorCode::kUnsupportedFormat,
+        "this zip archive holds neither a show.json nor any .csv, .tlog or .ulg file, but " +
+            (others.empty() ? "nothing" : others) +
+            "; name a Skybrush show (.skyc) or an archive of tables or logs",
+        {source}};
   }
   std::sort(tables.begin(), tables.end());
   const auto twice = std::adjacent_find(tables.begin(), tables.end());
@@ -81,6 +87,13 @@ Result<std::vector<std::string>> tables_of(const ZipArchive& archive, const std:
                  {source}};
   }
   return tables;
+}
+
+std::optional<Error> read_member(const Bytes& bytes, const std::string& name, bool bare_skybrush,
+                                 RecordingAssembly& assembly) {
+  if (is_ulog(bytes.view)) return read_flight(bytes.view, name, assembly);
+  if (is_telemetry_log(bytes.view)) return read_telemetry(bytes.view, name, assembly);
+  return read_table(bytes, name, bare_skybrush, assembly);
 }
 
 std::optional<Error> read_archive(Bytes bytes, const std::string& source,
@@ -103,7 +116,8 @@ std::optional<Error> read_archive(Bytes bytes, const std::string& source,
   std::erase_if(others, [&tables](const std::string& name) {
     return std::binary_search(tables->begin(), tables->end(), name);
   });
-  count_left_out(std::move(others), "the tables are", assembly);
+  const bool are_tables = is_table_name(tables->front());
+  count_left_out(std::move(others), are_tables ? "the tables are" : "the logs are", assembly);
   if (tables->size() > 1) assembly.expect_several();
   for (const std::string& table : *tables) {
     const std::string place = archive->place_of(table);
@@ -112,7 +126,8 @@ std::optional<Error> read_archive(Bytes bytes, const std::string& source,
     if (!content) return content.error();
     content = unpacked(std::move(content).value(), place);
     if (!content) return content.error();
-    if (auto error = read_table(*content, table, format != RecordingFormat::kTable, assembly)) {
+    auto error = read_member(*content, table, format != RecordingFormat::kTable, assembly);
+    if (error) {
       if (error->location.source.empty()) error->location.source = place;
       return error;
     }

@@ -9,6 +9,8 @@ namespace {
 
 // For so long at most the clocks of others are waited for to contradict one.
 constexpr double kLongestUnopposed_s = 60.0;
+// Clocks that differ by this part of what is not believed are named.
+constexpr double kNamedShare = 0.25;
 
 // An overload that lasts is said again so often.
 constexpr double kOverloadedAgain_s = 10.0;
@@ -25,6 +27,7 @@ LiveFeed::LiveFeed(const SwarmOptions& options, const LiveTimes& times, Tell tel
       max_bees_(options.max_agents),
       times_(times.look_every_s),
       clocks_({times.max_skew_s, std::min(options.max_age_s, kLongestUnopposed_s)}),
+      lags_(kNamedShare * times.max_skew_s),
       tell_(std::move(tell)) {
   overloaded_s_.fill(kNever);
 }
@@ -74,8 +77,18 @@ std::optional<AgentId> LiveFeed::look_up(std::string_view id) {
 }
 
 Status LiveFeed::take(const PositionReport& report, double wall_s) {
-  if (clocks_.take(report, wall_s, steps_)) return pass_on(report, clocks_.now());
-  return follow();
+  if (!clocks_.take(report, wall_s, steps_)) return follow();
+  compare_clocks(report);
+  return pass_on(report, clocks_.now());
+}
+
+void LiveFeed::compare_clocks(const PositionReport& report) {
+  lags_.take(report.id, report.time_s, clocks_.now(), apart_);
+  for (const ClockLags::Told& told : apart_) {
+    const auto kind = told.right ? ClockNote::Kind::kRight : ClockNote::Kind::kApart;
+    note({kind, clocks_.now(), told.bee, told.ahead_s, 0.0});
+  }
+  apart_.clear();
 }
 
 // What follows of the clocks. Of reports that are refused the last is told.
@@ -146,6 +159,7 @@ std::optional<AgentId> LiveFeed::leave(std::string_view id) {
   if (known == numbers_.end()) return std::nullopt;
   const AgentId bee = known->second;
   clocks_.forget(bee);
+  lags_.forget(bee);
   swarm_.remove(bee);
   if (left_at_s_[bee] != kNever) return bee;
   left_at_s_[bee] = clocks_.now();
@@ -193,6 +207,7 @@ Status LiveFeed::go_back(double now_s, bool anew) {
     looks_.reset();
     return std::monostate{};
   }
+  lags_.clear();
   Status done = end(now_s);
   ended_with_.reset();
   silences_.clear();

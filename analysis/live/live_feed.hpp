@@ -8,6 +8,7 @@
 #pragma once
 
 #include "analysis/live/bee_clocks.hpp"
+#include "analysis/live/clock_lags.hpp"
 #include "analysis/live/look_times.hpp"
 #include "analysis/text/bee_name.hpp"
 
@@ -33,6 +34,7 @@ namespace beespace::analysis {
 struct ClockNote {
   enum class Kind : std::uint8_t {
     kOff,    // that of a bee is ahead by ahead_s (behind, where that is negative)
+    kApart,  // the same, by so little that it is believed
     kRight,  // and is right again
     kAnew,   // those of all have begun anew: at time_s, after before_s
   };
@@ -109,6 +111,8 @@ class LiveFeed {
   // Bees that were unknown for a time: once it has ended.
   [[nodiscard]] const std::vector<Silence>& silences() const { return silences_; }
   [[nodiscard]] const BeeClocks& clocks() const { return clocks_; }
+  // How many bees were found whose clocks differ by so little that they are believed.
+  [[nodiscard]] std::uint64_t apart() const { return lags_.named(); }
   // How often all clocks began anew.
   [[nodiscard]] std::uint64_t begun_anew() const { return begun_anew_; }
 
@@ -133,6 +137,7 @@ class LiveFeed {
   std::optional<AgentId> look_up(std::string_view id);
   void free_numbers();
   Status follow();
+  void compare_clocks(const PositionReport& report);
   void note(const ClockNote& note);
   Status look_before(double now_s);
   Status pass_on(const PositionReport& report, double now_s);
@@ -146,6 +151,8 @@ class LiveFeed {
   LookTimes times_;
   BeeClocks clocks_;
   std::vector<BeeClocks::Step> steps_;
+  ClockLags lags_;
+  std::vector<ClockLags::Told> apart_;
   Tell tell_;
   Looked looked_;
   Reported reported_;

@@ -85,7 +85,8 @@ void write_members(io::JsonWriter& json, const analysis::ClockNote& note,
     return;
   }
   json.member("id", feed.name(note.bee).id).member("ahead_s", note.ahead_s);
-  json.member("right", note.kind != analysis::ClockNote::Kind::kOff);
+  json.member("right", note.kind == analysis::ClockNote::Kind::kRight);
+  if (note.kind == analysis::ClockNote::Kind::kApart) json.member("corrected", false);
   write_label(json, "label", feed.name(note.bee));
 }
 

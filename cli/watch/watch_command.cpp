@@ -348,7 +348,7 @@ class Watch {
     if (advice_ && note.kind == analysis::ClockNote::Kind::kAnew) {
       advice_->start_anew(note.time_s);
     } else if (advice_) {
-      advice_->note_clock(note.bee, note.kind == analysis::ClockNote::Kind::kOff);
+      advice_->note_clock(note.bee, note.kind != analysis::ClockNote::Kind::kRight);
     }
     if (write_error_ == 0) write_error_ = write_out(clock_line(note, *feed_));
   }

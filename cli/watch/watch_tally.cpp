@@ -52,6 +52,8 @@ std::vector<std::string> doubtful(const analysis::LiveFeed& feed) {
     if (count > 0) texts.push_back(several(count, one, many));
   };
   add(feed.clocks().named(), "bee's clock was off", "bees' clocks were off");
+  add(feed.apart(), "bee's clock differs from the others'",
+      "bees' clocks differ from those of the others");
   if (feed.begun_anew() > 0) texts.emplace_back("all clocks began anew");
   add(feed.counts().heard_once, "bee was heard of once only", "bees were heard of once only");
   add(feed.counts().predicted, "predicted conflict lay ahead at the end",
@@ -76,6 +78,14 @@ void WatchTally::append_clocks(std::string& out, const analysis::LiveFeed& feed)
                         red(io::grouped(clocks.named())) + whose +
                             ", the last named: " + printable(feed.name(last_off_->bee).id) +
                             ", by " + io::exact(last_off_->ahead_s) + " s");
+  }
+  if (feed.apart() > 0) {
+    const double ahead_s = last_apart_->ahead_s;
+    append_summary_line(
+        out, "clocks",
+        red(several(feed.apart(), "bee's differs", "bees' differ")) +
+            " from the others', the last " + "named: " + printable(feed.name(last_apart_->bee).id) +
+            ", " + seconds(std::abs(ahead_s)) + (ahead_s > 0.0 ? " ahead" : " behind, or late"));
   }
   if (clocks.left_out() > 0) {
     const char* const for_what = clocks.left_out() == 1 ? " report left out for its time"

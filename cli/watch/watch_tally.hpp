@@ -30,6 +30,7 @@ class WatchTally {
   void count(const SwarmEvent& event) { ++told_[static_cast<std::size_t>(event.kind)]; }
   void count(const analysis::ClockNote& note) {
     if (note.kind == analysis::ClockNote::Kind::kOff) last_off_ = note;
+    if (note.kind == analysis::ClockNote::Kind::kApart) last_apart_ = note;
   }
   [[nodiscard]] std::uint64_t told(EventKind kind) const {
     return told_[static_cast<std::size_t>(kind)];
@@ -54,6 +55,7 @@ class WatchTally {
   bool speed_stated_;
   std::array<std::uint64_t, kEventKinds> told_{};
   std::optional<analysis::ClockNote> last_off_;
+  std::optional<analysis::ClockNote> last_apart_;
 };
 
 }  // namespace beespace::cli

@@ -3,6 +3,7 @@
 #include "io/frames/track_domain.hpp"
 #include "io/live/line_reader.hpp"
 #include "io/live/report_layout.hpp"
+#include "io/mavlink/boot_clock.hpp"
 #include "io/mavlink/mavlink_position.hpp"
 #include "io/mavlink/telemetry_log.hpp"
 #include "io/mavlink/telemetry_words.hpp"
@@ -16,6 +17,7 @@
 #include <string>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace beespace::io {
 namespace {
@@ -59,8 +61,8 @@ class TelemetryFrames final : public LineReader {
     LineFacts facts;
     facts.description = "MAVLink telemetry";
     facts.heights = metres() ? HeightDatum::kHome : HeightDatum::kMeanSeaLevel;
-    facts.notes = {std::string(metres() ? kLocalNote : kGlobalNote),
-                   "times are those at which the log was written"};
+    facts.notes = {std::string(metres() ? kLocalNote : kGlobalNote)};
+    for (std::string& note : clock_notes()) facts.notes.push_back(std::move(note));
     if (!lesser_.empty()) {
       facts.notes.push_back("of drones that tell nothing better, positions are those of message " +
                             lesser_);
@@ -153,7 +155,15 @@ class TelemetryFrames final : public LineReader {
     auto& component = components_[frame.system];
     if (!component) component = frame.component;
     if (*component != frame.component) return left_out(kOtherComponent);
-    return report(at, stamp);
+    return report(at, sent_at(frame.system, at, stamp));
+  }
+
+  // By the clock of the drone, where that can be believed, else by when the message came.
+  std::uint64_t sent_at(std::uint8_t system, const MavlinkPosition& at, std::uint64_t stamp) {
+    if (!at.sent_us) return stamp;
+    by_own_clock_ = true;
+    return static_cast<std::uint64_t>(
+        clocks_[system].take({*at.sent_us, static_cast<std::int64_t>(stamp)}));
   }
 
   // Bounded by the aircraft that there can be: of more, all places count as new.
@@ -170,6 +180,17 @@ class TelemetryFrames final : public LineReader {
     if (again) return left_out(kHeardAgain);
     label_ = at.name;
     return report(at, stamp);
+  }
+
+  [[nodiscard]] std::vector<std::string> clock_notes() const {
+    std::vector<std::string> notes = {std::string(by_own_clock_ ? kOwnClockNote : kArrivalNote)};
+    std::string names;
+    for (std::size_t system = 0; system < kSystems; ++system) {
+      if (clocks_[system].believed()) continue;
+      names.append(names.empty() ? "" : ", ").append(std::to_string(system));
+    }
+    if (!names.empty()) notes.push_back(std::string(kNoClockNote) + names);
+    return notes;
   }
 
   [[nodiscard]] std::string silent_note() const {
@@ -230,6 +251,8 @@ class TelemetryFrames final : public LineReader {
   std::array<std::optional<std::uint64_t>, kSystems> first_ = {};
   std::array<std::optional<std::uint8_t>, kSystems> components_ = {};
   std::array<std::optional<std::string>, kSystems> own_names_ = {};
+  std::array<BootClock, kSystems> clocks_ = {};
+  bool by_own_clock_ = false;                        // some drone tells one
   std::unordered_map<std::uint32_t, Point> places_;  // of aircraft by address: the last
 };
 

@@ -28,6 +28,9 @@ class MavlinkPayload {
   [[nodiscard]] std::uint32_t unsigned32(std::size_t at) const {
     return unsigned16(at) | unsigned16(at + 2) << 16u;
   }
+  [[nodiscard]] std::uint64_t unsigned64(std::size_t at) const {
+    return unsigned32(at) | std::uint64_t{unsigned32(at + 4)} << 32u;
+  }
   [[nodiscard]] double signed32(std::size_t at) const {
     return static_cast<std::int32_t>(unsigned32(at));
   }

@@ -4,8 +4,10 @@
 #include "io/mavlink/mavlink_payload.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string_view>
 
 namespace beespace::io {
@@ -37,6 +39,17 @@ bool is_nowhere(const Point& place) {
   return place.x == 0.0 && place.y == 0.0;
 }
 
+// Zero is a field that nobody has set, and so is what is no time of these centuries.
+std::optional<std::int64_t> clock_us(std::uint64_t micros) {
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 53u;
+  if (micros == 0 || micros > kMost) return std::nullopt;
+  return static_cast<std::int64_t>(micros);
+}
+
+std::optional<std::int64_t> boot_clock_us(const MavlinkPayload& payload) {
+  return clock_us(std::uint64_t{payload.unsigned32(0)} * 1000);
+}
+
 MavlinkPosition global_position(const MavlinkPayload& payload) {
   MavlinkPosition found;
   found.position = place_at(payload, 4, 12);
@@ -44,6 +57,7 @@ MavlinkPosition global_position(const MavlinkPayload& payload) {
                                         payload.signed16(22) / kCentimetresPerMetre,
                                         payload.signed16(24) / kCentimetresPerMetre);
   found.known = !is_nowhere(found.position);
+  found.sent_us = boot_clock_us(payload);
   return found;
 }
 
@@ -56,6 +70,7 @@ MavlinkPosition local_position(const MavlinkPayload& payload) {
   found.by = PlaceBy::kLocal;
   found.position = {payload.float32(8), payload.float32(4), 0.0 - payload.float32(12)};
   found.velocity = from_north_east_down(known(16), known(20), known(24));
+  found.sent_us = boot_clock_us(payload);
   return found;
 }
 
@@ -69,10 +84,12 @@ MavlinkPosition satellite_position(const MavlinkPayload& payload) {
     found.velocity = along(payload.unsigned16(24) / kCentimetresPerMetre, payload.unsigned16(26));
   }
   found.known = payload.byte(28) >= kWithHeight && !is_nowhere(found.position);
+  found.sent_us = clock_us(payload.unsigned64(0));
   return found;
 }
 
 MavlinkPosition utm_position(const MavlinkPayload& payload) {
+  constexpr unsigned kTime = 1;
   constexpr unsigned kPlace = 4;
   constexpr unsigned kHeight = 8;
   constexpr unsigned kHorizontal = 32;
@@ -88,6 +105,7 @@ MavlinkPosition utm_position(const MavlinkPayload& payload) {
       from_north_east_down(speed(36, kHorizontal), speed(38, kHorizontal), speed(40, kVertical));
   found.name = payload.name(50, 18);
   found.known = (flags & kPlace) != 0 && (flags & kHeight) != 0 && !is_nowhere(found.position);
+  if ((flags & kTime) != 0) found.sent_us = clock_us(payload.unsigned64(0));
   return found;
 }
 

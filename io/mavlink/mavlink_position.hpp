@@ -36,6 +36,8 @@ struct MavlinkPosition {
   std::uint32_t address = 0;  // of another aircraft: that of ICAO
   std::string name = {};      // of another aircraft its callsign; of message 340 whose place it is
   double age_s = 0.0;         // how old it was when it was sent, as far as that is said
+  // Of the sender's own place: when that was by its clock, in microseconds from any zero.
+  std::optional<std::int64_t> sent_us = {};
 
   [[nodiscard]] bool global() const { return by != PlaceBy::kLocal; }
 };

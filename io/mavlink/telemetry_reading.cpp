@@ -2,6 +2,7 @@
 
 #include "io/aircraft/aircraft_report.hpp"
 #include "io/frames/track_domain.hpp"
+#include "io/mavlink/boot_clock.hpp"
 #include "io/mavlink/mavlink_position.hpp"
 #include "io/mavlink/telemetry_log.hpp"
 #include "io/mavlink/telemetry_words.hpp"
@@ -9,6 +10,7 @@
 #include "io/problems/skipped_records.hpp"
 #include "io/recording/recording_sources.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -33,10 +35,24 @@ struct Heard {
   std::uint8_t system = 0;
   std::uint8_t component = 0;
   MavlinkPosition at = {};
+  bool is_taken = false;
+  double time_s = 0.0;  // since 1970, once it is taken
 };
+
+constexpr double kMicrosPerSecond = 1e6;
 
 std::string counted(std::uint64_t count, std::string_view what) {
   return std::to_string(count) + " " + std::string(what) + (count == 1 ? "" : "s");
+}
+
+// Said from here on.
+constexpr std::int64_t kLate_us = 1'000'000;
+
+// "3.2 s"
+std::string seconds_text(std::int64_t micros) {
+  constexpr std::int64_t kTenth = 100'000;
+  const std::int64_t tenths = (micros + kTenth / 2) / kTenth;
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s";
 }
 
 class TelemetryReading {
@@ -54,9 +70,12 @@ class TelemetryReading {
     before_ =
         assembly_.has_several() ? assembly_.name_of_source(stem_of(path)) + ":" : std::string();
     choose_places();
+    for (Heard& heard : heard_) heard.is_taken = takes(heard);
+    time_places();
     say_choice();
     for (const Heard& heard : heard_) {
-      if (auto error = take(heard)) return error;
+      if (!heard.is_taken) continue;
+      if (auto error = add(heard)) return error;
     }
     leave_out_silent();
     return std::nullopt;
@@ -155,7 +174,7 @@ class TelemetryReading {
                      std::string(message) + ": " + names);
     }
     if (global_ && any(PlaceBy::kOfAnother)) assembly_.note(std::string(kReportedNote));
-    assembly_.note("times are those at which the log was written");
+    say_times();
     if (walk_.damaged_places() > 0) {
       assembly_.note(assembly_.source_name() + ": " + counted(walk_.damaged_bytes(), "byte") +
                      " in " + counted(walk_.damaged_places(), "place") +
@@ -167,35 +186,72 @@ class TelemetryReading {
     }
   }
 
-  std::optional<Error> take(const Heard& heard) {
-    if (heard.at.by == PlaceBy::kOfAnother) return take_another(heard);
-    const std::string id = before_ + std::to_string(heard.system);
+  void say_times() {
+    if (by_own_clock_) assembly_.note(std::string(kOwnClockNote));
+    if (!by_own_clock_ && unbelieved_.empty()) assembly_.note(std::string(kArrivalNote));
+    if (latest_us_ > kLate_us) {
+      assembly_.note(assembly_.source_name() + ": the latest position came " +
+                     seconds_text(latest_us_) + " after the moment that it tells of");
+    }
+    std::string names;
+    for (const std::size_t system : unbelieved_) {
+      names.append(names.empty() ? "" : ", ").append(before_).append(std::to_string(system));
+    }
+    if (!names.empty()) assembly_.note(std::string(kNoClockNote) + names);
+  }
+
+  [[nodiscard]] std::string id_of(const Heard& heard) const {
+    return heard.at.by == PlaceBy::kOfAnother ? address_text(heard.at.address)
+                                              : before_ + std::to_string(heard.system);
+  }
+
+  // What is not taken is counted.
+  bool takes(const Heard& heard) {
+    if (heard.at.by == PlaceBy::kOfAnother) return takes_another(heard);
+    const auto leave_out = [&](const LeftOutReason& reason, const std::string& id) {
+      assembly_.leave_out(reason, id);
+      return false;
+    };
     const auto& taken = taken_[heard.system];
     if (taken && heard.at.by != *taken) {
-      if (!is_handed_on(heard)) return std::nullopt;
-      assembly_.leave_out(kHandedOn, handed_on_id(heard));
-      return std::nullopt;
+      return is_handed_on(heard) && leave_out(kHandedOn, handed_on_id(heard));
     }
+    const std::string id = id_of(heard);
     if (!taken) {
       const bool other = heard.at.global() != global_;
-      assembly_.leave_out(!other ? kNoSatellites : global_ ? kOtherFrame : kNotLocal, id);
-      return std::nullopt;
+      return leave_out(!other ? kNoSatellites : global_ ? kOtherFrame : kNotLocal, id);
     }
-    if (is_handed_on(heard)) {
-      assembly_.leave_out(kHandedOn, handed_on_id(heard));
-      return std::nullopt;
-    }
-    if (!heard.at.known) {
-      assembly_.leave_out(kNoSatellites, id);
-      return std::nullopt;
-    }
+    if (is_handed_on(heard)) return leave_out(kHandedOn, handed_on_id(heard));
+    if (!heard.at.known) return leave_out(kNoSatellites, id);
     auto& component = components_[heard.system];
     if (!component) component = heard.component;
-    if (*component != heard.component) {
-      assembly_.leave_out(kOtherComponent, id);
-      return std::nullopt;
+    return *component == heard.component || leave_out(kOtherComponent, id);
+  }
+
+  // By the clock of each drone, where that can be believed, else by when its messages came.
+  void time_places() {
+    std::vector<std::vector<Heard*>> places(kSystems);
+    for (Heard& heard : heard_) {
+      if (!heard.is_taken) continue;
+      heard.time_s = static_cast<double>(heard.stamp) / kMicrosPerSecond - heard.at.age_s;
+      if (heard.at.sent_us) places[heard.system].push_back(&heard);
     }
-    return add(heard, id);
+    for (std::size_t system = 0; system < kSystems; ++system) {
+      std::vector<SentMessage> messages;
+      for (const Heard* heard : places[system]) {
+        messages.push_back({*heard->at.sent_us, static_cast<std::int64_t>(heard->stamp)});
+      }
+      const SentTimes times = sent_times(messages);
+      if (!times.believed) {
+        if (!messages.empty()) unbelieved_.push_back(system);
+        continue;
+      }
+      by_own_clock_ = true;
+      latest_us_ = std::max(latest_us_, times.latest_us);
+      for (std::size_t i = 0; i < messages.size(); ++i) {
+        places[system][i]->time_s = static_cast<double>(times.at_us[i]) / kMicrosPerSecond;
+      }
+    }
   }
 
   // The first that a system tells by message 340 is its own.
@@ -211,37 +267,31 @@ class TelemetryReading {
   }
 
   // An aircraft has one address, whichever station hears it.
-  std::optional<Error> take_another(const Heard& heard) {
-    const std::string id = address_text(heard.at.address);
+  bool takes_another(const Heard& heard) {
+    const std::string id = id_of(heard);
     if (!global_ || !heard.at.known) {
       assembly_.leave_out(global_ ? kNoSatellites : kNotLocal, id);
-      return std::nullopt;
+      return false;
     }
     const auto [last, first] = places_.try_emplace(heard.at.address, heard.at.position);
     const bool again = !first && heard.at.age_s > 0.0 && last->second == heard.at.position;
     last->second = heard.at.position;
-    if (again) {
-      assembly_.leave_out(kHeardAgain, id);
-      return std::nullopt;
-    }
-    if (auto error = add(heard, id)) return error;
-    if (!heard.at.name.empty() && assembly_.tracks().contains(id)) {
-      assembly_.tracks().label(id, heard.at.name);
-    }
-    return std::nullopt;
+    if (again) assembly_.leave_out(kHeardAgain, id);
+    return !again;
   }
 
-  std::optional<Error> add(const Heard& heard, const std::string& id) {
+  std::optional<Error> add(const Heard& heard) {
+    const std::string id = id_of(heard);
     if (auto error = position_problem(heard)) {
       error->location.record = heard.frame;
       return assembly_.bad(*std::move(error), id);
     }
-    constexpr double kMicrosPerSecond = 1e6;
-    const double time_s = static_cast<double>(heard.stamp) / kMicrosPerSecond - heard.at.age_s;
     Origin origin;
     origin.source = assembly_.source() & 0xFF'FFFFu;
     origin.line = (heard.frame + 1) & 0xFF'FFFF'FFFFu;
-    assembly_.tracks().add(id, {time_s, heard.at.position}, &heard.at.velocity, origin);
+    assembly_.tracks().add(id, {heard.time_s, heard.at.position}, &heard.at.velocity, origin);
+    const bool is_other = heard.at.by == PlaceBy::kOfAnother;
+    if (is_other && !heard.at.name.empty()) assembly_.tracks().label(id, heard.at.name);
     return std::nullopt;
   }
 
@@ -298,6 +348,9 @@ class TelemetryReading {
   std::array<std::optional<std::string>, kSystems> own_names_ = {};
   std::unordered_map<std::uint32_t, Point> places_;  // by address: the last
   std::map<std::string, std::uint64_t> remote_;      // how many records of whom
+  bool by_own_clock_ = false;
+  std::int64_t latest_us_ = 0;           // how late the latest place came
+  std::vector<std::size_t> unbelieved_;  // systems whose clocks do not go on with the log's
 };
 
 }  // namespace

@@ -26,6 +26,13 @@ inline constexpr std::string_view kGlobalNote =
 inline constexpr std::string_view kLocalNote =
     "positions are those of MAVLink message 32 (LOCAL_POSITION_NED), metres east, north and up of "
     "each drone's own origin: they can be compared only if all drones have the same one";
+inline constexpr std::string_view kOwnClockNote =
+    "times are those of each drone's own clock, set to that of the log by its fastest message";
+inline constexpr std::string_view kArrivalNote =
+    "times are those at which the log was written, as the drones tell none of their own";
+inline constexpr std::string_view kNoClockNote =
+    "of drones whose own clock does not go on as that of the log (it stands still, goes at another "
+    "speed, or is that of two drones), times are those at which the log was written: ";
 inline constexpr std::string_view kReportedNote =
     "aircraft that a receiver of ADS-B tells (message 246) are bees, named by their address: their "
     "heights are by pressure or by satellites, tens of metres from those of the drones";

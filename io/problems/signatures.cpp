@@ -109,6 +109,10 @@ std::string words_of_signature(std::string_view bytes) {
   return std::string(found->what).append(found->advice);
 }
 
+std::string words_of_bag_folder() {
+  return std::string("a bag of ROS 2, a folder with metadata.yaml").append(kBag);
+}
+
 bool is_foreign_file(std::string_view bytes) {
   const Signature* const found = signature_of(bytes);
   return found != nullptr && found->of == Of::kOthers;

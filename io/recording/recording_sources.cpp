@@ -1,6 +1,7 @@
 #include "io/recording/recording_sources.hpp"
 
 #include "io/bytes/characters.hpp"
+#include "io/problems/signatures.hpp"
 #include "io/recording/left_out_files.hpp"
 
 #include <algorithm>
@@ -50,8 +51,8 @@ struct Listed {
     if (is_table_name(name)) return has_ending(name, {".txt"}) ? texts : tables;
     if (has_ending(name, {".skyc"})) return shows;
     if (has_ending(name, {".json", ".ndjson", ".jsonl"})) return documents;
-    if (has_ending(name, {".tlog"})) return logs;
-    return has_ending(name, {".ulg", ".ulog"}) ? flights : others;
+    if (is_telemetry_name(name)) return logs;
+    return is_flight_log_name(name) ? flights : others;
   }
   // Of idtracker.ai the trajectories alone are tables of places.
   void leave_trajectories() {
@@ -123,8 +124,20 @@ std::string first_folder_with_recordings(const std::string& folder, int depth) {
   return {};
 }
 
+// As rosbag2 records: what is in it, beside the messages.
+bool is_bag_folder(const Listed& found, const std::string& folder) {
+  std::error_code ignored;
+  return std::filesystem::exists(std::filesystem::path(folder) / "metadata.yaml", ignored) &&
+         std::any_of(found.others.begin(), found.others.end(), [](const std::string& path) {
+           return has_ending(path, {".db3", ".mcap"});
+         });
+}
+
 Error nothing_to_read(Listed found, const std::string& folder) {
   constexpr int kDepth = 3;
+  if (is_bag_folder(found, folder)) {
+    return {ErrorCode::kUnsupportedFormat, "this is " + words_of_bag_folder(), {folder}};
+  }
   std::string message =
       "there is no .csv, .tsv or .txt file in this folder, nor any .skyc, .json, .ndjson, .tlog or "
       ".ulg";
@@ -146,6 +159,14 @@ Error nothing_to_read(Listed found, const std::string& folder) {
 bool is_folder(const std::string& path) {
   std::error_code ignored;
   return path != "-" && std::filesystem::is_directory(path, ignored);
+}
+
+bool is_telemetry_name(std::string_view name) {
+  return has_ending(name, {".tlog"});
+}
+
+bool is_flight_log_name(std::string_view name) {
+  return has_ending(name, {".ulg", ".ulog"});
 }
 
 bool is_table_name(std::string_view name) {

@@ -16,6 +16,11 @@ bool is_folder(const std::string& path);
 // behind.
 bool is_table_name(std::string_view name);
 
+// Whether a name ends as those of logs of telemetry (.tlog), or of drones that log themselves
+// (.ulg) do.
+bool is_telemetry_name(std::string_view name);
+bool is_flight_log_name(std::string_view name);
+
 // What is said of an archive or a folder without tables that holds shows of other editors, by the
 // name of a file in it; nothing where it is no such.
 std::string_view foreign_show(std::string_view name);

@@ -113,6 +113,26 @@ double clear_of(double line_y, double baseline, const Box& box) {
   return fits_below && below - baseline < baseline - above ? below : above;
 }
 
+// At the right end of the heading, behind a dash as the line has them; false where there is no
+// room.
+bool name_beside_heading(const Panel& panel, const std::string& name, Drawing& drawing) {
+  constexpr double kBold = 1.1;
+  constexpr double kDash = 18.0;
+  constexpr double kBetween = 6.0;
+  const Box& box = panel.box;
+  const double left = box.right() - text_width(name, kLabelSize);
+  const double heading = box.left + kBold * text_width(panel.heading, kTextSize);
+  const double dash_ends = left - kBetween;
+  if (dash_ends - kDash < heading + 2.0 * kBetween) return false;
+  const double baseline = box.top - 10.0;
+  const double y = baseline - 0.35 * kLabelSize;
+  drawing.shapes.emplace_back(
+      Lines{{{{dash_ends - kDash, y}, {dash_ends, y}}}, kThreshold, 1.2, true});
+  drawing.shapes.emplace_back(
+      Text{{left, baseline}, name, kLabelSize, Anchor::kStart, false, false, false, kText});
+  return true;
+}
+
 }  // namespace
 
 std::vector<Tick> as_many_as_fit(double length, const TickMaker& make) {
@@ -151,6 +171,7 @@ void draw_line_across(const Panel& panel, double value, const std::string& name,
   const Box& box = panel.box;
   const double y = panel.upwards.scale(value);
   drawing.shapes.emplace_back(Lines{{{{box.left, y}, {box.right(), y}}}, kThreshold, 1.2, true});
+  if (name_beside_heading(panel, name, drawing)) return;
   const double width = text_width(name, kLabelSize);
   const double left = box.left + 6.0;
   const double right = box.right() - width;

@@ -42,8 +42,9 @@ std::vector<Tick> as_many_as_fit(double length, const TickMaker& make);
 // Grid, axes, ticks and their titles: before what is plotted.
 void draw_panel(const Panel& panel, Drawing& drawing);
 
-// A dashed line at a value of an axis, with its name beside it: after what is plotted.
-// Across, the name is where least of `around` is in its way: as far to the right as that allows.
+// A dashed line at a value of an axis, with its name: after what is plotted.
+// Across, the name is beside the heading, where it covers nothing; where there is no room, it is
+// beside the line where least of `around` is in its way, as far to the right as that allows.
 void draw_line_across(const Panel& panel, double value, const std::string& name,
                       const Lines& around, Drawing& drawing);
 void draw_line_upwards(const Panel& panel, double value, const std::string& name, Drawing& drawing);

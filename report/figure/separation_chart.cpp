@@ -169,13 +169,11 @@ void draw_apart(const RecordingFacts& facts, const Box& box, Drawing& drawing) {
   const Box upper{box.left, box.top, box.width, height};
   const Box lower{box.left, upper.bottom() + kBetween, box.width, height};
   const SwarmFacts& swarm = facts.swarm;
-  const Measure across{"Nearest to a conflict, horizontally",
-                       "Distance",
-                       threshold_name(swarm),
-                       swarm.threshold_m,
-                       distance_unit(swarm),
-                       [](const Separation& at) { return at.apart->horizontal_m; }};
-  const Measure up{"The same two, in height",
+  const Measure across{
+      "Nearest to a conflict", "Distance",
+      threshold_name(swarm),   swarm.threshold_m,
+      distance_unit(swarm),    [](const Separation& at) { return at.apart->horizontal_m; }};
+  const Measure up{"The same two",
                    "Height",
                    "in height " + height_words(swarm, *swarm.vertical_m),
                    *swarm.vertical_m,

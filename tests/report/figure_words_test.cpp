@@ -128,5 +128,38 @@ TEST(FigureWords, NoNameOfALimitSitsOnTheLine) {
   }
 }
 
+// However the line goes: a name over it looks like a gap in it.
+TEST(FigureWords, NoNameOfALimitCoversALineThatIsEverywhere) {
+  RecordingFacts facts = crossing();
+  for (std::size_t i = 0; i < facts.separation.size(); ++i) {
+    facts.separation[i].apart =
+        Apart{2'000.0 * static_cast<double>(i % 8), 70.0 * static_cast<double>(i % 7)};
+  }
+  const Drawing drawing = figure_of(facts);
+  std::vector<Text> names;
+  for (const Shape& shape : drawing.shapes) {
+    const auto* text = std::get_if<Text>(&shape);
+    if (text == nullptr) continue;
+    if (text->text == "horizontally 5 NM" || text->text == "in height 1,000 ft") {
+      names.push_back(*text);
+    }
+  }
+  ASSERT_EQ(names.size(), 2u);
+  for (const Shape& shape : drawing.shapes) {
+    const auto* lines = std::get_if<Lines>(&shape);
+    if (lines == nullptr || lines->ink.rgb != kText.rgb) continue;
+    for (const auto& run : lines->runs) {
+      if (run.size() < 100) continue;
+      for (const Spot& spot : run) {
+        for (const Text& name : names) {
+          const bool covered =
+              spot.x > name.at.x && spot.y > name.at.y - kLabelSize && spot.y < name.at.y + 3.0;
+          ASSERT_FALSE(covered) << name.text;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace beespace::report

@@ -259,6 +259,17 @@ TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
                               "ask 'beespace replay' about it"});
 }
 
+TEST(Robotics, AFolderThatROS2RecordedIntoIsKnown) {
+  TemporaryFolder folder;
+  folder.file("metadata.yaml", "rosbag2_bagfile_information:\n");
+  folder.file("bag_0.mcap", "\x89MCAP0\r\nrest");
+  std::string recipe = content_of("bag-recipe.txt");
+  recipe.erase(recipe.find_last_not_of('\n') + 1);
+  const Finished finished = run({"replay", folder.path("")});
+  EXPECT_EQ(finished.exit_code, 3);
+  expect_parts(finished.err, {"this is a bag of ROS 2, a folder with metadata.yaml", recipe});
+}
+
 TEST(Robotics, TimesInAnotherUnitThanTheHeaderSaysAreAsked) {
   std::string table = "id,time[ms],x_m,y_m,z_m\n";
   for (int i = 0; i < 20; ++i) {

@@ -122,6 +122,30 @@ TEST(WatchClocks, ABeeWhoseClockIsOffIsStillWatchedAtTheTimeOfTheOthers) {
   EXPECT_TRUE(entered) << finished.out;
 }
 
+// Less than is disbelieved, and 15 m for who flies 10 m/s: no promise includes it.
+TEST(WatchClocks, ThatDifferByASecondAndAHalfAreNamedAndNoAllClear) {
+  for (const double ahead_s : {1.5, -1.5}) {
+    std::ostringstream table;
+    table << "id,time_s,x,y,z\n";
+    for (int round = 0; round < 200; ++round) {
+      for (int bee = 0; bee < 6; ++bee) {
+        const double time_s = round / 10.0 + (bee == 4 ? ahead_s : 0.0);
+        table << bee << "," << time_s << "," << round << "," << 1'000 * bee << ",0\n";
+      }
+    }
+    const Finished finished = watched(table.str(), {"--fail-on-risk", "--horizon", "0"});
+    EXPECT_EQ(finished.exit_code, 1) << ahead_s;
+    const auto clocks = of_clocks(finished.out);
+    ASSERT_EQ(clocks.size(), 1u) << finished.out;
+    EXPECT_TRUE(is_json(clocks[0])) << clocks[0];
+    expect_parts(clocks[0], {R"("id": "4", "ahead_s": )", R"("right": false, "corrected": false)"});
+    expect_parts(finished.err,
+                 {"clocks     1 bee's differs from the others', the last named: 4, 1.",
+                  ahead_s > 0.0 ? " s ahead\n" : " s behind, or late\n", "verdict    no conflict",
+                  "1 bee's clock differs from the others'"});
+  }
+}
+
 TEST(WatchClocks, ThatDifferByLittleAreAllBelieved) {
   std::ostringstream table;
   table << "id,time_s,x,y,z\n";

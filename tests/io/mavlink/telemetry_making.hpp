@@ -72,9 +72,9 @@ inline std::string frame_v2(int system, std::uint32_t message, std::string_view 
 
 // Message 33: 1e-7 degrees, millimetres, cm/s north, east, down.
 inline std::string global_payload(std::int32_t lat, std::int32_t lon, std::int32_t alt, int vn,
-                                  int ve, int vd) {
+                                  int ve, int vd, std::uint32_t boot_ms = 123'456) {
   const auto unsigned_of = [](std::int32_t value) { return static_cast<std::uint32_t>(value); };
-  return little_endian(123'456, 4) + little_endian(unsigned_of(lat), 4) +
+  return little_endian(boot_ms, 4) + little_endian(unsigned_of(lat), 4) +
          little_endian(unsigned_of(lon), 4) + little_endian(unsigned_of(alt), 4) +
          little_endian(0, 4) + little_endian(unsigned_of(vn), 2) +
          little_endian(unsigned_of(ve), 2) + little_endian(unsigned_of(vd), 2) +

@@ -50,6 +50,20 @@ TEST(UlogMaking, KeepsLogsWhereItIsAskedTo) {
   std::ofstream(std::string(folder) + "/made.ulg", std::ios::binary) << log.bytes();
 }
 
+TEST(UlogArchive, ADroneALogBesideWhatElseWasPacked) {
+  const std::string log = small_log().bytes();
+  const std::string archive =
+      zipped({{"south/log_2.ulg", log}, {"north/log_1.ulg", log}, {"notes.md", "x"}});
+  const auto recording = recording_of(load_recording_from_memory(archive, "flight.zip", {}));
+  EXPECT_EQ(ids_of(recording), (Ids{"log_1", "log_2"}));
+  EXPECT_EQ(recording.missing.files, 0u);
+  // Where both are called alike, their folders tell them apart.
+  const auto same = recording_of(load_recording_from_memory(
+      zipped({{"a/log.ulg", log}, {"b/log.ulg", log}}), "flight.zip", {}));
+  ASSERT_EQ(same.bees.size(), 2u);
+  EXPECT_NE(same.bees[0].id, same.bees[1].id);
+}
+
 // ---- Definitions --------------------------------------------------------------------------------
 
 TEST(UlogFormat, FieldsFollowEachOtherThroughArraysAndNestedDefinitions) {

@@ -1,0 +1,105 @@
+// MAVLink logs: positions are of the moment that the vehicle's clock says, not of when they came.
+#include "io/live/report_lines.hpp"
+#include "tests/io/mavlink/telemetry_making.hpp"
+#include "tests/io/tracks/recording_loading.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace beespace::io {
+namespace {
+
+constexpr std::uint64_t kLaunch_us = 1714564800'000'000;
+
+std::string place_of(int system, double at_s, std::uint32_t boot_ms, std::int32_t millidegrees) {
+  const std::int32_t lon = 80'000'000 + 10'000 * millidegrees;
+  return logged(kLaunch_us + static_cast<std::uint64_t>(1e6 * at_s),
+                frame_v2(system, 33, global_payload(470'000'000, lon, 100'000, 0, 0, 0, boot_ms)));
+}
+
+std::vector<double> since_launch(const RecordedBee& bee) {
+  std::vector<double> times;
+  for (const Fix& fix : bee.fixes) times.push_back(fix.time_s - 1714564800.0);
+  return times;
+}
+
+TEST(TelemetryClocks, ALatePlaceIsTimedByWhenItWasSent) {
+  std::string log;
+  for (int k = 0; k < 10; ++k) {
+    if (k != 4) log += place_of(1, k, static_cast<std::uint32_t>(60'000 + 1'000 * k), k);
+    if (k == 7) log += place_of(1, 7.3, 64'000, 4);
+  }
+  const auto recording = recording_of(load_recording_from_memory(log, "flight.tlog", {}));
+  const std::vector<double> times = since_launch(recording.bees[0]);
+  ASSERT_EQ(times.size(), 10u);
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    EXPECT_NEAR(times[k], static_cast<double>(k), 0.001);
+  }
+  EXPECT_NEAR(recording.bees[0].fixes[4].position.x, 8.004, 1e-9);
+  EXPECT_TRUE(has_note(recording, "times are those of each drone's own clock"));
+  EXPECT_TRUE(has_note(recording, "flight.tlog: the latest position came 3.3 s after"));
+}
+
+TEST(TelemetryClocks, EachVehicleHasItsOwnAndMayBeStartedAnew) {
+  std::string log;
+  for (int k = 0; k < 40; ++k) {
+    const auto ms = static_cast<std::uint32_t>(1'000 * k);
+    log += place_of(1, k, 7'000'000 + ms, k);
+    log += place_of(2, k + 0.5, k < 20 ? 30'000 + ms : ms - 19'000, k);
+  }
+  const auto recording = recording_of(load_recording_from_memory(log, "flight.tlog", {}));
+  ASSERT_EQ(recording.bees.size(), 2u);
+  for (std::size_t k = 0; k < 40; ++k) {
+    EXPECT_EQ(since_launch(recording.bees[0])[k], static_cast<double>(k));
+    EXPECT_EQ(since_launch(recording.bees[1])[k], static_cast<double>(k) + 0.5);
+  }
+  EXPECT_FALSE(has_note(recording, "does not go on"));
+}
+
+TEST(TelemetryClocks, AClockThatStandsStillIsSaid) {
+  std::string log;
+  for (int k = 0; k < 4; ++k) log += place_of(3, k, 5'000, k) + place_of(4, k, 0, k);
+  const auto recording = recording_of(load_recording_from_memory(log, "flight.tlog", {}));
+  for (const RecordedBee& bee : recording.bees) {
+    EXPECT_EQ(since_launch(bee), (std::vector<double>{0, 1, 2, 3}));
+  }
+  EXPECT_TRUE(has_note(recording, "times are those at which the log was written: 3"));
+}
+
+TEST(TelemetryClocks, LiveALatePlaceIsTimedByWhenItWasSentToo) {
+  ReportLines lines;
+  for (int k = 0; k < 10; ++k) {
+    for (const bool late : {false, true}) {
+      if (late ? k != 7 : k == 4) continue;
+      const auto boot_ms = static_cast<std::uint32_t>(late ? 64'000 : 60'000 + 1'000 * k);
+      const auto report = lines.take_frame(place_of(1, late ? 7.3 : k, boot_ms, k));
+      ASSERT_TRUE(report && *report);
+      EXPECT_NEAR((*report)->time_s - 1714564800.0, late ? 4.0 : k, 0.002);
+    }
+  }
+  const std::vector<std::string> notes = lines.notes();
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.starts_with("times are those of each drone's own clock");
+  }));
+}
+
+TEST(TelemetryLogs, AnArchiveOfThemIsReadAsAFolder) {
+  const std::string one = place_of(1, 0, 1'000, 1) + place_of(1, 1, 2'000, 2);
+  const std::string archive = zipped({{"b/flight.tlog", one},
+                                      {"a.tlog", one},
+                                      {"__MACOSX/._a.tlog", "x"},
+                                      {"README.txt", "of today"},
+                                      {"params.parm", "x"}});
+  const auto recording = recording_of(load_recording_from_memory(archive, "logs.zip", {}));
+  EXPECT_EQ(ids_of(recording), (std::vector<std::string>{"a:1", "flight:1"}));
+  expect_error(load_recording_from_memory(zipped({{"a.bag", "x"}}), "logs.zip", {}),
+               {ErrorCode::kUnsupportedFormat, "logs.zip", "nor any .csv, .tlog or .ulg file"});
+}
+
+}  // namespace
+}  // namespace beespace::io
