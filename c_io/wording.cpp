@@ -33,7 +33,7 @@ constexpr Wording kWordings[] = {
     {"--time-zone", "time_zone"},
     {"--scale", "scale"},
     {"--fps", "fps"},
-    {" (--least-likelihood)", ""},
+    {"--least-likelihood", "least_likelihood"},
     {"--skip-bad", "skip_bad"},
     {"--columns", "columns"},
     {"--crs", "frame"},
