@@ -102,7 +102,7 @@ beespace_code beespace_io_recording_movers(const beespace_io_recording* recordin
     if (velocities == nullptr)
       return invalid("the pointer to the velocities is NULL", "velocities");
     double now_s = 0.0;
-    Status written = write_movers(recording->last, max_age_s, {xyz, velocities, known}, now_s);
+    Status written = write_movers(recording->loaded, max_age_s, {xyz, velocities, known}, now_s);
     if (written && time_s != nullptr) *time_s = now_s;
     return written;
   });

@@ -140,7 +140,10 @@ beespace_code beespace_io_page_of_files(const char* const* paths, int64_t path_c
                      if (!names) return std::move(names).error();
                      auto load = recording_options(options);
                      if (!load) return std::move(load).error();
+                     const auto tolerance_m = tolerance_of(options);
+                     if (!tolerance_m) return tolerance_m.error();
                      request.scene.load = *std::move(load);
+                     request.scene.tolerance_m = *tolerance_m;
                      read_from = *std::move(names);
                      return scene_of_files(read_from, request);
                    });

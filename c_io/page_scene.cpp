@@ -7,7 +7,6 @@
 #include "c/door/structs.hpp"
 #include "c_io/read_options.hpp"
 #include "io/bytes/number_text.hpp"
-#include "io/units/stated_length.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,16 +22,6 @@ namespace {
 
 // Of more points only those have their own ids whose pairs are shown: as the command has it.
 constexpr std::size_t kMostNames = 200'000;
-
-Result<io::StatedLength> vertical_of(const char* text) {
-  const auto vertical = io::parse_stated(text, io::Quantity::kLength);
-  if (!vertical || !(vertical->metric > 0.0) || !std::isfinite(vertical->metric)) {
-    return c::invalid(
-        "vertical is a length above zero, in metres or with its unit: \"50\", \"1000ft\"",
-        "page_options");
-  }
-  return *vertical;
-}
 
 // The ids of all points, or of those in pairs.
 template <class IdOf>
@@ -84,11 +73,9 @@ Result<PageRequest> page_request(const beespace_io_page_options* options) {
                       "page_options");
   }
   if (given->max_gap_s > 0.0) request.scene.max_gap_s = given->max_gap_s;
-  if (given->vertical != nullptr && *given->vertical != '\0') {
-    auto vertical = vertical_of(given->vertical);
-    if (!vertical) return std::move(vertical).error();
-    request.scene.vertical = *vertical;
-  }
+  const auto vertical = vertical_of(given->vertical, "page_options");
+  if (!vertical) return vertical.error();
+  request.scene.vertical = *vertical;
   if (given->title != nullptr) request.title = given->title;
   request.run = given->run;
   return request;

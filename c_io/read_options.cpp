@@ -18,6 +18,7 @@ namespace beespace::c_io {
 namespace {
 
 constexpr const char* kOptions = "options";
+constexpr double kTolerance_m = 0.001;  // where none is given
 
 Error refused(std::string message) {
   Error error{ErrorCode::kInvalidArgument, std::move(message), {}};
@@ -113,6 +114,19 @@ Status read_clock_and_pixel(const beespace_io_options& given, io::RecordingOptio
   return std::monostate{};
 }
 
+// How likely places must be that a network has seen.
+Status read_likelihood(const beespace_io_options& given, io::RecordingOptions& options) {
+  const bool any = (given.flags & BEESPACE_IO_ANY_LIKELIHOOD) != 0;
+  if (any) options.least_likelihood = 0.0;
+  if (given.least_likelihood == 0.0) return std::monostate{};
+  if (any) return refused("least_likelihood and any_likelihood exclude each other; leave one out");
+  if (!(given.least_likelihood > 0.0 && given.least_likelihood <= 1.0)) {
+    return refused("least_likelihood is a number from 0 to 1, as 0.9");
+  }
+  options.least_likelihood = given.least_likelihood;
+  return std::monostate{};
+}
+
 // All default where there are none.
 Result<beespace_io_options> given_or_default(const beespace_io_options* options) {
   if (options != nullptr) return c::read_struct(options, kOptions);
@@ -142,6 +156,9 @@ Result<io::LoadOptions> points_options(const beespace_io_options* options) {
       given->dates != nullptr) {
     return refused("time_zone, dates, scale and fps are for recordings; leave them out");
   }
+  if (given->least_likelihood != 0.0 || given->tolerance_m != 0.0) {
+    return refused("least_likelihood and tolerance are for recordings; leave them out");
+  }
   read.format_can_be_said = true;
   read.threads = threads_of(given->threads);
   return read;
@@ -151,7 +168,9 @@ Result<io::RecordingOptions> recording_options(const beespace_io_options* option
   const Result<beespace_io_options> given = given_or_default(options);
   if (!given) return given.error();
   io::RecordingOptions read;
-  Status common = read_columns(*given, BEESPACE_IO_SKIP_BAD | BEESPACE_IO_GROUNDED, read);
+  constexpr std::uint32_t kKnown =
+      BEESPACE_IO_SKIP_BAD | BEESPACE_IO_GROUNDED | BEESPACE_IO_ANY_LIKELIHOOD;
+  Status common = read_columns(*given, kKnown, read);
   if (!common) return std::move(common).error();
   if (Status chosen = choose_unit(given->time_unit, read.time_unit); !chosen) {
     return std::move(chosen).error();
@@ -162,8 +181,17 @@ Result<io::RecordingOptions> recording_options(const beespace_io_options* option
   if (Status read_well = read_clock_and_pixel(*given, read); !read_well) {
     return std::move(read_well).error();
   }
+  if (Status likely = read_likelihood(*given, read); !likely) return std::move(likely).error();
   read.grounded = (given->flags & BEESPACE_IO_GROUNDED) != 0;
   return read;
+}
+
+Result<double> tolerance_of(const beespace_io_options* options) {
+  const Result<beespace_io_options> given = given_or_default(options);
+  if (!given) return given.error();
+  if (given->tolerance_m == 0.0) return kTolerance_m;
+  if (given->tolerance_m > 0.0 && std::isfinite(given->tolerance_m)) return given->tolerance_m;
+  return refused("tolerance is a length in metres, above 0");
 }
 
 Result<std::string> path_of(const char* path, const char* name) {
@@ -187,6 +215,16 @@ Result<std::vector<std::string>> paths_of(const char* const* paths, std::int64_t
     names.push_back(*std::move(name));
   }
   return names;
+}
+
+Result<std::optional<io::StatedLength>> vertical_of(const char* text, const char* place) {
+  if (text_of(text).empty()) return std::optional<io::StatedLength>();
+  const auto vertical = io::parse_stated(text, io::Quantity::kLength);
+  if (!vertical || !(vertical->metric > 0.0) || !std::isfinite(vertical->metric)) {
+    return c::invalid(
+        "vertical is a length above zero, in metres or with its unit: \"50\", \"1000ft\"", place);
+  }
+  return vertical;
 }
 
 unsigned threads_of(std::uint32_t threads) {

@@ -2,6 +2,7 @@
 
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "c/door/door.hpp"
 #include "c_io/door.hpp"
@@ -35,8 +36,6 @@ namespace analysis = beespace::analysis;
 namespace io = beespace::io;
 
 namespace {
-
-constexpr double kTolerance_m = 0.001;  // of curves that become straight lines
 
 void append(const beespace::Point& point, std::vector<double>& numbers) {
   numbers.insert(numbers.end(), {point.x, point.y, point.z});
@@ -85,30 +84,12 @@ void settle_velocities(beespace_io_recording& recording) {
   }
 }
 
-// What io::RecordedBee says of its last two fixes.
-io::RecordedBee last_fixes(const io::RecordedBee& bee) {
-  io::RecordedBee last;
-  last.id = bee.id;
-  last.path = bee.path;
-  const auto from =
-      static_cast<std::ptrdiff_t>(bee.fixes.size() - std::min<std::size_t>(bee.fixes.size(), 2));
-  last.fixes.assign(bee.fixes.begin() + from, bee.fixes.end());
-  if (!bee.velocities.empty()) {
-    last.velocities.assign(bee.velocities.begin() + from, bee.velocities.end());
-  }
-  return last;
-}
-
-Result<std::unique_ptr<beespace_io_recording>> columns_of(const io::Recording& loaded) {
-  const auto tracks = analysis::tracks_of(loaded, analysis::Geometry::kSpace, kTolerance_m);
+Result<std::unique_ptr<beespace_io_recording>> columns_of(io::Recording loaded,
+                                                          double tolerance_m) {
+  const auto tracks = analysis::tracks_of(loaded, analysis::Geometry::kSpace, tolerance_m);
   if (!tracks) return tracks.error();
   auto recording = std::make_unique<beespace_io_recording>();
-  recording->since_1970 = loaded.since_1970;
-  recording->last.frame = loaded.frame;
-  recording->last.show = loaded.show;
-  recording->last.declared_threshold_m = loaded.declared_threshold_m;
-  recording->last.missing = loaded.missing;
-  recording->missing = static_cast<std::int64_t>(loaded.missing.count);
+  recording->tolerance_m = tolerance_m;
   recording->facts = facts_of(loaded);
   const std::string missing = analysis::missing_text(loaded.missing);
   if (!missing.empty()) {
@@ -124,11 +105,11 @@ Result<std::unique_ptr<beespace_io_recording>> columns_of(const io::Recording& l
     if (any_velocity) {
       if (Status good = append_velocities(loaded, bee, *recording); !good) return good.error();
     }
-    recording->last.bees.push_back(last_fixes(loaded.bees[bee]));
     if (loaded.frame != io::Frame::kWgs84) continue;
     for (const Fix& fix : loaded.bees[bee].fixes) append(fix.position, recording->degrees);
   }
   settle_velocities(*recording);
+  recording->loaded = std::move(loaded);
   return recording;
 }
 
@@ -139,9 +120,11 @@ Result<std::unique_ptr<beespace_io_recording>> read_recording(const char* const*
   if (!names) return std::move(names).error();
   const auto asked = recording_options(options);
   if (!asked) return asked.error();
-  const auto loaded = io::load_recording(*names, *asked);
-  if (!loaded) return loaded.error();
-  return columns_of(*loaded);
+  const auto tolerance_m = tolerance_of(options);
+  if (!tolerance_m) return tolerance_m.error();
+  auto loaded = io::load_recording(*names, *asked);
+  if (!loaded) return std::move(loaded).error();
+  return columns_of(*std::move(loaded), *tolerance_m);
 }
 
 template <class Number>
@@ -150,6 +133,19 @@ const Number* first_of(const std::vector<Number>& numbers) {
 }
 
 }  // namespace
+
+namespace beespace::c_io {
+
+Result<double> threshold_of(const io::Recording& recording, double given_m) {
+  if (given_m > 0.0) return given_m;
+  const double m = analysis::default_threshold(recording, 0.0).metres;
+  if (m > 0.0) return m;
+  return Error{ErrorCode::kInvalidThreshold,
+               "give a threshold: this recording declares none, and is no show",
+               {}};
+}
+
+}  // namespace beespace::c_io
 
 extern "C" {
 
@@ -218,11 +214,15 @@ const char* beespace_io_recording_label(const beespace_io_recording* recording, 
 }
 
 int32_t beespace_io_recording_since_1970(const beespace_io_recording* recording) {
-  return recording != nullptr && recording->since_1970 ? 1 : 0;
+  return recording != nullptr && recording->loaded.since_1970 ? 1 : 0;
+}
+
+int32_t beespace_io_recording_is_show(const beespace_io_recording* recording) {
+  return recording != nullptr && recording->loaded.show ? 1 : 0;
 }
 
 int64_t beespace_io_recording_missing(const beespace_io_recording* recording) {
-  return recording == nullptr ? 0 : recording->missing;
+  return recording == nullptr ? 0 : static_cast<int64_t>(recording->loaded.missing.count);
 }
 
 const beespace_io_facts* beespace_io_recording_facts(const beespace_io_recording* recording) {

@@ -7,6 +7,7 @@
 
 #include <beespace_io.h>
 #include <beespace/mover.hpp>
+#include <beespace/result.hpp>
 
 #include <cstdint>
 #include <limits>
@@ -17,6 +18,10 @@ namespace beespace::c_io {
 // What arrays of numbers hold where nothing is known.
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 constexpr Velocity kNoVelocity{kNotKnown, kNotKnown, kNotKnown};
+
+// What is too close: what is given, in metres; of 0 what the recording declares. Errors:
+// kInvalidThreshold.
+Result<double> threshold_of(const io::Recording& recording, double given_m);
 
 }  // namespace beespace::c_io
 
@@ -30,10 +35,7 @@ struct beespace_io_recording {
   std::vector<double> xyz;
   std::vector<double> velocities;  // three a fix; none where no fix has one
   std::vector<double> degrees;     // none of metres
-  bool since_1970 = false;
-  std::int64_t missing = 0;
-  // Of each agent the last two fixes, as the input has them: they tell how fast it flies now.
-  // Curves of shows are here as a whole.
-  beespace::io::Recording last;
+  double tolerance_m = 0.0;        // of curves that have become straight lines
+  beespace::io::Recording loaded;  // as the input has it: what is said of it is said of this
   beespace_io_facts facts;
 };

@@ -122,6 +122,15 @@ beespace_code beespace_io_verdict_facts_of(const beespace_io_verdict* verdict,
   });
 }
 
+beespace_code beespace_io_verdict_coverage(const beespace_io_verdict* verdict,
+                                           beespace_io_coverage* coverage,
+                                           beespace_io_error* error) {
+  return enter(error, [&]() -> Status {
+    if (verdict == nullptr) return invalid("the verdict is NULL", "verdict");
+    return beespace::c::write_struct(coverage, verdict->coverage, "coverage");
+  });
+}
+
 int64_t beespace_io_verdict_size(const beespace_io_verdict* verdict) {
   return verdict == nullptr ? 0 : static_cast<int64_t>(verdict->kinds.size());
 }

@@ -11,6 +11,7 @@
 // NOLINTNEXTLINE(readability-identifier-naming): a name of C
 struct beespace_io_verdict {
   beespace_io_verdict_facts facts;
+  beespace_io_coverage coverage;
   std::vector<std::int32_t> kinds;
   std::vector<std::int64_t> first;
   std::vector<std::int64_t> second;

@@ -2,13 +2,13 @@
 // show or between their fixes: what `beespace verify` says.
 #include "analysis/recorded/common_times.hpp"
 #include "analysis/recorded/coverage.hpp"
-#include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/gaps.hpp"
 #include "analysis/recorded/verify_paths.hpp"
 #include "c/door/door.hpp"
 #include "c/door/structs.hpp"
 #include "c/door/watched_call.hpp"
 #include "c/obstacles/obstacles.hpp"
+#include "c_io/coverage.hpp"
 #include "c_io/door.hpp"
 #include "c_io/recording.hpp"
 #include "c_io/verdict.hpp"
@@ -52,29 +52,6 @@ bool is_given(std::uint32_t limits, std::size_t limit) {
 bool has_curves(const io::Recording& recording) {
   return std::any_of(recording.bees.begin(), recording.bees.end(),
                      [](const io::RecordedBee& bee) { return bee.path.has_value(); });
-}
-
-// A recording as it was read, as far as a verification looks at it. It is in metres.
-io::Recording whole(const beespace_io_recording& recording) {
-  io::Recording all = recording.last;
-  all.since_1970 = recording.since_1970;
-  for (std::size_t bee = 0; bee < all.bees.size(); ++bee) {
-    all.bees[bee].id = recording.ids.find(static_cast<std::int64_t>(bee));
-    if (all.bees[bee].path) continue;
-    auto& fixes = all.bees[bee].fixes;
-    auto& velocities = all.bees[bee].velocities;
-    fixes.clear();
-    velocities.clear();
-    for (std::int64_t fix = recording.offsets[bee]; fix < recording.offsets[bee + 1]; ++fix) {
-      const auto at = static_cast<std::size_t>(fix);
-      const double* const p = &recording.xyz[3 * at];
-      fixes.push_back({recording.times_s[at], {p[0], p[1], p[2]}});
-      if (recording.velocities.empty()) continue;
-      const double* const v = &recording.velocities[3 * at];
-      velocities.push_back({v[0], v[1], v[2]});
-    }
-  }
-  return all;
 }
 
 Status check_options(const beespace_io_verify_options& given) {
@@ -148,15 +125,6 @@ Result<std::int32_t> motion_of(const io::Recording& recording,
                {}};
 }
 
-Result<double> threshold_of(const io::Recording& recording, double given_m) {
-  if (given_m > 0.0) return given_m;
-  const double m = analysis::default_threshold(recording, 0.0).metres;
-  if (m > 0.0) return m;
-  return Error{ErrorCode::kInvalidThreshold,
-               "give a threshold: this recording declares none, and is no show",
-               {}};
-}
-
 // The limits that are asked for, and of the others those that the show declares.
 void settle_limits(const io::Recording& recording, const beespace_io_verify_options& given,
                    beespace_io_verdict_facts& facts) {
@@ -209,12 +177,14 @@ Result<std::unique_ptr<beespace_io_verdict>> verify(const io::Recording& recordi
   if (!found) return found.error();
 
   const analysis::Coverage coverage = analysis::coverage_of(recording, found->gaps, max_gap);
-  facts.holds = found->holds() && !coverage.may_hide_conflicts() ? 1 : 0;
+  const bool compared = analysis::compares(recording, *found);
+  facts.holds = found->holds() && !coverage.may_hide_conflicts() && compared ? 1 : 0;
   facts.motion = *motion;
   facts.threshold_m = *threshold_m;
   facts.max_gap_s = max_gap.seconds;
   facts.gaps = static_cast<std::int64_t>(coverage.gaps);
   facts.missing = static_cast<std::int64_t>(coverage.missing.count);
+  verdict->coverage = as_struct(coverage);
   write_extremes(*found, facts);
   write_findings(*found, *verdict);
   return verdict;
@@ -238,9 +208,8 @@ beespace_code beespace_io_verify(const beespace_io_recording* recording,
       given = *read;
     }
     if (Status good = check_options(given); !good) return good;
-    const io::Recording all = whole(*recording);
     return beespace::c::call_watched(given.run, [&](const RunOptions& run) -> Status {
-      auto made = verify(all, given, run);
+      auto made = verify(recording->loaded, given, run);
       if (!made) return std::move(made).error();
       *verdict = (*made).release();
       return std::monostate{};

@@ -34,7 +34,7 @@ constexpr Wording kWordings[] = {
     {"--dates", "dates"},
     {"--scale", "scale"},
     {"--fps", "fps"},
-    {" (--least-likelihood)", ""},
+    {"--least-likelihood", "least_likelihood"},
     {"--skip-bad", "skip_bad"},
     {"--columns", "columns"},
     {"--crs", "frame"},

@@ -67,7 +67,8 @@ BEESPACE_C_API size_t beespace_io_error_text(const beespace_io_error* error, cha
 /// @brief The flags of beespace_io_options::flags, to be joined by `|`.
 enum {
   BEESPACE_IO_SKIP_BAD = 1,  ///< Bad records are left out and listed, instead of being an error.
-  BEESPACE_IO_GROUNDED = 2   ///< Of recordings: drones and aircraft on the ground count, too.
+  BEESPACE_IO_GROUNDED = 2,  ///< Of recordings: drones and aircraft on the ground count, too.
+  BEESPACE_IO_ANY_LIKELIHOOD = 4  ///< Of tables of poses: places count however unlikely they are.
 };
 
 /// @brief How a file is to be read, where it does not say so itself. NULL is as good as one of
@@ -87,6 +88,10 @@ typedef struct beespace_io_options {
   const char* scale;      ///< Of positions in pixels, how long one is: "0.1mm"; NULL: none are.
   double fps;  ///< Of recordings in which a column counts frames: how many a second; 0: none does.
   const char* dates;  ///< Of dates as 05/06/2024: "day-first", "month-first"; "auto": one tells it.
+  double least_likelihood;  ///< Of tables of poses (DeepLabCut, SLEAP): places less likely than
+                            ///< this, of 1 at most, count as unknown; 0: than 0.6.
+  double tolerance_m;  ///< Of shows: how far, in metres, straight lines may be from the curve that
+                       ///< they follow; 0: 0.001.
 } beespace_io_options;
 
 /* ---- What is to be said of what was read ---------------------------------------------------- */
@@ -298,6 +303,10 @@ BEESPACE_C_API const char* beespace_io_recording_label(const beespace_io_recordi
 /// @param recording The recording.
 /// @return 1 if they are; 0 if they have a zero of their own.
 BEESPACE_C_API int32_t beespace_io_recording_since_1970(const beespace_io_recording* recording);
+/// @brief Says whether it is a drone show: a plan, which has no gaps.
+/// @param recording The recording.
+/// @return 1 if it is; 0 if not.
+BEESPACE_C_API int32_t beespace_io_recording_is_show(const beespace_io_recording* recording);
 /// @brief Says how many records are left out since their place, height or time is missing or bad,
 /// skipped ones among them. An answer is of the others: no conflict does not mean that there is
 /// none with these.
@@ -342,6 +351,193 @@ BEESPACE_C_API beespace_code beespace_io_recording_movers(const beespace_io_reco
 /// @return The facts, which end with the recording; NULL of NULL.
 BEESPACE_C_API const beespace_io_facts* beespace_io_recording_facts(
     const beespace_io_recording* recording);
+
+/* ---- What is known of a recording ----------------------------------------------------------- */
+
+/// @brief Of how much of a recording it is known where its agents were: what an answer about it is
+/// about. An agent is unknown in gaps between fixes, before its first and after its last one, and
+/// in records that are left out.
+typedef struct beespace_io_coverage {
+  size_t struct_size;         ///< sizeof(beespace_io_coverage), set by the caller.
+  int32_t complete;           ///< 1 where it is known all the time where all agents were.
+  int32_t may_hide;           ///< 1 where an agent was there, but it is not known where: that no
+                              ///< conflict was found is no all-clear.
+  double max_gap_s;           ///< Fixes farther apart in time were taken for a gap; infinite: none.
+  double typical_interval_s;  ///< The interval that this comes from; NaN where it was given.
+  int64_t gaps;               ///< How many gaps there are.
+  int64_t agents_with_gaps;   ///< How many agents have one.
+  double in_gaps_s;           ///< How long they are, summed over the agents.
+  int64_t agents_partly;   ///< Of how many agents the first fix is later, or the last one earlier,
+                           ///< than those of others.
+  int64_t agents_cut_off;  ///< Of these: in the air then.
+  double outside_s;        ///< How long that is, summed over the agents.
+  int64_t missing;         ///< As beespace_io_recording_missing().
+  int64_t missing_without_id;  ///< Of these: records of which it is not known whose they are.
+  int64_t missing_agents;      ///< Of how many agents the others are.
+  int64_t nowhere;             ///< How many of these agents have no known place at all.
+  int64_t shared_ids;  ///< How many ids seem to be of two agents each: at two places in turn.
+  int64_t files;       ///< How many files and folders beside those that were read were left out.
+  int64_t jumping;     ///< How many agents jump faster than anything flies, or than they say.
+  int64_t swapped;  ///< Of how many agents longitude and latitude seem to be the other way round.
+} beespace_io_coverage;
+
+/// @brief Says of how much of a recording it is known where its agents were: `known` of `beespace
+/// replay --json`.
+/// @param recording The recording.
+/// @param max_gap_s As beespace_io_page_options::max_gap_s. Shows have no gaps.
+/// @param[out] coverage What is known.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK; or BEESPACE_INVALID_ARGUMENT.
+BEESPACE_C_API beespace_code beespace_io_recording_coverage(const beespace_io_recording* recording,
+                                                            double max_gap_s,
+                                                            beespace_io_coverage* coverage,
+                                                            beespace_io_error* error);
+/// @brief Writes what is not known in one line: "1 bee unknown for 8 s in all, 3 records were left
+/// out"; nothing where all is.
+/// @param coverage The coverage.
+/// @param[out] text Where to; ends with a zero byte, where `size` is not 0.
+/// @param size How many bytes there are.
+/// @return How many bytes the whole line has, without the zero: `size` or more where it was cut.
+BEESPACE_C_API size_t beespace_io_coverage_text(const beespace_io_coverage* coverage, char* text,
+                                                size_t size);
+
+/* ---- Conflicts of a recording --------------------------------------------------------------- */
+
+/// @brief The flags of beespace_io_conflict_options::flags, beside BEESPACE_INCLUSIVE.
+enum {
+  BEESPACE_IO_ALONG_LINES = 2  ///< Agents fly in straight lines between fixes, whatever velocities
+                               ///< they have.
+};
+
+/// @brief What a search for conflicts needs to know; NULL is as good as one of zeros.
+typedef struct beespace_io_conflict_options {
+  size_t struct_size;    ///< sizeof(beespace_io_conflict_options)
+  uint32_t flags;        ///< BEESPACE_INCLUSIVE | BEESPACE_IO_ALONG_LINES, or 0.
+  uint32_t limited;      ///< 1: `max_results` counts; 0: there may be any number of conflicts.
+  uint64_t reserved;     ///< Zero.
+  double threshold_m;    ///< The threshold in metres; 0: what the recording declares, else 2 m of a
+                         ///< show. Other recordings have no default.
+  double max_gap_s;      ///< As beespace_io_page_options::max_gap_s. Shows have no gaps.
+  const char* vertical;  ///< A vertical threshold, in metres or with its unit: "50", "1000ft"; or
+                         ///< NULL. Heights of degrees are compared with it as the file has them.
+  uint64_t max_results;  ///< More conflicts than this are an error, where `limited` says so.
+  const beespace_run* run;  ///< Threads, and what ends the call early; or NULL.
+} beespace_io_conflict_options;
+
+/// @brief The conflicts of a recording.
+typedef struct beespace_io_conflicts beespace_io_conflicts;
+
+/// @brief Which agents of a recording came closer than a threshold, and when? What `beespace
+/// replay` says: along straight lines from fix to fix; along the curves of a show, also with drones
+/// that stand on the ground; and, as possible ones, along curves with the velocities of the fixes.
+/// @param recording The recording.
+/// @param options What the search needs to know; or NULL.
+/// @param[out] conflicts The conflicts, to be freed by beespace_io_conflicts_free(); NULL after an
+///   error.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error: BEESPACE_INVALID_ARGUMENT;
+///   BEESPACE_INVALID_THRESHOLD, also where there is none; BEESPACE_TOO_MANY_RESULTS;
+///   BEESPACE_OUTSIDE_DOMAIN; BEESPACE_STOPPED.
+BEESPACE_C_API beespace_code beespace_io_find_conflicts(const beespace_io_recording* recording,
+                                                        const beespace_io_conflict_options* options,
+                                                        beespace_io_conflicts** conflicts,
+                                                        beespace_io_error* error);
+/// @brief Frees conflicts.
+/// @param conflicts The conflicts; NULL does nothing.
+BEESPACE_C_API void beespace_io_conflicts_free(beespace_io_conflicts* conflicts);
+
+/// @brief What was found, in numbers.
+typedef struct beespace_io_conflict_facts {
+  size_t struct_size;  ///< sizeof(beespace_io_conflict_facts), set by the caller.
+  int32_t risky;       ///< 0 is an all-clear; 1 where there is a conflict, one may be hidden, or
+                       ///< nothing could be compared: with which `replay --fail-on-risk` ends.
+  int32_t compared;    ///< 0 where no two agents are there at the same time.
+  int32_t velocities;  ///< 1 where velocities were looked at; 0 where there are none, or they do
+                       ///< not count.
+  int32_t too_far;     ///< 1 where velocities lead too far away from straight lines to be followed:
+                       ///< they may hide a conflict.
+  double most_off_m;   ///< How far, in metres, curves with the velocities leave the straight lines
+                       ///< at most.
+  double threshold_m;  ///< The threshold that was taken, in metres.
+  int64_t with_standing;  ///< How many conflicts are with a drone on the ground.
+  int64_t possible;       ///< How many are possible, not certain.
+  int64_t closest_first;  ///< One of the closest two, in conflict or not; with a vertical threshold
+                          ///< those of a conflict; -1 where there are none.
+  int64_t closest_second;  ///< The other.
+  double closest_m;        ///< How close they come in a straight line, in metres; NaN for none.
+  double closest_s;        ///< When, in seconds; NaN for none.
+} beespace_io_conflict_facts;
+
+/// @brief Says what was found, in numbers.
+/// @param conflicts The conflicts.
+/// @param[out] facts The numbers.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK; or BEESPACE_INVALID_ARGUMENT.
+BEESPACE_C_API beespace_code beespace_io_conflicts_facts_of(const beespace_io_conflicts* conflicts,
+                                                            beespace_io_conflict_facts* facts,
+                                                            beespace_io_error* error);
+/// @brief Says what the answer is about: of how much it is known where agents were.
+/// @param conflicts The conflicts.
+/// @param[out] coverage What is known.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK; or BEESPACE_INVALID_ARGUMENT.
+BEESPACE_C_API beespace_code beespace_io_conflicts_coverage(const beespace_io_conflicts* conflicts,
+                                                            beespace_io_coverage* coverage,
+                                                            beespace_io_error* error);
+/// @brief Says how many conflicts there are, in ascending order of the first agent, the second one,
+/// and when they begin: as the rows of `beespace replay`.
+/// @param conflicts The conflicts.
+/// @return Their number; 0 of NULL.
+BEESPACE_C_API int64_t beespace_io_conflicts_size(const beespace_io_conflicts* conflicts);
+/// @brief Gives the agent of the smaller index of each conflict.
+/// @param conflicts The conflicts.
+/// @return The indices; NULL where there is none.
+BEESPACE_C_API const int64_t* beespace_io_conflicts_first(const beespace_io_conflicts* conflicts);
+/// @brief Gives the other agent of each conflict.
+/// @param conflicts The conflicts.
+/// @return The indices; NULL where there is none.
+BEESPACE_C_API const int64_t* beespace_io_conflicts_second(const beespace_io_conflicts* conflicts);
+/// @brief Gives when each conflict begins, in seconds.
+/// @param conflicts The conflicts.
+/// @return The times; NULL where there is none.
+BEESPACE_C_API const double* beespace_io_conflicts_begins_s(const beespace_io_conflicts* conflicts);
+/// @brief Gives when each conflict ends, in seconds.
+/// @param conflicts The conflicts.
+/// @return The times; NULL where there is none.
+BEESPACE_C_API const double* beespace_io_conflicts_ends_s(const beespace_io_conflicts* conflicts);
+/// @brief Gives when both are closest, in seconds.
+/// @param conflicts The conflicts.
+/// @return The times; NULL where there is none.
+BEESPACE_C_API const double* beespace_io_conflicts_closest_s(
+    const beespace_io_conflicts* conflicts);
+/// @brief Gives how close they are then in a straight line, in metres.
+/// @param conflicts The conflicts.
+/// @return The distances; NULL where there is none.
+BEESPACE_C_API const double* beespace_io_conflicts_closest_m(
+    const beespace_io_conflicts* conflicts);
+/// @brief Says which conflicts are certain: 1; others are possible only: 0.
+/// @param conflicts The conflicts.
+/// @return A byte each; NULL where there is none.
+BEESPACE_C_API const uint8_t* beespace_io_conflicts_certain(const beespace_io_conflicts* conflicts);
+/// @brief Says in how many gaps between fixes it is unknown where an agent was.
+/// @param conflicts The conflicts.
+/// @return Their number; 0 of NULL.
+BEESPACE_C_API int64_t beespace_io_conflicts_gaps(const beespace_io_conflicts* conflicts);
+/// @brief Gives the agent of each gap, ascending.
+/// @param conflicts The conflicts.
+/// @return The indices; NULL where there is none.
+BEESPACE_C_API const int64_t* beespace_io_conflicts_gap_agent(
+    const beespace_io_conflicts* conflicts);
+/// @brief Gives the time of the fix before each gap, in seconds.
+/// @param conflicts The conflicts.
+/// @return The times; NULL where there is none.
+BEESPACE_C_API const double* beespace_io_conflicts_gap_begins_s(
+    const beespace_io_conflicts* conflicts);
+/// @brief Gives the time of the fix after each gap, in seconds.
+/// @param conflicts The conflicts.
+/// @return The times; NULL where there is none.
+BEESPACE_C_API const double* beespace_io_conflicts_gap_ends_s(
+    const beespace_io_conflicts* conflicts);
 
 /* ---- Obstacles ------------------------------------------------------------------------------ */
 
@@ -442,7 +638,8 @@ enum {
 /// @brief What was found, in numbers.
 typedef struct beespace_io_verdict_facts {
   size_t struct_size;    ///< sizeof(beespace_io_verdict_facts), set by the caller.
-  int32_t holds;         ///< 1 where nothing was found, there is no gap and nothing is missing.
+  int32_t holds;         ///< 1 where nothing was found, nothing of the flight may hide it, which
+                         ///< beespace_io_verdict_coverage() says, and some two were compared.
   int32_t motion;        ///< BEESPACE_IO_ALONG_SHOW, ...
   uint32_t limits;       ///< 1 << BEESPACE_IO_SPEED | ...: which limits were checked.
   uint32_t declared;     ///< Those of them that the show declares.
@@ -471,6 +668,14 @@ typedef struct beespace_io_verdict_facts {
 /// @return BEESPACE_OK; or BEESPACE_INVALID_ARGUMENT.
 BEESPACE_C_API beespace_code beespace_io_verdict_facts_of(const beespace_io_verdict* verdict,
                                                           beespace_io_verdict_facts* facts,
+                                                          beespace_io_error* error);
+/// @brief Says what the verdict is about: of how much it is known where agents were.
+/// @param verdict The verdict.
+/// @param[out] coverage What is known.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK; or BEESPACE_INVALID_ARGUMENT.
+BEESPACE_C_API beespace_code beespace_io_verdict_coverage(const beespace_io_verdict* verdict,
+                                                          beespace_io_coverage* coverage,
                                                           beespace_io_error* error);
 /// @brief Says how many findings there are: losses, losses of clearance, and breaches by limit, in
 /// this order, as the rows of `beespace verify`.

@@ -10,7 +10,10 @@ import signal
 import pytest
 
 _needs = {"to_pandas": "pandas", "to_polars": "polars", "plot": "matplotlib"}
-_readers = ("_files.", "_report.", ".from_file", "FileError", "OSError")
+_readers = (
+    "_coverage.", "_file_conflicts.", "_file_movers.", "_file_obstacles.", "_files.", "_flight_verdict.",
+    "_report.", ".from_file", "FileError", "OSError",
+)
 
 # A shell starts what runs in its background deaf to Ctrl-C.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:

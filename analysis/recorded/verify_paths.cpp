@@ -171,6 +171,10 @@ std::optional<double> declared_limit(const io::ShowFacts& show, PathLimit limit)
   return std::nullopt;
 }
 
+bool compares(const io::Recording& recording, const PathVerdict& verdict) {
+  return verdict.closest || recording.show || recording.bees.size() < 2;
+}
+
 Result<PathVerdict> verify_paths(const io::Recording& recording, const PathQuestion& question,
                                  const std::function<void(double)>& progress) {
   return PathVerification(recording, question)(progress);

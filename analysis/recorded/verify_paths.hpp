@@ -46,6 +46,10 @@ struct PathVerdict {
   }
 };
 
+// Whether, of several, some two are there at the same time; drones of a show may fly one after the
+// other. Otherwise nothing was compared, and nothing found is no all-clear.
+bool compares(const io::Recording& recording, const PathVerdict& verdict);
+
 struct PathQuestion {
   bool with_velocities = false;
   double threshold_m = 0.0;

@@ -23,10 +23,7 @@ struct PathFindings {
   double read_s = 0.0;
   double check_s = 0.0;
 
-  // Of several, some two are there at the same time; drones of a show may fly one after the other.
-  [[nodiscard]] bool compares() const {
-    return verdict.closest || recording.show || recording.bees.size() < 2;
-  }
+  [[nodiscard]] bool compares() const { return analysis::compares(recording, verdict); }
   // What was not seen is not certified.
   [[nodiscard]] bool holds() const {
     return verdict.holds() && !coverage.may_hide_conflicts() && compares();

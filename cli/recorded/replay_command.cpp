@@ -1,11 +1,11 @@
 #include "cli/recorded/replay_command.hpp"
 
 #include "analysis/geometry/geometry.hpp"
+#include "analysis/recorded/all_conflicts.hpp"
 #include "analysis/recorded/closest_of_each.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
-#include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "analysis/text/bee_name.hpp"
@@ -26,8 +26,6 @@
 #include "io/load_recording.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -79,31 +77,6 @@ Status write_events(const ReplayRequest& request, const analysis::Findings& find
     write_answer(events->rows, request.moving, head, "events", output);
   }
   return std::monostate{};
-}
-
-// The closest of the conflicts, or of all encounters where there is none. With a vertical threshold
-// how far apart two are in a straight line says little.
-Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
-                                           const std::vector<Track>& tracks, double max_gap_s,
-                                           const ReplayRequest& request) {
-  if (recorded.conflicts.empty()) {
-    if (request.moving.vertical_m) return std::optional<Conflict>();
-    return find_closest_encounter(tracks, max_gap_s, request.moving.threads);
-  }
-  return std::optional<Conflict>(*std::min_element(
-      recorded.conflicts.begin(), recorded.conflicts.end(),
-      [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; }));
-}
-
-// Whether some two are there at the same time.
-bool has_encounters(const std::optional<Conflict>& closest, const io::Recording& recording,
-                    const std::vector<Track>& tracks, double max_gap_s,
-                    const ReplayRequest& request) {
-  // Drones of a show that fly one after the other stand meanwhile.
-  if (closest || (recording.show && tracks.size() > 1)) return true;
-  if (!request.moving.vertical_m) return false;
-  const auto any = find_closest_encounter(tracks, max_gap_s, request.moving.threads);
-  return any && any->has_value();
 }
 
 // How far apart two are on what they were found in conflict along.
@@ -160,36 +133,25 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
       .threads = moving.threads,
       .max_results = moving.max_results,
       .height_unit_m = height_unit_m(geometry, recording->height_unit)};
-  auto recorded = find_conflicts(*tracks, options);
-  if (!recorded) return in_words_of_the_command(recorded.error(), moving);
-  auto of_show =
-      analysis::conflicts_of_show(*recording, *tracks, options, std::move(recorded->conflicts));
-  if (!of_show) return in_words_of_the_command(of_show.error(), moving);
-  recorded->conflicts = std::move(of_show->conflicts);
-  auto curves = request.straight
-                    ? Result<analysis::VelocityCurves>(analysis::VelocityCurves{})
-                    : follow_velocities(*recording, geometry, options, recorded->conflicts);
-  if (!curves) return in_words_of_the_command(curves.error(), moving);
-  recorded->conflicts = analysis::merged(std::move(recorded->conflicts), curves->conflicts);
-  const auto closest = closest_of(*recorded, *tracks, max_gap.seconds, request);
-  if (!closest) return closest.error();
+  auto found = analysis::all_conflicts(*recording, *tracks, geometry, options, request.straight);
+  if (!found) return in_words_of_the_command(found.error(), moving);
   const double search_s = watch.lap();
 
   const bool apart = heights_apart(geometry);
   const auto in_space =
       apart ? tracks_of(*recording, analysis::Geometry::kSpace, request.tolerance_m) : tracks;
   if (!in_space) return in_space.error();
-  const analysis::Coverage coverage = analysis::coverage_of(*recording, recorded->gaps, max_gap);
-  analysis::Findings findings{
-      *recording,
-      *tracks,
-      *in_space,
-      *recorded,
-      *closest,
-      coverage,
-      has_encounters(*closest, *recording, *in_space, max_gap.seconds, request)};
-  findings.with_standing = std::move(of_show->with_standing);
-  findings.curves = &*curves;
+  const analysis::Coverage coverage =
+      analysis::coverage_of(*recording, found->recorded.gaps, max_gap);
+  analysis::Findings findings{*recording,
+                              *tracks,
+                              *in_space,
+                              found->recorded,
+                              found->closest,
+                              coverage,
+                              analysis::has_encounters(*found, *recording, *in_space, options)};
+  findings.with_standing = std::move(found->with_standing);
+  findings.curves = &found->curves;
   if (request.report == "bees" && recording->show && !moving.vertical) {
     auto each = analysis::closest_of_each(*tracks, threshold_m, max_gap.seconds, moving.threads);
     if (!each) return each.error();
@@ -198,7 +160,7 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   Distances distances = distances_of(moving, *recording, threshold_m);
   if (moving.vertical) {
     distances.apart =
-        apart_along(*tracks, *curves, height_unit_m(geometry, recording->height_unit));
+        apart_along(*tracks, found->curves, height_unit_m(geometry, recording->height_unit));
   }
   progress.enter_stage("writing");
   const JsonHead head = [&](io::JsonWriter& json) {

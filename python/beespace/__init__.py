@@ -15,9 +15,11 @@ from beespace._advice import Adviser, velocity_to_goal
 from beespace._advice_answers import Advice, Findings
 from beespace._answers import ClosestPair, Groups, Nearest, Neighbors, Pairs
 from beespace._conflicts import Approaches, Conflicts, Encounter, Gaps, RecordedConflicts
+from beespace._coverage import Coverage
 from beespace._engine import Engine
 from beespace._errors import BeespaceError, BeespaceFileError, BeespaceOSError
 from beespace._events import Event, Events, KnownAgents, SwarmCounts
+from beespace._file_conflicts import FileConflicts
 from beespace._file_movers import FileMovers
 from beespace._file_obstacles import read_obstacles
 from beespace._files import FilePoints, FileRecording, read, read_recording
@@ -81,11 +83,13 @@ __all__ = [
     "ClosestPair",
     "Command",
     "Conflicts",
+    "Coverage",
     "Cylinder",
     "Encounter",
     "Engine",
     "Event",
     "Events",
+    "FileConflicts",
     "FileMovers",
     "FilePoints",
     "FileRecording",

@@ -151,7 +151,7 @@ def _verdict_of(told: _c.CVerdict, columns: Columns, names: NDArray[Any] | None)
     verdict = Verdict()
     verdict.holds = bool(told.holds)
     verdict.moments = told.moments
-    verdict.steps, verdict.unseen = told.steps, told.unseen
+    verdict.steps, verdict.unseen, verdict.unknown = told.steps, told.unseen, ""
     verdict.loss_count, verdict.breach_count = told.losses, told.breaches
     verdict.clearance_loss_count = told.clearance_losses
     verdict.peak_speed = told.peak_speed_mps

@@ -104,6 +104,9 @@ class Gaps(Table):
         The agent of each gap.
     begin, end : ndarray of float64, shape (g,)
         The times of the fixes before and after it, in seconds.
+    unknown : str
+        What else of a recording of a file is not known, or was not looked at, in words; empty where
+        there is nothing.
 
     Examples
     --------
@@ -115,14 +118,19 @@ class Gaps(Table):
     (array([0.]), array([10.]))
     """
 
-    __slots__ = ("begin", "end", "id")
+    __slots__ = ("begin", "end", "id", "unknown")
 
     def __init__(
-        self, id: NDArray[Any], begin: NDArray[np.float64], end: NDArray[np.float64]
+        self,
+        id: NDArray[Any],
+        begin: NDArray[np.float64],
+        end: NDArray[np.float64],
+        unknown: str = "",
     ) -> None:
         self.id = id
         self.begin = begin
         self.end = end
+        self.unknown = unknown
 
     def __len__(self) -> int:
         return len(self.id)
@@ -145,17 +153,22 @@ class Gaps(Table):
 
 
 def _told_of(gaps: Gaps) -> str:
+    beside = f"; {gaps.unknown}" if gaps.unknown else ""
     if not len(gaps):
-        return "no gaps"
+        return "no gaps" + beside
     agents = plural(len(np.unique(gaps.id)), "agent")
     lasting = (gaps.end - gaps.begin).sum()
-    return f"{plural(len(gaps), 'gap')} of {agents}, {lasting:.6g} s in all, of which nothing is known"
+    return (
+        f"{plural(len(gaps), 'gap')} of {agents}, {lasting:.6g} s in all, of which nothing is known"
+        f"{beside}"
+    )
 
 
 class RecordedConflicts(Conflicts):
     """Conflicts of a recording, and the times of which it says nothing.
 
-    Without conflicts, agents kept their distance, but for what may have been in the gaps.
+    Without conflicts, agents kept their distance, but for what may have been in the gaps, and in what
+    else of a file is `unknown`: ``gaps.unknown``.
 
     Attributes
     ----------

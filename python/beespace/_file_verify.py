@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from beespace import _io_library
 from beespace._calls import length, number_of, run_of
 from beespace._checks import gap_of
+from beespace._coverage import Coverage
 from beespace._errors import BeespaceError, invalid
 from beespace._file_columns import array_of
 from beespace._flight_verdict import FlightBreaches, FlightLosses, FlightVerdict, Peak
@@ -114,6 +115,7 @@ def _verdict_of(handle: ctypes.c_void_p, ids: NDArray[Any]) -> FlightVerdict:
         verdict.closest = str(ids[facts.closest_first]), str(ids[facts.closest_second])
         verdict.closest_distance, verdict.closest_at = facts.closest_m, facts.closest_s
     verdict.gap_count, verdict.missing_count = facts.gaps, facts.missing
+    verdict.coverage = Coverage(at_once.beespace_io_verdict_coverage, handle)
     limits = [*facts.most, math.nan, math.nan]
     _set_tables(verdict, handle, ids, np.array(names), np.array(limits))
     return verdict

@@ -12,14 +12,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from beespace import _io_library, _library
-from beespace._calls import whole
+from beespace._calls import number_of, whole
+from beespace._checks import gap_of
+from beespace._coverage import Coverage
 from beespace._file_columns import array_of, converted, text_of, texts_of
+from beespace._file_conflicts import FileConflicts, conflicts_of
 from beespace._file_facts import Facts
 from beespace._file_movers import FileMovers
 from beespace._file_verify import verify_recording
 from beespace._flight_verdict import FlightVerdict
+from beespace._errors import invalid
 from beespace._obstacles import Obstacles
 from beespace._placed_array import placed
+from beespace._ranges import above_zero
+from beespace._units import METRES
 
 PathLike = str | bytes | os.PathLike[str] | os.PathLike[bytes]
 
@@ -130,7 +136,7 @@ class FileRecording(Facts):
         Whether times are seconds since 1970.
     missing_count : int
         How many records are left out since their place, height or time is missing or bad. No
-        conflict does not mean that there is none with these.
+        conflict does not mean that there is none with these: `coverage` says what else is not known.
 
     The arrays are read-only, and not copied.
 
@@ -232,6 +238,91 @@ class FileRecording(Facts):
         """
         return FileMovers(self._handle, self.ids, self.frame, max_age)
 
+    def coverage(self, *, max_gap: float | None = None) -> Coverage:
+        """Of how much of the recording is it known where its agents were?
+
+        Parameters
+        ----------
+        max_gap : float, optional
+            Fixes farther apart in time, in seconds, are a gap: without it those that are five times as
+            far apart as is typical. Shows have none.
+
+        Returns
+        -------
+        Coverage
+
+        Examples
+        --------
+        >>> import beespace
+        >>> cage = beespace.read_recording("../examples/data/cage.csv")
+        >>> cage.coverage().max_gap, cage.coverage().unknown
+        (1.0, '1 bee unknown for 4 s in all')
+        """
+        longest = 0.0 if max_gap is None else gap_of(max_gap)
+        get = _io_library.load().at_once.beespace_io_recording_coverage
+        return Coverage(get, self._handle, longest)
+
+    def conflicts(
+        self,
+        threshold: float | None = None,
+        *,
+        vertical: float | str | None = None,
+        inclusive: bool = False,
+        max_gap: float | None = None,
+        straight: bool = False,
+        max_results: int | None = None,
+        threads: int = 1,
+    ) -> FileConflicts:
+        """Which agents came closer than the threshold to each other, and when? Is that an all-clear?
+
+        This is what the command `beespace replay` says: along straight lines from fix to fix; along
+        the curves of a show, also with drones that stand on the ground; and, as possible conflicts,
+        along curves that have the velocities of the fixes. `Recording.from_file` looks along straight
+        lines only.
+
+        Parameters
+        ----------
+        threshold : float, optional
+            How close is too close, in metres; without it what the show declares, else 2 m. Of what is
+            no show it must be given.
+        vertical : float or str, optional
+            A vertical threshold, in metres, or a text with its unit: "1000ft". The threshold is then
+            horizontal. Heights of degrees are compared with it as the file has them.
+        inclusive : bool
+            Whether exactly the threshold apart counts as closer.
+        max_gap
+            As of `coverage`. In a gap an agent is compared with none.
+        straight : bool
+            Whether agents fly in straight lines whatever velocities they have.
+        max_results : int, optional
+            More conflicts than this are an error, "too_many_results". An answer is never cut.
+        threads : int
+            How many threads may work; 0: one for each processor. The answer is always the same.
+
+        Returns
+        -------
+        FileConflicts
+            Whose `risky` is False where it is an all-clear.
+
+        Raises
+        ------
+        BeespaceFileError
+            "invalid_threshold" where there is none; "too_many_results".
+
+        Examples
+        --------
+        >>> import beespace
+        >>> show = beespace.read_recording("../examples/data/show.skyc")
+        >>> found = show.conflicts(6)
+        >>> len(found), found.risky, found.closest.i, found.closest.j
+        (16, True, 'drone 02', 'drone 03')
+        >>> show.conflicts(4)
+        <FileConflicts: 0 conflicts of 12 agents; what is known is an all-clear>
+        """
+        return conflicts_of(
+            self, threshold, vertical, inclusive, max_gap, straight, max_results, threads
+        )
+
     def verify(
         self,
         threshold: float | None = None,
@@ -304,6 +395,11 @@ class FileRecording(Facts):
         return verify_recording(
             self, threshold, limits, obstacles, clearance, max_gap, straight, threads
         )
+
+    @property
+    def is_show(self) -> bool:
+        """For the package's own use: whether it has curves."""
+        return bool(_io_library.load().at_once.beespace_io_recording_is_show(self._handle))
 
     @property
     def handle(self) -> ctypes.c_void_p:
@@ -404,14 +500,15 @@ def read_recording(
     dates: str | None = None,
     fps: float | None = None,
     scale: str | None = None,
+    least_likelihood: float | None = None,
+    tolerance: float | None = None,
     skip_bad: bool = False,
     grounded: bool = False,
 ) -> FileRecording:
     """Reads a recording, which says where each of many agents was when: a table of fixes, or many; a
     drone show (.skyc); a MAVLink log (.tlog); PX4 logs (.ulg); reports of aircraft.
 
-    No fix is interpolated. Curves of drone shows become straight lines between fixes, at most 1 mm
-    away from the curve.
+    No fix is interpolated. Curves of drone shows become straight lines between fixes.
 
     Parameters
     ----------
@@ -430,6 +527,12 @@ def read_recording(
         Where a column counts the frames of a video: how many there are in a second.
     scale : str, optional
         Of positions in pixels, how long one is: "0.1mm".
+    least_likelihood : float, optional
+        Of tables of poses (DeepLabCut, SLEAP): places less likely than this, from 0 to 1, count as
+        unknown; without it those less likely than 0.6.
+    tolerance : float, optional
+        Of shows, how far straight lines may be from the curve that they follow, in metres; without it
+        0.001.
     grounded : bool
         Whether drones and aircraft on the ground count, too.
 
@@ -454,8 +557,7 @@ def read_recording(
         skip_bad, grounded, 1, frame=frame, columns=columns, units=units, heights=heights,
         time_unit=time_unit, time_zone=time_zone, dates=dates, scale=scale,
     )
-    if fps is not None:
-        options.fps = frames_a_second(fps)
+    set_numbers(options, fps, least_likelihood, tolerance)
     paths = paths_of(path)
     error = _io_library.new_error()
     io = _io_library.load()
@@ -480,10 +582,26 @@ def encoded_path(path: PathLike) -> bytes:
     return encoded
 
 
-def frames_a_second(fps: float) -> float:
-    if not 0.0 < fps < math.inf:
-        raise ValueError("fps is how many frames there are in a second, above 0")
-    return float(fps)
+def set_numbers(
+    options: _io_library.COptions,
+    fps: float | None,
+    least_likelihood: float | None,
+    tolerance: float | None,
+) -> None:
+    """What is said of recordings in numbers."""
+    if fps is not None:
+        if not 0.0 < fps < math.inf:
+            raise ValueError("fps is how many frames there are in a second, above 0")
+        options.fps = float(fps)
+    if least_likelihood is not None:
+        least = number_of(least_likelihood, "least_likelihood", None)
+        if not 0.0 <= least <= 1.0:
+            raise invalid(f"this is a number from 0 to 1, and not {least:g}", "least_likelihood")
+        options.least_likelihood = least
+        if least == 0.0:  # which would be the default
+            options.flags |= _io_library.ANY_LIKELIHOOD
+    if tolerance is not None:
+        options.tolerance_m = above_zero(number_of(tolerance, "tolerance", METRES), "tolerance")
 
 
 def reading_options(

@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from beespace._tables import Table, plural
+from beespace._coverage import Coverage
+from beespace._tables import Table
 from beespace._verdict import Breaches, ClearanceLosses, Losses
 
 
@@ -145,7 +146,9 @@ class FlightVerdict:
     Attributes
     ----------
     holds : bool
-        Whether nothing was found, there is no gap, and no record is missing.
+        Whether nothing was found, and nothing that is not known may hide it: there is no gap, no record
+        is missing, no agent jumps or is in the air before its first fix or after its last one while
+        others fly; and some two were compared.
     motion : str
         "show": along its curves; "velocities": along curves that have the velocities of both fixes;
         "straight": in straight lines from fix to fix.
@@ -169,6 +172,8 @@ class FlightVerdict:
         In how many gaps between fixes it is unknown where an agent was.
     missing_count : int
         As `FileRecording.missing_count`.
+    coverage : Coverage
+        Of how much of the recording it is known where its agents were: what the verdict is about.
 
     Examples
     --------
@@ -184,6 +189,7 @@ class FlightVerdict:
         "closest",
         "closest_at",
         "closest_distance",
+        "coverage",
         "declared",
         "gap_count",
         "greatest",
@@ -209,6 +215,7 @@ class FlightVerdict:
     closest_at: float | None
     gap_count: int
     missing_count: int
+    coverage: Coverage
 
     def __bool__(self) -> bool:
         return self.holds
@@ -239,7 +246,6 @@ class FlightVerdict:
             found.append(f"{count:,} {'breach' if count == 1 else 'breaches'} of limits")
         if found:
             return "does not hold, " + ", ".join(found)
-        unknown = [plural(self.gap_count, "gap")] if self.gap_count else []
-        if self.missing_count:
-            unknown.append(plural(self.missing_count, "record") + " missing")
-        return "not seen as a whole: " + ", ".join(unknown)
+        if self.coverage.may_hide_conflicts:
+            return "not seen as a whole: " + self.coverage.unknown
+        return "nothing to compare: no two agents are there at the same time"

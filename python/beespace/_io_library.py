@@ -19,7 +19,9 @@ from beespace._errors import BeespaceFileError, BeespaceOSError
 
 SKIP_BAD = 1
 GROUNDED = 2
+ANY_LIKELIHOOD = 4
 STRAIGHT = 1
+ALONG_LINES = 2
 # Findings beside those of limits, whose numbers are those of the options.
 LIMITS = 6
 LOSS = 6
@@ -60,6 +62,64 @@ class COptions(ctypes.Structure):
         ("scale", c_char_p),
         ("fps", c_double),
         ("dates", c_char_p),
+        ("least_likelihood", c_double),
+        ("tolerance_m", c_double),
+    ]
+
+
+class CCoverage(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("complete", c_int32),
+        ("may_hide", c_int32),
+        ("max_gap_s", c_double),
+        ("typical_interval_s", c_double),
+        ("gaps", c_int64),
+        ("agents_with_gaps", c_int64),
+        ("in_gaps_s", c_double),
+        ("agents_partly", c_int64),
+        ("agents_cut_off", c_int64),
+        ("outside_s", c_double),
+        ("missing", c_int64),
+        ("missing_without_id", c_int64),
+        ("missing_agents", c_int64),
+        ("nowhere", c_int64),
+        ("shared_ids", c_int64),
+        ("files", c_int64),
+        ("jumping", c_int64),
+        ("swapped", c_int64),
+    ]
+
+
+class CConflictOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("flags", c_uint32),
+        ("limited", c_uint32),
+        ("reserved", c_uint64),
+        ("threshold_m", c_double),
+        ("max_gap_s", c_double),
+        ("vertical", c_char_p),
+        ("max_results", c_uint64),
+        ("run", POINTER(_library.CRun)),
+    ]
+
+
+class CConflictFacts(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("risky", c_int32),
+        ("compared", c_int32),
+        ("velocities", c_int32),
+        ("too_far", c_int32),
+        ("most_off_m", c_double),
+        ("threshold_m", c_double),
+        ("with_standing", c_int64),
+        ("possible", c_int64),
+        ("closest_first", c_int64),
+        ("closest_second", c_int64),
+        ("closest_m", c_double),
+        ("closest_s", c_double),
     ]
 
 
@@ -119,6 +179,7 @@ class CVerdictFacts(ctypes.Structure):
 
 
 _options, _error = POINTER(COptions), POINTER(CFileError)
+_coverage = POINTER(CCoverage)
 _page_tail = [POINTER(CPageOptions), c_void_p, _error]
 _signatures: dict[str, tuple[object, list[object]]] = {
     "error_text": (c_size_t, [_error, c_char_p, c_size_t]),
@@ -155,11 +216,27 @@ _signatures: dict[str, tuple[object, list[object]]] = {
         [c_void_p, c_double, c_void_p, c_void_p, c_void_p, POINTER(c_double), _error],
     ),
     "recording_facts": (c_void_p, [c_void_p]),
+    "recording_is_show": (c_int32, [c_void_p]),
+    "recording_coverage": (c_int32, [c_void_p, c_double, _coverage, _error]),
+    "coverage_text": (c_size_t, [_coverage, c_char_p, c_size_t]),
+    "find_conflicts": (c_int32, [c_void_p, POINTER(CConflictOptions), c_void_p, _error]),
+    "conflicts_facts_of": (c_int32, [c_void_p, POINTER(CConflictFacts), _error]),
+    "conflicts_coverage": (c_int32, [c_void_p, _coverage, _error]),
+    "conflicts_size": (c_int64, [c_void_p]),
+    "conflicts_gaps": (c_int64, [c_void_p]),
+    **{
+        f"conflicts_{name}": (c_void_p, [c_void_p])
+        for name in (
+            "first", "second", "begins_s", "ends_s", "closest_s", "closest_m", "certain",
+            "gap_agent", "gap_begins_s", "gap_ends_s",
+        )
+    },
     "read_obstacles": (c_int32, [c_char_p, c_void_p, _error]),
     "obstacles_count": (c_int64, [c_void_p]),
     "obstacles_list": (c_void_p, [c_void_p]),
     "verify": (c_int32, [c_void_p, POINTER(CVerifyOptions), c_void_p, _error]),
     "verdict_facts_of": (c_int32, [c_void_p, POINTER(CVerdictFacts), _error]),
+    "verdict_coverage": (c_int32, [c_void_p, _coverage, _error]),
     "verdict_size": (c_int64, [c_void_p]),
     **{
         f"verdict_{name}": (c_void_p, [c_void_p])
@@ -175,7 +252,7 @@ _signatures: dict[str, tuple[object, list[object]]] = {
     "page_note_count": (c_int64, [c_void_p]),
     "page_note": (c_char_p, [c_void_p, c_int64]),
 }
-_handles = ("points", "recording", "obstacles", "verdict", "page")
+_handles = ("points", "recording", "conflicts", "obstacles", "verdict", "page")
 
 
 class IoLibrary(NamedTuple):

@@ -71,6 +71,7 @@ class Recording:
 
     __slots__ = (
         "_agents",
+        "_file",
         "_fixes",
         "_handle",
         "_has_heights",
@@ -91,6 +92,7 @@ class Recording:
         height_unit: float = 1.0,
     ) -> None:
         self._handle = _library.CRecording()
+        self._file: FileRecording | None = None
         given = Points(positions, "positions")
         self._known = Known(given.axes, given.frame)
         agents, self._labels = agents_of(ids, given.count)
@@ -173,8 +175,11 @@ class Recording:
         """A recording of what `read_recording` gave. It knows the frame of the file, which its bare
         `positions` do not: `vertical` is refused of degrees.
 
-        Records that the file lacks (`missing_count`, `skipped_count`) are no gaps of this recording:
-        an agent moves straight on from the fix before to the one after, unless `max_gap` is shorter.
+        Where `max_gap` is not given, that of the file counts, as of `FileRecording.coverage`: five times
+        the typical interval. What else of the file is not known, or not looked at along straight lines
+        (velocities; curves of a show, and its drones on the ground), is in ``gaps.unknown`` of each
+        answer, and a `verify` of what is not known does not hold. `FileRecording.conflicts` looks at all
+        of it.
 
         Parameters
         ----------
@@ -191,12 +196,13 @@ class Recording:
         >>> import beespace
         >>> cage = beespace.read_recording("../examples/data/cage.csv")
         >>> beespace.Recording.from_file(cage).closest()
-        <Encounter: b02 and b05, 0.0157202 m at 9.25137 s; no gaps>
+        <Encounter: b02 and b05, 0.0157202 m at 9.25137 s; 1 gap of 1 agent, 4 s in all, of which nothing is known>
         """
         if not isinstance(recording, FileRecording):  # pyright: ignore[reportUnnecessaryIsInstance]
             raise invalid(f"this is what read_recording gives, and not {recording!r}", "recording")
         made = cls(recording.ids[recording.agents], recording.times, recording.positions)
         made._known.frame = recording.frame
+        made._file = recording
         return made
 
     def __len__(self) -> int:
@@ -232,7 +238,7 @@ class Recording:
             As `at_risk` says.
         max_gap : float, optional
             The longest time between two fixes of an agent, in seconds, that is bridged by a straight
-            line; without it all are. In a longer one it is unknown where the agent is: it is
+            line; without it all are, but for those of a file (see `from_file`). In a longer one it is unknown where the agent is: it is
             compared with none, and the gap is among the `gaps` of the answer.
         max_results : int, optional
             More conflicts than this are an error, "too_many_results". An answer is never cut.
@@ -269,7 +275,7 @@ class Recording:
             result.closest_times(),
             result.distances(),
             self._agents,
-            self._gaps_of(result),
+            self._gaps_of(result, max_gap),
         )
 
     def closest(self, *, max_gap: float | None = None, threads: int = 1) -> Encounter:
@@ -299,7 +305,7 @@ class Recording:
         """
         result = self._ask(library.beespace_recording_closest, (), max_gap, threads)
         i = self._named(result.first())
-        gaps = self._gaps_of(result)
+        gaps = self._gaps_of(result, max_gap)
         if not len(i):
             return Encounter(None, None, None, None, gaps)
         return Encounter(
@@ -344,8 +350,13 @@ class Recording:
         <Verdict: holds; 1 step, closest 1 and 2: 3 m>
         """
         checked = Check(threshold, max_speed, None, obstacles, clearance, True, threads)
-        checked.add_recording(self._handle, self._fixes, self._known, gap_of(max_gap))
-        return checked.verdict(self._ids)
+        checked.add_recording(self._handle, self._fixes, self._known, self._gap(max_gap))
+        verdict = checked.verdict(self._ids)
+        if self._file is not None:
+            known = self._file.coverage(max_gap=max_gap)
+            verdict.unknown = known.beside_gaps
+            verdict.holds = verdict.holds and not known.may_hide_conflicts
+        return verdict
 
     def _ask(self, function: Any, search: tuple[Any, ...], max_gap: Any, threads: int) -> Result:
         error = _library.new_error()
@@ -354,7 +365,7 @@ class Recording:
         code = function(
             self._handle,
             *search,
-            gap_of(max_gap),
+            self._gap(max_gap),
             None if run is None else ctypes.byref(run),
             result.handle,
             ctypes.byref(error),
@@ -362,8 +373,47 @@ class Recording:
         check(code, error)
         return result
 
-    def _gaps_of(self, result: Result) -> Gaps:
-        return Gaps(self._named(result.gap_agents()), result.gap_begins(), result.gap_ends())
+    def _gap(self, max_gap: Any) -> float:
+        if max_gap is None and self._file is not None:
+            return self._file.coverage().max_gap
+        return gap_of(max_gap)
+
+    def _gaps_of(self, result: Result, max_gap: Any) -> Gaps:
+        return Gaps(
+            self._named(result.gap_agents()),
+            result.gap_begins(),
+            result.gap_ends(),
+            "" if self._file is None else _unknown_in(self._file, max_gap),
+        )
 
     def _named(self, ids: NDArray[np.int64]) -> NDArray[Any]:
         return ids if self._labels is None else self._labels[ids]
+
+
+def _unknown_in(file: FileRecording, max_gap: Any) -> str:
+    """What straight lines from fix to fix do not say of a file."""
+    coverage = file.coverage(max_gap=max_gap)
+    told = [coverage.beside_gaps]
+    if not file.is_show and not _meet(file, coverage.max_gap):
+        told.append("no two agents are there at the same time")
+    if file.is_show:
+        told.append("curves of the show and drones on the ground are not looked at")
+    elif file.velocities is not None:
+        told.append("velocities are not looked at")
+    return ", ".join(filter(None, told))
+
+
+def _meet(file: FileRecording, max_gap: float) -> bool:
+    """Whether some two agents are there at the same time."""
+    times = file.times
+    if not len(times):
+        return False
+    begins = np.zeros(len(times), bool)
+    begins[file.indptr[:-1][np.diff(file.indptr) > 0]] = True
+    begins[1:] |= np.diff(times) > max_gap
+    first = np.flatnonzero(begins)
+    last = np.append(first[1:], len(times)) - 1
+    order = np.argsort(times[first], kind="stable")
+    # Times of one agent do not overlap: what does is of two.
+    until = np.maximum.accumulate(times[last][order])
+    return bool((times[first][order][1:] <= until[:-1]).any())

@@ -16,9 +16,9 @@ from beespace._files import (
     FilePoints,
     PathLike,
     encoded_path,
-    frames_a_second,
     paths_of,
     reading_options,
+    set_numbers,
 )
 from beespace._points import Points, PointsLike
 from beespace._view import is_notebook, show_in_browser, show_in_notebook
@@ -154,6 +154,8 @@ def report(
     dates: str | None = None,
     fps: float | None = None,
     scale: str | None = None,
+    least_likelihood: float | None = None,
+    tolerance: float | None = None,
     skip_bad: bool = False,
     grounded: bool = False,
 ) -> Report:
@@ -182,7 +184,7 @@ def report(
         five times the typical interval. Infinity joins all fixes.
     threads : int
         How many threads may work; 0 for one per processor.
-    frame, columns, units, heights, time_unit, time_zone, dates, fps, scale, skip_bad, grounded
+    frame, columns, units, heights, time_unit, time_zone, dates, fps, scale, least_likelihood, tolerance, skip_bad, grounded
         How files are read: as in `read` and `read_recording`.
 
     Returns
@@ -216,12 +218,13 @@ def report(
             raise invalid("files have ids of their own: name their column with columns=", "ids")
         paths = paths_of(points)  # type: ignore[arg-type]
         options = reading_options(skip_bad, grounded, 1, **texts)
-        if fps is not None:
-            options.fps = frames_a_second(fps)
+        set_numbers(options, fps, least_likelihood, tolerance)
         code = io.unlocked.beespace_io_page_of_files(paths, len(paths), ctypes.byref(options), *tail)
     else:
-        for name, given in {**texts, "fps": fps, "skip_bad": skip_bad, "grounded": grounded}.items():
-            if given:
+        numbers = {"fps": fps, "least_likelihood": least_likelihood, "tolerance": tolerance}
+        flags = {"skip_bad": skip_bad or None, "grounded": grounded or None}
+        for name, given in {**texts, **numbers, **flags}.items():
+            if given is not None:
                 raise invalid("this says how a file is read, and these points are read", name)
         if isinstance(points, FilePoints) and ids is None:
             code = io.unlocked.beespace_io_page_of_read(points, *tail)

@@ -234,6 +234,8 @@ class Verdict:
         How many steps were checked.
     unseen : int
         How many steps were not seen: those that were skipped, or longer than `max_gap`.
+    unknown : str
+        What else of a recording of a file is not known, in words, and may hide something.
     losses : Losses
     clearance_losses : ClearanceLosses
     breaches : Breaches
@@ -276,6 +278,7 @@ class Verdict:
         "peak_acceleration",
         "peak_speed",
         "steps",
+        "unknown",
         "unseen",
     )
 
@@ -283,6 +286,7 @@ class Verdict:
     moments: int
     steps: int
     unseen: int
+    unknown: str
     losses: Losses
     clearance_losses: ClearanceLosses
     breaches: Breaches
@@ -321,4 +325,6 @@ class Verdict:
         ]
         if found:
             return "does not hold, " + ", ".join(found)
+        if self.unknown:
+            return f"not seen as a whole: {self.unknown}"
         return "not seen as a whole" if self.unseen else "nothing was checked"

@@ -67,6 +67,12 @@ TEST_F(CIoArguments, UnknownFlagsAndWordsAreRefused) {
   options.fps = 25;
   expect_refused(options, "time_zone, dates, scale and fps are for recordings");
   options = io_options();
+  options.least_likelihood = 0.9;
+  expect_refused(options, "least_likelihood and tolerance are for recordings");
+  options = io_options();
+  options.tolerance_m = 1;
+  expect_refused(options, "least_likelihood and tolerance are for recordings");
+  options = io_options();
   options.units = "height=cubits";
   expect_refused(options, "units: 'cubits'");
 }

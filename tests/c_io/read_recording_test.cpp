@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -156,6 +157,62 @@ TEST_F(CReadRecording, ZonesFramesAndPixelsAreAsTheyAreSaid) {
   options = io_options();
   options.scale = "long";
   EXPECT_EQ(read_recording({dated}, &options).code, BEESPACE_INVALID_ARGUMENT);
+}
+
+// A place of the first frame is sure, of the second one not.
+TEST_F(CReadRecording, PlacesOfPosesAreAsLikelyAsIsAsked) {
+  const std::string path = folder_.file("mouse.csv",
+                                        "scorer,net,net,net\nbodyparts,nose,nose,nose\n"
+                                        "coords,x,y,likelihood\n0,10,20,0.99\n1,11,21,0.5\n");
+  const auto fixes = [&](double least, std::uint32_t flags) {
+    auto options = io_options();
+    options.fps = 2;
+    options.scale = "1m";
+    options.least_likelihood = least;
+    options.flags = flags;
+    const auto read = read_recording({path}, &options);
+    EXPECT_EQ(read.code, BEESPACE_OK) << text_of(read.error);
+    return beespace_io_recording_fixes(read.recording.get());
+  };
+  EXPECT_EQ(fixes(0, 0), 1);
+  EXPECT_EQ(fixes(0.5, 0), 2);
+  EXPECT_EQ(fixes(0.99, 0), 1);
+  EXPECT_EQ(fixes(0, BEESPACE_IO_ANY_LIKELIHOOD), 2);
+  for (const double wrong : {-0.1, 1.1, static_cast<double>(NAN)}) {
+    auto options = io_options();
+    options.least_likelihood = wrong;
+    EXPECT_EQ(read_recording({path}, &options).code, BEESPACE_INVALID_ARGUMENT);
+  }
+  auto both = io_options();
+  both.least_likelihood = 0.5;
+  both.flags = BEESPACE_IO_ANY_LIKELIHOOD;
+  EXPECT_EQ(read_recording({path}, &both).code, BEESPACE_INVALID_ARGUMENT);
+  both = io_options();
+  both.fps = 2;
+  both.scale = "1m";
+  const auto said = read_recording({path}, &both);
+  ASSERT_EQ(said.code, BEESPACE_OK) << text_of(said.error);
+  std::string notes;
+  for (const auto& note : notes_of(beespace_io_recording_facts(said.recording.get())))
+    notes += note;
+  EXPECT_NE(notes.find("(least_likelihood)"), std::string::npos) << notes;
+}
+
+// A curve has as many lines as it needs to stay that close.
+TEST_F(CReadRecording, CurvesOfShowsAreFollowedAsCloselyAsIsAsked) {
+  const std::string show = std::string(BEESPACE_SHOWS) + "/ring.skyc";
+  const auto fixes = [&](double tolerance_m) {
+    auto options = io_options();
+    options.tolerance_m = tolerance_m;
+    const auto read = read_recording({show}, &options);
+    EXPECT_EQ(read.code, BEESPACE_OK) << text_of(read.error);
+    return beespace_io_recording_fixes(read.recording.get());
+  };
+  EXPECT_EQ(fixes(0), fixes(0.001));
+  EXPECT_LT(fixes(0.1), fixes(0.001));
+  auto options = io_options();
+  options.tolerance_m = -1;
+  EXPECT_EQ(read_recording({show}, &options).code, BEESPACE_INVALID_ARGUMENT);
 }
 
 TEST_F(CReadRecording, ArgumentsThatMakeNoSenseAreRefused) {

@@ -214,6 +214,28 @@ TEST_F(CVerifiedRecording, WithAGapDoesNotHold) {
   EXPECT_EQ(verified.facts.holds, 0);
 }
 
+// One is in the air when the log of the other ends; and two that are never there at one time.
+TEST_F(CVerifiedRecording, ThatIsNotKnownAsAWholeDoesNotHold) {
+  auto options = verify_options();
+  options.threshold_m = 1.0;
+  options.max_gap_s = INFINITY;
+  const Verified cut = verify(
+      table("id,t_s,x,y,z\na,0,0,0,0\na,5,9,0,9\na,10,9,0,0\nb,0,0,50,0\nb,4,9,50,9\n"), &options);
+  ASSERT_EQ(cut.code, BEESPACE_OK) << text_of(cut.error);
+  EXPECT_EQ(cut.facts.holds, 0);
+  EXPECT_EQ(cut.size(), 0);
+  beespace_io_coverage coverage{};
+  coverage.struct_size = sizeof coverage;
+  ASSERT_EQ(beespace_io_verdict_coverage(cut.verdict.get(), &coverage, nullptr), BEESPACE_OK);
+  EXPECT_EQ(coverage.agents_cut_off, 1);
+  EXPECT_EQ(coverage.may_hide, 1);
+  const Verified apart =
+      verify(table("id,t_s,x,y,z\na,0,0,0,0\na,1,0,0,0\nb,2,9,0,0\nb,3,9,0,0\n"), &options);
+  ASSERT_EQ(apart.code, BEESPACE_OK) << text_of(apart.error);
+  EXPECT_EQ(apart.facts.holds, 0);
+  EXPECT_EQ(apart.facts.closest_first, -1);
+}
+
 TEST_F(CVerifiedRecording, ThatCannotBeIsRefused) {
   const Recording degrees =
       table("id,t_s,lon,lat,height_m\na,0,19,47,0\na,9,19,47,9\nb,0,19.1,47,0\nb,9,19.1,47,9\n");

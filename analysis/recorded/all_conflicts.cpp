@@ -1,0 +1,62 @@
+#include "analysis/recorded/all_conflicts.hpp"
+
+#include "analysis/recorded/findings.hpp"
+#include "analysis/recorded/show_conflicts.hpp"
+
+#include <beespace/search_options.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace beespace::analysis {
+namespace {
+
+Result<std::optional<Conflict>> closest_or_encounter(const std::vector<Conflict>& conflicts,
+                                                     const std::vector<Track>& tracks,
+                                                     const ConflictOptions& options) {
+  if (conflicts.empty()) {
+    if (options.vertical_m) return std::optional<Conflict>();
+    return find_closest_encounter(tracks, options.max_gap_s, {options.threads, options.stop});
+  }
+  return std::optional<Conflict>(*std::min_element(
+      conflicts.begin(), conflicts.end(),
+      [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; }));
+}
+
+}  // namespace
+
+Result<AllConflicts> all_conflicts(const io::Recording& recording, const std::vector<Track>& tracks,
+                                   Geometry geometry, const ConflictOptions& options,
+                                   bool straight) {
+  AllConflicts found;
+  auto along_lines = find_conflicts(tracks, options);
+  if (!along_lines) return std::move(along_lines).error();
+  found.recorded = *std::move(along_lines);
+  std::vector<Conflict>& conflicts = found.recorded.conflicts;
+  auto of_show = conflicts_of_show(recording, tracks, options, std::move(conflicts));
+  if (!of_show) return std::move(of_show).error();
+  conflicts = std::move(of_show->conflicts);
+  found.with_standing = std::move(of_show->with_standing);
+  if (!straight) {
+    auto curves = follow_velocities(recording, geometry, options, conflicts);
+    if (!curves) return std::move(curves).error();
+    found.curves = *std::move(curves);
+    conflicts = merged(std::move(conflicts), found.curves.conflicts);
+  }
+  auto closest = closest_or_encounter(conflicts, tracks, options);
+  if (!closest) return std::move(closest).error();
+  found.closest = *closest;
+  return found;
+}
+
+bool has_encounters(const AllConflicts& found, const io::Recording& recording,
+                    const std::vector<Track>& in_space, const ConflictOptions& options) {
+  // Drones of a show that fly one after the other stand meanwhile.
+  if (found.closest || (recording.show && in_space.size() > 1)) return true;
+  if (!options.vertical_m) return false;
+  const auto any =
+      find_closest_encounter(in_space, options.max_gap_s, {options.threads, options.stop});
+  return any && any->has_value();
+}
+
+}  // namespace beespace::analysis

@@ -1,0 +1,40 @@
+// All conflicts of a recording: along straight lines from fix to fix, along the curves of a show or
+// of given velocities, and with drones that stand on the ground. What `beespace replay` and those
+// who call it from a program are told.
+#pragma once
+
+#include "analysis/geometry/geometry.hpp"
+#include "analysis/recorded/velocity_curves.hpp"
+#include "io/recording/recording.hpp"
+
+#include <beespace/conflict.hpp>
+#include <beespace/find_conflicts.hpp>
+#include <beespace/result.hpp>
+#include <beespace/track.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace beespace::analysis {
+
+struct AllConflicts {
+  RecordedConflicts recorded;
+  std::vector<Conflict> with_standing;  // of the conflicts: with a drone on the ground
+  VelocityCurves curves;                // whose conflicts are among them
+  // The closest of the conflicts; where there is none, of all encounters, if there is no vertical
+  // threshold, with which how far apart two are in a straight line says little.
+  std::optional<Conflict> closest;
+};
+
+// `tracks` are those of the recording in this geometry. With `straight` velocities are not looked
+// at. Errors: those of find_conflicts() and of the conversion, with the bee's id.
+Result<AllConflicts> all_conflicts(const io::Recording& recording, const std::vector<Track>& tracks,
+                                   Geometry geometry, const ConflictOptions& options,
+                                   bool straight);
+
+// Whether some two bees are there at the same time: otherwise nothing was compared. `in_space` are
+// the tracks in space, and `found` is what was found.
+bool has_encounters(const AllConflicts& found, const io::Recording& recording,
+                    const std::vector<Track>& in_space, const ConflictOptions& options);
+
+}  // namespace beespace::analysis
