@@ -11,8 +11,8 @@ import pytest
 
 _needs = {"to_pandas": "pandas", "to_polars": "polars", "plot": "matplotlib"}
 _readers = (
-    "_coverage.", "_file_conflicts.", "_file_movers.", "_file_obstacles.", "_files.", "_flight_verdict.",
-    "_report.", ".from_file", "FileError", "OSError",
+    "_coverage.", "_file_conflicts.", "_file_movers.", "_file_obstacles.", "_file_points.",
+    "_file_recording.", "_files.", "_flight_verdict.", "_report.", ".from_file", "FileError", "OSError",
 )
 
 # A shell starts what runs in its background deaf to Ctrl-C.

@@ -22,7 +22,9 @@ from beespace._events import Event, Events, KnownAgents, SwarmCounts
 from beespace._file_conflicts import FileConflicts
 from beespace._file_movers import FileMovers
 from beespace._file_obstacles import read_obstacles
-from beespace._files import FilePoints, FileRecording, read, read_recording
+from beespace._file_points import FilePoints
+from beespace._file_recording import FileRecording
+from beespace._files import read, read_recording
 from beespace._fleet import FleetFigures, LinkFigures, Tube, tube_of
 from beespace._flight_verdict import FlightBreaches, FlightLosses, FlightVerdict, Peak
 from beespace._follower import Follower

@@ -17,7 +17,7 @@ from beespace._errors import BeespaceError
 from beespace._file_columns import array_of
 
 if TYPE_CHECKING:
-    from beespace._files import FileRecording
+    from beespace._file_recording import FileRecording
 
 
 class FileConflicts(RecordedConflicts):

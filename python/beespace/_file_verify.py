@@ -22,7 +22,7 @@ from beespace._units import ACCELERATIONS, METRES, SPEEDS
 from beespace._verdict import ClearanceLosses
 
 if TYPE_CHECKING:
-    from beespace._files import FileRecording
+    from beespace._file_recording import FileRecording
 
 # In the order of C, with what each is measured in.
 LIMITS: dict[str, tuple[str, ...]] = {

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from beespace._answers import Pairs
 from beespace._errors import invalid
-from beespace._files import FilePoints
+from beespace._file_points import FilePoints
 from beespace._points import Points, PointsLike
 from beespace._searches import Searches
 from beespace._tables import plural

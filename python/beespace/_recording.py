@@ -14,7 +14,7 @@ from beespace._checks import Check, gap_of
 from beespace._columns import Result
 from beespace._conflicts import Encounter, Gaps, RecordedConflicts
 from beespace._errors import invalid
-from beespace._files import FileRecording
+from beespace._file_recording import FileRecording
 from beespace._fixes import Fixes, agents_of, numbers_of, seconds_of, unit_of_heights
 from beespace._frame_columns import column_of
 from beespace._frames import Known, check_upright

@@ -12,8 +12,8 @@ from beespace import _io_library, _library
 from beespace._calls import length, run_of, whole
 from beespace._checks import gap_of
 from beespace._errors import invalid
+from beespace._file_points import FilePoints
 from beespace._files import (
-    FilePoints,
     PathLike,
     encoded_path,
     paths_of,

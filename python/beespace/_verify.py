@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from beespace._checks import Check, gap_of
 from beespace._errors import BeespaceError, invalid
-from beespace._files import FileRecording
+from beespace._file_recording import FileRecording
 from beespace._fixes import agents_of, seconds_of
 from beespace._flight_verdict import FlightVerdict
 from beespace._obstacles import Obstacles, check_frame_of_obstacles
