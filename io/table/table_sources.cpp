@@ -127,7 +127,8 @@ constexpr std::string_view kAviationPairs =
 constexpr std::string_view kOtherQuantities =
     "speed velocity acceleration heading angle theta orientation direction likelihood confidence "
     "score prob probability temperature temp humidity battery voltage satellites sats hdop vdop "
-    "pdop dop accuracy area width length count missing error";
+    "pdop dop accuracy area size width length count missing error mass ecc eccentricity signal ep "
+    "intensity brightness";
 
 // What ids are unique within: whole names. Movebank's individuals and tags are so within a study.
 constexpr std::string_view kSets =

@@ -215,7 +215,15 @@ Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Heade
                  {}};
   }
   if (!column && found.size() > 1) {
-    if (const auto dated = only_dated(text, table, found)) {
+    // PX4 writes when a message was sent, and when it was measured, which older versions leave 0.
+    const auto sample = std::find_if(found.begin(), found.end(), [&table](std::size_t at) {
+      return plain_name(table.names[at]) == "timestamp_sample";
+    });
+    if (found.size() == 2 && sample != found.end() &&
+        plain_name(table.names[found[sample == found.begin() ? 1 : 0]]) == "timestamp") {
+      other = *sample;
+      found.erase(sample);
+    } else if (const auto dated = only_dated(text, table, found)) {
       other = found[found.front() == *dated ? 1 : 0];
       found = {*dated};
     }

@@ -77,12 +77,12 @@ std::optional<Error> doubtful_day(std::string_view text, const Header& header,
   return std::nullopt;
 }
 
-// To the second.
+constexpr std::size_t kToTheSecond = std::string_view("2024-05-01 12:00:00").size();
+
 bool say_the_same(const FirstFields& some, const FirstFields& others) {
-  constexpr std::size_t kSecond = std::string_view("2024-05-01 12:00:00").size();
   return std::equal(some.texts.begin(), some.texts.end(), others.texts.begin(), others.texts.end(),
                     [](std::string_view a, std::string_view b) {
-                      return a.substr(0, kSecond) == b.substr(0, kSecond);
+                      return a.substr(0, kToTheSecond) == b.substr(0, kToTheSecond);
                     });
 }
 
@@ -163,10 +163,13 @@ std::optional<std::size_t> only_dated(std::string_view text, const TableLayout& 
                                       const std::vector<std::size_t>& columns) {
   std::optional<std::size_t> chosen;
   FirstFields dated;
+  bool needs_fraction = false;  // which a column beside has
   for (const std::size_t column : columns) {
     FirstFields fields = first_fields(text, table, column);
     if (!is_date_with_time(fields)) {
-      if (fields.empty() || !looks_like_clock(fields.front())) return std::nullopt;
+      const bool fraction = plain_name(table.names[column]) == "milliseconds";
+      if (!fraction && (fields.empty() || !looks_like_clock(fields.front()))) return std::nullopt;
+      needs_fraction = needs_fraction || fraction;
       continue;
     }
     if (chosen && !say_the_same(dated, fields)) return std::nullopt;
@@ -175,6 +178,7 @@ std::optional<std::size_t> only_dated(std::string_view text, const TableLayout& 
     chosen = column;
     dated = std::move(fields);
   }
+  if (needs_fraction && chosen && dated.front().size() <= kToTheSecond) return std::nullopt;
   return chosen;
 }
 

@@ -77,11 +77,27 @@ TEST(AddressNames, ANameIsTheFirstSpelling) {
 TEST(KnownTables, Ulog2csvHasTwoHeights) {
   RecordingOptions options;
   options.time_unit = Unit::kMicrosecond;
-  const auto recording = recording_of(
-      record("timestamp,lat,lon,alt,alt_ellipsoid,eph\n1000000,47,8,500,548,1\n", options));
+  const auto recording =
+      recording_of(record("timestamp,timestamp_sample,lat,lon,alt,alt_ellipsoid,eph\n"
+                          "1000000,0,47,8,500,548,1\n",
+                          options));
   ASSERT_EQ(recording.bees.size(), 1u);
   EXPECT_EQ(recording.bees[0].fixes[0].position.z, 548.0);
   EXPECT_EQ(recording.heights, HeightDatum::kEllipsoid);
+  EXPECT_EQ(times_of(recording.bees[0]), std::vector<double>{1.0});
+}
+
+// What trackpy measures beside the place is no third coordinate.
+TEST(KnownTables, TrackpyIsFlat) {
+  RecordingOptions options;
+  options.frames_per_second = 25.0;
+  options.pixel = StatedLength{1e-6, 1.0, Unit::kMicrometre};
+  const auto recording =
+      recording_of(record("y,x,mass,size,ecc,signal,raw_mass,ep,frame,particle\n"
+                          "20,10,1000,3,0.1,30,3000,0.05,0,7\n20,11,1000,3,0.1,30,3000,0.05,1,7\n",
+                          options));
+  EXPECT_EQ(ids_of(recording), Names{"7"});
+  EXPECT_TRUE(recording.flat);
 }
 
 // OpenSky's tables are in metres; some are not OpenSky's.

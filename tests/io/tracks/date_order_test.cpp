@@ -112,8 +112,8 @@ TEST(DateOrderOfTables, TimesOfDayBesideDatesWithTimesAreTheSameAgain) {
   EXPECT_TRUE(has_note(recording, "are of UTC: the header says it"));
   const Recording newer =
       recording_of(record("device_id,UTC_datetime,UTC_date,UTC_time,Latitude,Longitude,"
-                          "UTC_timestamp\n171,2024-10-27 07:00:00,2024-10-27,07:00:00,47.7,9.17,"
-                          "2024-10-27 07:00:00.500\n"));
+                          "UTC_timestamp,milliseconds\n171,2024-10-27 07:00:00,2024-10-27,"
+                          "07:00:00,47.7,9.17,2024-10-27 07:00:00.500,500\n"));
   ASSERT_EQ(newer.bees.size(), 1u);
   EXPECT_EQ(times_of(newer.bees[0]), std::vector<double>{kSevenOnThe27th_s + 0.5});
 }
