@@ -16,6 +16,10 @@ namespace beespace::analysis {
 Result<std::vector<Track>> tracks_of(const io::Recording& recording, Geometry geometry,
                                      double tolerance_m);
 
+// Paths are known all along: into their tracks so many more fixes are put that no two of them are
+// farther apart in time than those of others may be.
+void keep_paths_whole(const io::Recording& recording, double max_gap_s, std::vector<Track>& tracks);
+
 // The error of one bee of a recording: its id is put before what is wrong.
 Error of_bee(Error error, const io::RecordedBee& bee);
 

@@ -186,8 +186,10 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
                                                const std::string& title,
                                                const SceneRequest& request) {
   const Geometry geometry = geometry_for(recording, request.vertical);
+  const MaxGap max_gap = max_gap_of(recording, request.max_gap_s);
   auto in_space = tracks_of(recording, Geometry::kSpace, request.tolerance_m);
   if (!in_space) return std::move(in_space).error();
+  keep_paths_whole(recording, max_gap.seconds, *in_space);
   std::vector<Track> on_ground;
   if (heights_apart(geometry)) {
     auto found = tracks_of(recording, geometry, request.tolerance_m);
@@ -236,7 +238,6 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
         "there at once, leave the time out");
   }
 
-  const MaxGap max_gap = max_gap_of(recording, request.max_gap_s);
   const ConflictOptions options{
       .threshold_m = swarm.threshold_m,
       .vertical_m = vertical_in(geometry, request.vertical, recording.height_unit),

@@ -22,7 +22,8 @@ std::string text_of(const io::RepeatedIds& repeated);
 // What heights are counted from; empty where that is not said.
 std::string_view datum_text(io::HeightDatum datum);
 
-// Which units were taken, and how the vertical threshold is compared, where that is not in metres.
+// For those who see it: which units were taken, what is drawn the other way round, and how the
+// vertical threshold is compared, where that is not in metres.
 void note_units(const std::vector<io::UnitTaken>& units,
                 const std::optional<io::StatedLength>& vertical, io::Unit height_unit,
                 std::vector<std::string>& notes);

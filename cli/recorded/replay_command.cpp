@@ -116,15 +116,16 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
     return flight.error();
   }
   const analysis::Geometry geometry = analysis::geometry_for(*recording, moving.vertical);
-  const auto tracks = tracks_of(*recording, geometry, request.tolerance_m);
+  auto tracks = tracks_of(*recording, geometry, request.tolerance_m);
   if (!tracks) return tracks.error();
+  const analysis::MaxGap max_gap = max_gap_for(request, *recording);
+  analysis::keep_paths_whole(*recording, max_gap.seconds, *tracks);
   if (Status few = check_every(request, *tracks); !few) return few.error();
   const double read_s = watch.lap();
 
   progress.enter_stage("searching");
   const double threshold_m = moving.threshold_m.value_or(
       analysis::default_threshold(*recording, kDefaultThreshold_m).metres);
-  const analysis::MaxGap max_gap = max_gap_for(request, *recording);
   const ConflictOptions options{
       .threshold_m = threshold_m,
       .vertical_m = vertical_in(geometry, moving.vertical, recording->height_unit),

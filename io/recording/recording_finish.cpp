@@ -2,6 +2,7 @@
 #include "io/bytes/number_text.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/problems/skipped_records.hpp"
+#include "io/recording/doubled_drones.hpp"
 #include "io/recording/recording_assembly.hpp"
 #include "io/recording/swapped_degrees.hpp"
 #include "io/recording/unit_doubts.hpp"
@@ -211,6 +212,10 @@ Result<Recording> RecordingAssembly::finish() {
   if (tracks_.empty()) return nothing_left();
   if (auto error = settle_times()) return *std::move(error);
   if (auto error = settle_files()) return *std::move(error);
+  if (auto doubled = doubled_drone(tracks_)) {
+    return Error{ErrorCode::kInvalidArgument, std::move(doubled->problem),
+                 location_of(tracks_.origin(doubled->fix))};
+  }
   if (auto error = doubtful_heights()) return *std::move(error);
   if (facts_) {
     recording_.frame = facts_->frame;

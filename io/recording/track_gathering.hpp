@@ -83,6 +83,7 @@ class TrackGathering {
   // Fixes that were taken, and found to come again.
   void add_repeated(std::uint64_t count) { repeated_ += count; }
   [[nodiscard]] const std::string& id(std::size_t bee) const { return bees_[bee].recorded.id; }
+  [[nodiscard]] const RecordedBee& recorded(std::size_t bee) const { return bees_[bee].recorded; }
   [[nodiscard]] std::size_t size() const { return bees_.size(); }
 
   // What was found by add() and settle().

@@ -24,8 +24,8 @@ KnownColumn perhaps(std::string_view name, Role role, Unit unit = Unit::kUnstate
 // TRex: https://trex.run/docs/formats.html; a file an individual. Of several places of a body that
 // of the weighted centroid is taken; where it was not seen they are infinite.
 // PX4: vehicle_global_position as ulog2csv of pyulog writes it. Its times are those of each drone.
-const std::array<TableSource, 7>& known_sources() {
-  static const std::array<TableSource, 7> sources = {
+const std::array<TableSource, 8>& known_sources() {
+  static const std::array<TableSource, 8> sources = {
       TableSource{"traffic",
                   "velocity vertrate baroaltitude",
                   {{"icao24"},
@@ -76,6 +76,16 @@ const std::array<TableSource, 7>& known_sources() {
                    perhaps("gs", Role::kGroundSpeed, Unit::kMetrePerSecond),
                    perhaps("trk", Role::kTrack),
                    perhaps("vs", Role::kClimb, Unit::kMetrePerSecond)}},
+      TableSource{"BlueSky",  // with the name of what has the column before it, as in traf.alt
+                  "",
+                  {{"simt", Role::kTime, Unit::kSecond},
+                   {"traf_id", Role::kId},
+                   {"traf_lat"},
+                   {"traf_lon"},
+                   perhaps("traf_alt", Role::kHeight, Unit::kMetre, HeightDatum::kPressure),
+                   perhaps("traf_gs", Role::kGroundSpeed, Unit::kMetrePerSecond),
+                   perhaps("traf_trk", Role::kTrack),
+                   perhaps("traf_vs", Role::kClimb, Unit::kMetrePerSecond)}},
       TableSource{
           "Movebank",
           "",

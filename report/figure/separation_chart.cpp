@@ -203,9 +203,9 @@ void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawi
   if (are_apart(facts)) return draw_apart(facts, box, drawing);
   constexpr std::size_t kRingSpots = 80;
   const Measure measure{
-      "Distance of the closest two", "Distance",
-      threshold_name(facts.swarm),   facts.swarm.threshold_m,
-      distance_unit(facts.swarm),    [](const Separation& at) { return at.closest.distance_m; }};
+      "The closest two",           "Distance",
+      threshold_name(facts.swarm), facts.swarm.threshold_m,
+      distance_unit(facts.swarm),  [](const Separation& at) { return at.closest.distance_m; }};
   const Panel panel{box, measure.heading, time_axis(facts, box),
                     distance_axis(facts, measure, box)};
   draw_bands(facts, panel, drawing);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "tests/cli/run/command_run.hpp"
 #include "tests/cli/run/expectations.hpp"
@@ -104,6 +105,25 @@ TEST(Encounters, ALogOfBlueSkyIsReplayed) {
   EXPECT_EQ(rows_of(finished.out).size(), 1u) << finished.out;
   EXPECT_NE(finished.err.find("BlueSky"), std::string::npos) << finished.err;
   EXPECT_EQ(finished.err.find("1970"), std::string::npos) << finished.err;
+}
+
+// As where a logger was given variables of `traf` by hand: the SI, too.
+TEST(Encounters, ALogOfBlueSkyMayNameWhatHasItsColumns) {
+  std::string log =
+      "# Snapshot log 2\n"
+      "# simt, traf.id, traf.lat, traf.lon, traf.alt, traf.gs, traf.trk, traf.vs\n";
+  for (int t = 0; t <= 15; ++t) {
+    for (const auto& [id, height] :
+         {std::pair("LOW1,0,", "10668"), std::pair("HIGH2,0,", "10973")}) {
+      log += std::to_string(t) + "," + id + std::to_string(7.0 + 0.00208 * t) + "," + height +
+             ",231.5,90,0\n";
+    }
+  }
+  // 305 m apart in height: more than 1,000 ft, and less if these were feet.
+  const Finished finished = run({"replay", "--separation", "enroute", "--fail-on-risk"}, log);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_parts(finished.err, {"heights in m: the header is that of BlueSky, which has 'traf.alt'",
+                              "keeps its distance"});
 }
 
 TEST(Encounters, ADaidalusEncounterIsReplayed) {

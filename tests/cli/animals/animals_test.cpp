@@ -127,6 +127,16 @@ TEST(Animals, FramesAndPixelsAreAskedForAndThenRead) {
                               "metres, in a plane", "2.8 mm apart", "1 bee in 1 gap"});
 }
 
+// Of a picture, whose rows count downwards: a picture of it is its mirror image, which is said.
+TEST(Animals, PicturesOfPixelsSayWhichWayTheyAreDrawn) {
+  const Arguments of_pixels = {table("pixels.csv"), "--threshold", "3mm", "--fps", "25",
+                               "--scale",           "0.1mm"};
+  const std::string said = "y is drawn upwards; of a picture whose y counts downwards this is the";
+  EXPECT_NE(run(Arguments{"plot"} + of_pixels).out.find(said), std::string::npos);
+  EXPECT_NE(run(Arguments{"report"} + of_pixels).out.find(said), std::string::npos);
+  EXPECT_EQ(run({"plot", table("movebank.csv")}).out.find(said), std::string::npos);
+}
+
 TEST(Animals, AColumnOfFramesGoesWithFps) {
   const std::string rows = "time_s,id,x_cm,y_cm\n0,a,1,2\n1,a,2,2\n";
   expect_failure({"replay", "--fps", "25"}, rows, 2,

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/cli/run/below_header.hpp"
 #include "tests/cli/run/command_run.hpp"
@@ -287,6 +289,46 @@ TEST_F(ShowReplay, WhoHoversAtTheLowestHeightOfAShowInTheAirFlies) {
   EXPECT_EQ(finished.exit_code, 1);
   expect_parts(finished.err, {"bees       3\n", "3 conflicts of 3 pairs\n"});
   EXPECT_EQ(run({"verify", path, "--threshold", "2"}).exit_code, 1);
+}
+
+// Its drones would be in conflict with themselves.
+TEST_F(ShowReplay, ATakeOffGridBesideItIsAskedAbout) {
+  const std::string show = folder_.file("show.json", declaring("2"));
+  for (const auto& [table, said] : std::vector<std::pair<std::string, std::string>>{
+           {"name,time_s,x,y,z\nleft,0,0,0,0\nright,0,0,3,0\n",
+            "bee 'left' is also a drone of the show"},
+           {"id,time_s,x,y,z\n1,0,0,0,0\n2,0,0,3,0\n",
+            "bee '1' stands where drone 'left' of the show begins, as in a take-off grid"},
+           {"id,time_s,x,y,z\nother,0,5,50,0\n2,0,0,3,0.2\n2,20,0,3,0.2\n",
+            "bee '2' stands where drone 'right' of the show begins"}}) {
+    const std::string grid = folder_.file("grid.csv", table);
+    for (const Arguments& files : {Arguments{show, grid}, Arguments{grid, show}}) {
+      const Finished finished = run(Arguments{"replay"} + files);
+      EXPECT_EQ(finished.exit_code, 2) << finished.out;
+      expect_parts(finished.err, {"grid.csv", said, ": read the show alone"});
+    }
+  }
+}
+
+// Key frames are a plan, however far apart they are: a table beside them says nothing of them.
+TEST_F(ShowReplay, GapsOfATableAreNoGapsOfAShowBesideIt) {
+  std::string table = "id,time_s,x,y,z\n";
+  for (int k = 0; k <= 140; ++k) {
+    const std::string t = std::to_string(k / 10) + "." + std::to_string(k % 10);
+    table += "visitor," + t + ",5,1,10\n";
+  }
+  const std::string show = folder_.file("show.json", declaring("2"));
+  const std::string file = folder_.file("visitor.csv", table);
+  const Finished finished = run({"replay", show, file, "--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 1);
+  EXPECT_EQ(finished.err.find("unknown"), std::string::npos) << finished.err;
+  const TextRows rows = rows_of(finished.out);
+  ASSERT_EQ(rows.size(), 1u) << finished.out << finished.err;
+  EXPECT_EQ(rows[0].at(0) + rows[0].at(1), "leftvisitor");
+  // Its way of ten seconds is straight, and passes 1 m beside the visitor after 7 s.
+  EXPECT_EQ(rows[0].at(3) + " " + rows[0].at(4), "7 1");
+  const Finished asked = run({"replay", show, file, "--max-gap", "1"});
+  EXPECT_EQ(asked.err.find("unknown"), std::string::npos) << asked.err;
 }
 
 }  // namespace

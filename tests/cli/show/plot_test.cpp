@@ -72,7 +72,7 @@ TEST_F(Plot, OfARecordingShowsPathsAndSeparation) {
   EXPECT_EQ(finished.err, "");
   EXPECT_TRUE(is_xml(finished.out));
   expect_parts(finished.out, {"1 conflict of 1 pair: closer than 5 m", "closest: 3 m", "a \u2013 b",
-                              "3.000 m at 50.0 s", "Distance of the closest two", "Time (s)"});
+                              "3.000 m at 50.0 s", "The closest two", "Time (s)"});
 }
 
 TEST_F(Plot, IsTheSameEveryTimeAndFromStandardInput) {

@@ -227,9 +227,16 @@ TEST(Show, MayStandBesideTables) {
   const TemporaryFolder folder;
   const auto recording = recording_of(
       load_recording({folder.write("show.json", show(drone("a", kTrajectory))),
-                      folder.write("bees.csv", "id,time_s,x,y,z\na,0,1,2,3\nb,0,1,2,3\n")}));
-  EXPECT_EQ(ids_of(recording), (Ids{"a#2", "a", "b"}));
+                      folder.write("bees.csv", "id,time_s,x,y,z\nc,0,1,2,3\nb,0,1,2,3\n")}));
+  EXPECT_EQ(ids_of(recording), (Ids{"a", "c", "b"}));
   EXPECT_EQ(recording.format_description, "several formats");
+}
+
+TEST(Show, ATableThatNamesItsDronesIsAskedAbout) {
+  const TemporaryFolder folder;
+  const std::string table = folder.write("bees.csv", "id,time_s,x,y,z\nb,0,7,8,9\na,0,7,8,9\n");
+  expect_error(load_recording({folder.write("show.json", show(drone("a", kTrajectory))), table}),
+               {ErrorCode::kInvalidArgument, table + ":3", "'a' is also a drone of the show"});
 }
 
 // A path that no drone has, as where one was left out of the list, is not passed over in silence.
