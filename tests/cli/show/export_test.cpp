@@ -140,13 +140,13 @@ TEST_F(Export, MapsNeedDegreesAndLeaveWhatWasThere) {
 
 TEST_F(Export, TakesBeesOnOppositeSidesOfTheEarth) {
   const std::string antipodes =
-      folder_.file("antipodes.csv", "longitude,latitude,height\n0,0,100\n180,0,100\n");
+      folder_.file("antipodes.csv", "longitude,latitude,height\n1,0,100\n-179,0,100\n");
   const std::string flown = folder_.file("flown.csv",
                                          "id,time_s,longitude,latitude,height\na,0,0,90,100\n"
                                          "a,9,0,90,100\nb,0,0,-90,100\nb,9,0,-90,100\n");
   for (const char* format : {"kml", "czml", "geojson", "csv"}) {
     const std::string snapshot = exported(antipodes, format, {"--threshold", "20000000"});
-    expect_parts(snapshot, {"180,"});
+    expect_parts(snapshot, {"-179,"});
     expect_parts(exported(flown, format, {"--threshold", "20000000"}), {"-90,"});
   }
 }
