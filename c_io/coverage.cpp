@@ -41,6 +41,7 @@ analysis::Coverage in_words_of_analysis(const beespace_io_coverage& given) {
   coverage.in_gaps_s = given.in_gaps_s;
   coverage.bees_partly = count(given.agents_partly);
   coverage.bees_cut_off = count(given.agents_cut_off);
+  coverage.bees_unplaced = count(given.agents_unplaced);
   coverage.missing.count = count(given.missing);
   coverage.missing.nowhere = count(given.nowhere);
   coverage.missing.shared = count(given.shared_ids);
@@ -74,6 +75,7 @@ beespace_io_coverage as_struct(const analysis::Coverage& coverage) {
   into.files = number(missing.files);
   into.jumping = number(missing.jumping);
   into.swapped = number(missing.swapped);
+  into.agents_unplaced = number(coverage.bees_unplaced);
   return into;
 }
 

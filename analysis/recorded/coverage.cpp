@@ -54,6 +54,7 @@ std::pair<double, double> whole_time(const io::Recording& recording) {
 struct Outside {
   double seconds = 0.0;
   bool cut_off = false;
+  bool unplaced = false;
 };
 
 // From when, or until when, an aircraft is in the air beyond `end_s`, its first or last fix: the
@@ -86,6 +87,8 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
     const io::RecordedBee& bee = recording.bees[i];
     const double from_s = grounded(bee.on_ground_until_s, ends->first.time_s, whole.first, usual_s);
     const double until_s = grounded(bee.on_ground_from_s, ends->last.time_s, whole.second, usual_s);
+    outside[i].unplaced = (bee.unplaced_from_s && ends->first.time_s > whole.first) ||
+                          (bee.unplaced_until_s && ends->last.time_s < whole.second);
     add(outside[i], ends->first.time_s - from_s, ends->first, ends->second);
     add(outside[i], until_s - ends->last.time_s, ends->last, ends->last_but_one);
   }
@@ -126,6 +129,7 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
     coverage.outside_s += outside.seconds;
     if (outside.seconds > 0.0) ++coverage.bees_partly;
     if (outside.cut_off) ++coverage.bees_cut_off;
+    if (outside.unplaced) ++coverage.bees_unplaced;
   }
   coverage.missing = recording.missing;
   return coverage;
@@ -147,6 +151,10 @@ std::string unknown_text(const Coverage& coverage) {
     if (coverage.bees_cut_off > 0) {
       text += " (" + io::grouped(std::uint64_t{coverage.bees_cut_off}) +
               " of which begin or end in the air while others fly)";
+    }
+    if (coverage.bees_unplaced > 0) {
+      append(io::grouped(std::uint64_t{coverage.bees_unplaced}) +
+             " of them there without a place before or after");
     }
   }
   append(missing_text(coverage.missing));

@@ -8,8 +8,9 @@
 // before and after on the ground, if it begins and ends there: otherwise it is in the air, and it
 // is not known where. What is recorded with heights may be cut off in the air, too: where its fixes
 // begin or end above the lowest place of all ends, or moving there; in degrees, where they begin
-// later or end earlier by more than a gap. What is in a plane comes and goes. An aircraft that says
-// to be on the ground before or after is known from there on.
+// later or end earlier by more than a gap. What is in a plane comes and goes, but is there, and it
+// is not known where, while it has records without a place. An aircraft that says to be on the
+// ground before or after is known from there on.
 #pragma once
 
 #include "analysis/recorded/gaps.hpp"
@@ -36,8 +37,9 @@ struct Coverage {
   std::vector<Gap> longest;  // of the gaps, at most kMostNamed
   std::size_t bees_partly =
       0;  // whose first fix is later, or whose last is earlier, than of others
-  std::size_t bees_cut_off = 0;  // of these: in the air then
-  double outside_s = 0.0;        // before the first and after the last fix, summed over the bees
+  std::size_t bees_cut_off = 0;   // of these: in the air then
+  std::size_t bees_unplaced = 0;  // of these: there then, in records without a place
+  double outside_s = 0.0;         // before the first and after the last fix, summed over the bees
   io::MissingRecords missing;
 
   static constexpr std::size_t kMostNamed = 3;
@@ -46,7 +48,7 @@ struct Coverage {
   [[nodiscard]] bool complete() const { return !may_hide_conflicts() && bees_partly == 0; }
   // Whether a bee was there, but it is not known where.
   [[nodiscard]] bool may_hide_conflicts() const {
-    return gaps > 0 || !missing.none() || bees_cut_off > 0;
+    return gaps > 0 || !missing.none() || bees_cut_off > 0 || bees_unplaced > 0;
   }
 };
 

@@ -47,7 +47,10 @@ void append_coverage(std::string& out, const analysis::Coverage& coverage,
             " in all" +
             (coverage.bees_cut_off == 0
                  ? ""
-                 : "; " + red(io::grouped(coverage.bees_cut_off)) + " of them in the air then"));
+                 : "; " + red(io::grouped(coverage.bees_cut_off)) + " of them in the air then") +
+            (coverage.bees_unplaced == 0 ? ""
+                                         : "; " + red(io::grouped(coverage.bees_unplaced)) +
+                                               " of them there then, in records without a place"));
   }
   append_missing(out, coverage.missing);
 }
@@ -60,6 +63,7 @@ void write_coverage(io::JsonWriter& json, const analysis::Coverage& coverage,
   json.member("gap_count", coverage.gaps).member("bees_with_gaps", coverage.bees_with_gaps);
   json.member("in_gaps_s", coverage.in_gaps_s).member("bees_partly_known", coverage.bees_partly);
   json.member("bees_cut_off_in_the_air", coverage.bees_cut_off);
+  json.member("bees_there_without_a_place", coverage.bees_unplaced);
   json.member("before_first_and_after_last_s", coverage.outside_s);
   json.new_line();
   write_missing(json, coverage.missing);

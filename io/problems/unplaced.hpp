@@ -16,6 +16,10 @@ inline constexpr LeftOutReason kUnknownHeight = {
     "without a height", "--columns with x and y, or lon and lat, only takes all as flat"};
 inline constexpr LeftOutReason kOutlier = {"with visible=false (outliers)", {}, true};
 inline constexpr LeftOutReason kNoFix = {"of receivers that say that they had no fix"};
+// Whether the bee was there, but it is not known where.
+inline bool has_no_place(const LeftOutReason& reason) {
+  return &reason == &kUnknownPlace || &reason == &kOutlier || &reason == &kNoFix;
+}
 inline constexpr LeftOutReason kNoAnimal = {
     "whose id of an animal is empty (of tags that are on none)",
     "where a tag was on one, fill it in, or take the tag's with --columns id=..."};

@@ -122,6 +122,21 @@ void RecordingAssembly::heard_of(const LeftOutReason& reason, std::string_view i
   heard_.emplace_back(reason, id);
 }
 
+void RecordingAssembly::unplaced(std::string_view id, double time_s) {
+  const auto [known, is_new] = unplaced_.try_emplace(std::string(id), Times{time_s, time_s});
+  if (is_new) return;
+  known->second.first_s = std::min(known->second.first_s, time_s);
+  known->second.last_s = std::max(known->second.last_s, time_s);
+}
+
+void RecordingAssembly::settle_unplaced(RecordedBee& bee) const {
+  const auto known = unplaced_.find(bee.id);
+  if (known == unplaced_.end() || bee.fixes.empty()) return;
+  const auto [first_s, last_s] = known->second;
+  if (first_s < bee.fixes.front().time_s) bee.unplaced_from_s = first_s;
+  if (last_s > bee.fixes.back().time_s) bee.unplaced_until_s = last_s;
+}
+
 void RecordingAssembly::settle_heard() {
   std::unordered_set<std::string> said;
   for (const auto& [reason, id] : heard_) {

@@ -140,6 +140,8 @@ class RecordingAssembly {
   // It was heard of, though not its place: if no place comes from anywhere, a record is left out
   // for that reason.
   void heard_of(const LeftOutReason& reason, std::string_view id);
+  // It was there, at no known place.
+  void unplaced(std::string_view id, double time_s);
   // Two bees seem to share that id: they are not known.
   void share(const SharedTrack& track);
   // That bee jumps: where it is is not known all the time.
@@ -163,6 +165,7 @@ class RecordingAssembly {
   void settle_claim(const std::string& id, const GroundClaims::Run& run);
   // Of aircraft that take off from the ground, or land there, when they did.
   void settle_ground(RecordedBee& bee) const;
+  void settle_unplaced(RecordedBee& bee) const;
   [[nodiscard]] MissingRecords missing() const;
   [[nodiscard]] std::optional<Error> doubtful_heights() const;
   [[nodiscard]] std::optional<Error> doubtful_units() const;
@@ -177,6 +180,11 @@ class RecordingAssembly {
   LeftOut left_out_;
   GroundClaims claims_;
   std::unordered_map<std::string, std::vector<GroundClaims::Run>> grounded_;  // surely, by id
+  struct Times {
+    double first_s;
+    double last_s;
+  };
+  std::unordered_map<std::string, Times> unplaced_;  // by id
   std::uint64_t kept_in_flight_ = 0;
   std::uint64_t missing_ = 0;  // records
   std::uint64_t missing_without_id_ = 0;

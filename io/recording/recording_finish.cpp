@@ -1,6 +1,7 @@
 // What is settled once all is read: times, the frame, what is left out or doubtful, and the notes.
 #include "io/bytes/number_text.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/problems/left_out.hpp"
 #include "io/problems/skipped_records.hpp"
 #include "io/recording/doubled_drones.hpp"
 #include "io/recording/recording_assembly.hpp"
@@ -14,6 +15,15 @@
 #include <vector>
 
 namespace beespace::io {
+namespace {
+
+// Two bees of one id, or times that stand still.
+constexpr LeftOutReason kElsewhere = {
+    "with another place for a time at which the same bee has been heard elsewhere, farther away "
+    "than it gets while times are rounded,",
+    "if another column has the time of the position, name it with --columns time=..."};
+
+}  // namespace
 
 // Where no place is known, zeros may be written.
 void RecordingAssembly::leave_out_zeros() {
@@ -71,7 +81,10 @@ Error RecordingAssembly::conflict_error(const TimeConflict& conflict) const {
 
 std::optional<Error> RecordingAssembly::settle_times() {
   std::vector<TimeConflict> conflicts;
-  tracks_.settle([&conflicts](const TimeConflict& conflict) { conflicts.push_back(conflict); });
+  tracks_.settle(
+      facts_ ? facts_->frame : recording_.frame,
+      [&conflicts](const TimeConflict& conflict) { conflicts.push_back(conflict); },
+      [this](const TimeConflict& conflict) { leave_out(kElsewhere, conflict.id); });
   std::sort(conflicts.begin(), conflicts.end(), [](const TimeConflict& a, const TimeConflict& b) {
     if (a.second.source != b.second.source) return a.second.source < b.second.source;
     return a.second.line < b.second.line;
@@ -231,7 +244,10 @@ Result<Recording> RecordingAssembly::finish() {
   if (!frame_is_settled_) find_doubtful_tracks();
   recording_.missing = missing();
   recording_.bees = tracks_.release();
-  for (RecordedBee& bee : recording_.bees) settle_ground(bee);
+  for (RecordedBee& bee : recording_.bees) {
+    settle_ground(bee);
+    settle_unplaced(bee);
+  }
   if (auto error = doubtful_units()) return *std::move(error);
   if (recording_.height_unit == Unit::kMetre) {
     for (RecordedBee& bee : recording_.bees) bee.stated_heights.clear();

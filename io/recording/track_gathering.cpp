@@ -1,6 +1,7 @@
 #include "io/recording/track_gathering.hpp"
 
 #include "io/frames/track_domain.hpp"
+#include "io/recording/flat_distance.hpp"
 #include "io/recording/jumps.hpp"
 #include "io/recording/overlapping_files.hpp"
 #include "io/recording/shared_id.hpp"
@@ -34,6 +35,15 @@ bool is_heard_again(const Fix& earlier, const Fix& later, std::optional<double> 
   if (!repeat_s) return earlier == later;
   return later.time_s - earlier.time_s <= *repeat_s && earlier.position.x == later.position.x &&
          earlier.position.y == later.position.y;
+}
+
+// Of one moment, as times are written: whether nothing gets from one place to the other meanwhile.
+bool is_far(const Fix& earlier, const Fix& later, double repeat_s, Frame frame) {
+  constexpr double kFastest_mps = 350.0;  // no airliner is faster
+  constexpr double kSecond = 1.0;         // times are rounded to seconds often
+  constexpr double kSolutions_m = 30.0;   // so far apart are two solutions of one receiver
+  return flat_distance_m(earlier.position, later.position, frame) >
+         kFastest_mps * std::max(kSecond, repeat_s) + kSolutions_m;
 }
 
 }  // namespace
@@ -165,13 +175,14 @@ double TrackGathering::highest_m() const {
   return highest_m;
 }
 
-void TrackGathering::settle(const std::function<void(const TimeConflict&)>& conflict) {
+void TrackGathering::settle(Frame frame, const TakeConflict& conflict, const TakeConflict& far) {
   for (Bee& bee : bees_) {
-    if (repeat_s_ || !strictly_ascending(bee.recorded.fixes)) settle(bee, conflict);
+    if (repeat_s_ || !strictly_ascending(bee.recorded.fixes)) settle(bee, frame, conflict, far);
   }
 }
 
-void TrackGathering::settle(Bee& bee, const std::function<void(const TimeConflict&)>& conflict) {
+void TrackGathering::settle(Bee& bee, Frame frame, const TakeConflict& conflict,
+                            const TakeConflict& far) {
   const auto& fixes = bee.recorded.fixes;
   const auto& velocities = bee.recorded.velocities;
   const auto& heights = bee.recorded.stated_heights;
@@ -189,13 +200,17 @@ void TrackGathering::settle(Bee& bee, const std::function<void(const TimeConflic
         continue;
       }
       if (last.time_s == fixes[i].time_s) {
-        if (repeat_s_) {
+        const TimeConflict both{bee.recorded.id, fixes[i].time_s, settled.origins.back(),
+                                bee.origins[i]};
+        if (repeat_s_ && is_far(last, fixes[i], *repeat_s_, frame)) {
+          far(both);
+        } else if (repeat_s_) {
           ++clashing_;
           if (bee.clashes++ == 0) {
             bee.clashed = SharedTrack{bee.recorded.id, fixes[i].time_s, bee.origins[i]};
           }
         } else {
-          conflict({bee.recorded.id, fixes[i].time_s, settled.origins.back(), bee.origins[i]});
+          conflict(both);
         }
         continue;
       }

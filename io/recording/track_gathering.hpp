@@ -71,8 +71,10 @@ class TrackGathering {
 
   // Brings each bee's fixes into the order of time: stable, and of the same fix said twice one is
   // kept. Of two at the same time but at different places the second in the input is left out and
-  // handed to `conflict`, in no particular order.
-  void settle(const std::function<void(const TimeConflict&)>& conflict);
+  // handed to `conflict`, in no particular order; with rounded times to `far`, and only if it is
+  // farther away than what flies gets while times are rounded.
+  using TakeConflict = std::function<void(const TimeConflict&)>;
+  void settle(Frame frame, const TakeConflict& conflict, const TakeConflict& far);
 
   // Calls take(bee, fix, stated height, origin) with all fixes that were not taken before, in the
   // order of the input; bees are counted in the order in which they came first. Bees stay, without
@@ -130,7 +132,7 @@ class TrackGathering {
   };
 
   Bee& bee_of(std::string_view id);
-  void settle(Bee& bee, const std::function<void(const TimeConflict&)>& conflict);
+  void settle(Bee& bee, Frame frame, const TakeConflict& conflict, const TakeConflict& far);
 
   std::vector<Bee> bees_;
   std::unordered_map<std::string, std::size_t, TextHash, std::equal_to<>> index_;

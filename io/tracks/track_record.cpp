@@ -356,6 +356,8 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   record.flies_on_ground = record.left_out == nullptr && layout_.on_ground &&
                            says_yes(fields_[TrackSlot::kOnGround].text);
   if (record.left_out == &kOnGround) read_claim(record);
+  record.is_timed = record.left_out != nullptr && has_no_place(*record.left_out) && layout_.time &&
+                    !read_time(record);
   if (record.left_out != nullptr) return std::nullopt;
   if (auto problem = read_time(record)) return problem;
   if (auto problem = read_position(record)) return problem;

@@ -158,9 +158,8 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     if (record.left_out != nullptr) {
       assembly.leave_out(*record.left_out, record.id);
       // Who is nowhere else is known nowhere.
-      const bool no_place = record.left_out == &kUnknownPlace || record.left_out == &kOutlier ||
-                            record.left_out == &kNoFix;
-      if (no_place) assembly.heard_of(kNeverPlaced, record.id);
+      if (has_no_place(*record.left_out)) assembly.heard_of(kNeverPlaced, record.id);
+      if (record.is_timed) assembly.unplaced(record.id, record.time_s);
       continue;
     }
     if (times_of_day && assembly.goes_back(record.id, record.time_s)) {

@@ -35,6 +35,8 @@ class Coverage:
         Of how many agents the first fix is later, or the last one earlier, than those of others.
     agents_cut_off : int
         Of these: in the air then.
+    agents_unplaced : int
+        Of those that are partly known: there then, in records without a place.
     outside : float
         How long that is, in seconds, summed over the agents.
     missing_count : int
@@ -64,6 +66,7 @@ class Coverage:
     __slots__ = (
         "agents_cut_off",
         "agents_partly_known",
+        "agents_unplaced",
         "agents_with_gaps",
         "beside_gaps",
         "complete",
@@ -108,6 +111,7 @@ class Coverage:
         self.file_count = int(found.files)
         self.jumping_count = int(found.jumping)
         self.swapped_count = int(found.swapped)
+        self.agents_unplaced = int(found.agents_unplaced)
         self.unknown = _text_of(found)
         found.gaps = 0
         self.beside_gaps = _text_of(found)

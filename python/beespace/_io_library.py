@@ -88,6 +88,7 @@ class CCoverage(ctypes.Structure):
         ("files", c_int64),
         ("jumping", c_int64),
         ("swapped", c_int64),
+        ("agents_unplaced", c_int64),
     ]
 
 

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tests/cli/run/command_run.hpp"
 #include "tests/cli/run/expectations.hpp"
@@ -107,6 +108,34 @@ TEST(NoFalseAllClear, WhoComesAndGoesIsKnownForAPartOnly) {
   EXPECT_EQ(run({"replay", "--threshold", "2", "--fail-on-risk"}, input).exit_code, 0);
 }
 
+// Its own records say that an animal is there, but not where.
+TEST(NoFalseAllClear, WhoIsThereWithoutAPlaceIsUnknown) {
+  std::string known;
+  std::string end;
+  std::string begin;
+  for (int frame = 0; frame < 20; ++frame) {
+    const std::string at = "," + std::to_string(frame) + ".0,";
+    known += "a" + at + std::to_string(frame) + ",0\n";
+    const std::string place = std::to_string(frame) + ",9\n";
+    end += "b" + at + (frame < 15 ? place : "NA,NA\n");
+    begin += "b" + at + (frame > 4 ? place : "NA,NA\n");
+  }
+  for (const std::string& other : {end, begin}) {
+    const std::string input = "id,time_s,x,y\n" + known + other;
+    const Finished replay = run({"replay", "--threshold", "5", "--fail-on-risk"}, input);
+    EXPECT_EQ(replay.exit_code, 1) << replay.err;
+    expect_parts(replay.err, {"1 of them there without a place before or after"});
+    const Finished verify = run({"verify", "--threshold", "5", "--json"}, input);
+    EXPECT_EQ(verify.exit_code, 1) << verify.err;
+    expect_parts(verify.out, {R"("holds": false)", R"("bees_there_without_a_place": 1)"});
+  }
+  // Who has no records there has gone, or has not come yet.
+  const std::string gone = end.substr(0, end.find("NA") - std::string("b,15.0,").size());
+  EXPECT_EQ(run({"replay", "--threshold", "5", "--fail-on-risk"}, "id,time_s,x,y\n" + known + gone)
+                .exit_code,
+            0);
+}
+
 TEST(NoFalseAllClear, NothingComparedIsARisk) {
   constexpr std::string_view apart =
       "id,time_s,x,y,z\na,0,0,0,0\na,1,0,0,0\nb,2,9,0,0\nb,3,9,0,0\n";
@@ -162,6 +191,35 @@ TEST(NoFalseAllClear, SwappedDegreesOfSeveralAreSaidToo) {
   EXPECT_EQ(finished.exit_code, 1);
   expect_parts(finished.err, {"bee 'd', as 1 beside it, is 5,",
                               "longitude and latitude of 2 bees seem to be the other way round"});
+}
+
+// Two of one address in a snapshot; or the time of a position that stands still while it moves.
+TEST(NoFalseAllClear, PlacesFartherApartThanRoundingExplainsAreLeftOut) {
+  const auto aircraft = [](const std::string& second) {
+    return R"({"now": 1700000000.0, "aircraft": [
+{"hex":"a00001","lat":50.0,"lon":8.0,"alt_baro":30000,"gs":400,"track":90,"baro_rate":0,"seen_pos":0},
+{"hex":"a00001","lat":50.0,"lon":)" +
+           second + R"(,"alt_baro":30000,"gs":400,"track":90,"baro_rate":0,"seen_pos":0},
+{"hex":"b00002","lat":52.0,"lon":8.0,"alt_baro":30000,"gs":400,"track":90,"baro_rate":0,"seen_pos":0}]})";
+  };
+  const std::vector<std::string> predict = {"predict", "--separation", "enroute", "--fail-on-risk"};
+  const Finished far = run(predict, aircraft("8.2"));
+  EXPECT_EQ(far.exit_code, 1) << far.err;
+  expect_parts(far.err, {"1 record with another place", "1 record was left out"});
+  EXPECT_EQ(run(predict, aircraft("8.002")).exit_code, 0);
+
+  std::string stands =
+      "time,icao24,lat,lon,velocity,heading,vertrate,baroaltitude,geoaltitude,"
+      "lastposupdate\n";
+  for (int t = 0; t < 60; t += 10) {
+    const std::string time = std::to_string(1'700'000'000 + t);
+    stands += time + ",a00001,50.0," + std::to_string(8.0 + 0.003 * t) +
+              ",215,90,0,10000,10000,1700000000\n" + time + ",b00002,52.0," +
+              std::to_string(8.0 + 0.003 * t) + ",215,90,0,10000,10000," + time + "\n";
+  }
+  const Finished replay = run({"replay", "--separation", "enroute", "--fail-on-risk"}, stands);
+  EXPECT_EQ(replay.exit_code, 1) << replay.err;
+  expect_parts(replay.err, {"5 records with another place", "--columns time="});
 }
 
 TEST(NoFalseAllClear, OneBeeAloneIsNothingToPredict) {
