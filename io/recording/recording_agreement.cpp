@@ -123,6 +123,15 @@ std::optional<Error> RecordingAssembly::agree_on_axes(std::string_view name) {
     axes_name_ = name;
     axes_source_ = sources_.back();
   }
+  // REP 105: an odometry frame is fixed, but begins anywhere.
+  if (name == "odom" && axes_source_ != sources_.back() && options_.frame == Frame::kAuto) {
+    return Error{ErrorCode::kUnknownFrame,
+                 "this position and those in " + axes_source_ +
+                     " are in a frame 'odom' of ROS, which begins where each robot was switched "
+                     "on: if these have one origin and direction, say so with --crs metres; else "
+                     "bring all into one, such as 'map', by the transforms of /tf",
+                 {}};
+  }
   if (*axes_name_ == name) return std::nullopt;
   return Error{ErrorCode::kUnknownFrame,
                "this position is in the frame " + excerpt(name) + " of ROS, but others, as in " +

@@ -90,6 +90,22 @@ TEST(RosTable, PositionsInSeveralFramesAreNotCompared) {
                {ErrorCode::kUnknownFrame, folder.file("b.csv") + ":2", "are in 'map'"});
 }
 
+TEST(RosTable, OdometryOfSeveralBeginsAnywhere) {
+  const TemporaryFolder folder;
+  std::string odometry(kOdometry);
+  for (std::size_t at = 0; (at = odometry.find(",map,", at)) != std::string::npos;) {
+    odometry.replace(at, 5, ",odom,");
+  }
+  const std::vector<std::string> files = {folder.write("a.csv", odometry),
+                                          folder.write("b.csv", odometry)};
+  EXPECT_TRUE(load_recording({files[0]}, {}));
+  expect_error(load_recording(files, {}),
+               {ErrorCode::kUnknownFrame, folder.file("b.csv") + ":2", "--crs metres"});
+  RecordingOptions said;
+  said.frame = Frame::kMetres;
+  EXPECT_TRUE(load_recording(files, said));
+}
+
 TEST(RosTable, WithoutAHeaderPosesAreKnownByTheirOrientation) {
   const std::string pose = "1700000000,5,map,1,2,3,0,0,0.6,0.8\n";
   const std::string odometry = "1700000000,5,map,base,1,2,3,0.5,-0.5,0.5,-0.5" + [] {
