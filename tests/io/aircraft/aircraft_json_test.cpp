@@ -172,9 +172,9 @@ TEST(AircraftJson, APositionThatIsWrittenAgainIsHeardOnce) {
 
 TEST(AircraftJson, TwoPlacesAtOneRoundedTimeAreNoConflict) {
   const TemporaryFolder folder;
-  const auto recording =
-      recording_of(load_recording({folder.write("1.json", file_of(seen("a", "2", "0"), "1001")),
-                                   folder.write("2.json", file_of(seen("a", "2.001", "1"), "1002"))}));
+  const auto recording = recording_of(
+      load_recording({folder.write("1.json", file_of(seen("a", "2", "0"), "1001")),
+                      folder.write("2.json", file_of(seen("a", "2.001", "1"), "1002"))}));
   EXPECT_EQ(recording.bees[0].fixes.size(), 1u);
   EXPECT_EQ(recording.bees[0].fixes[0].position.x, 2.0);
   EXPECT_TRUE(has_note(recording, "1 record says another place for a time"));
