@@ -12,18 +12,18 @@ constexpr std::int64_t kSecond = 1'000'000;
 constexpr std::int64_t kDrift = 10'000;
 // A vehicle is started, and first heard of, no sooner than this before it was heard of last: what
 // messages take varies.
-constexpr std::int64_t kStartSlack_us = kSecond;
+constexpr std::int64_t kStartSlackMicros = kSecond;
 // No message is believed to have been on its way for longer,
-constexpr std::int64_t kLongest_us = 60 * kSecond;
+constexpr std::int64_t kLongestMicros = 60 * kSecond;
 // and of those that took longer than this there are few, none of which came first; all that waited
 // together come together.
-constexpr std::int64_t kLong_us = 5 * kSecond;
+constexpr std::int64_t kLongMicros = 5 * kSecond;
 constexpr std::size_t kFewIn = 4;
 constexpr std::size_t kFewSpans = 1;
 // Of so many in a row, over so long, one comes about as fast as the fastest.
 constexpr std::size_t kSpanMessages = 8;
-constexpr std::int64_t kSpan_us = 10 * kSecond;
-constexpr std::int64_t kSlow_us = kSecond / 4;
+constexpr std::int64_t kSpanMicros = 10 * kSecond;
+constexpr std::int64_t kSlowMicros = kSecond / 4;
 
 std::int64_t apart(const SentMessage& message) {
   return message.came_us - message.sent_us;
@@ -32,7 +32,7 @@ std::int64_t apart(const SentMessage& message) {
 // Whether a vehicle that has sent until `sent_us`, by a clock that is `apart_us` behind that of the
 // log, can have been started behind that.
 bool is_new_start(const SentMessage& message, std::int64_t apart_us, std::int64_t sent_us) {
-  return message.sent_us < sent_us && apart(message) + kStartSlack_us >= apart_us + sent_us;
+  return message.sent_us < sent_us && apart(message) + kStartSlackMicros >= apart_us + sent_us;
 }
 
 // Where the starts begin, and the end.
@@ -94,17 +94,18 @@ bool goes_along(const std::vector<SentMessage>& messages, std::size_t begin, std
   std::int64_t least_us = std::numeric_limits<std::int64_t>::max();
   for (std::size_t i = begin; i < end; ++i) {
     const std::int64_t sent_us = messages[i].came_us - late_us[i];
-    if (late_us[i] > kLongest_us || sent_us < messages[begin].came_us - kLong_us) return false;
-    if (late_us[i] > kLong_us) {
+    if (late_us[i] > kLongestMicros || sent_us < messages[begin].came_us - kLongMicros)
+      return false;
+    if (late_us[i] > kLongMicros) {
       ++long_ones;
       ++long_in_span;
     }
     least_us = std::min(least_us, late_us[i]);
     const std::size_t count = i + 1 - first;
-    const bool is_whole = messages[i].came_us - messages[first].came_us >= kSpan_us;
+    const bool is_whole = messages[i].came_us - messages[first].came_us >= kSpanMicros;
     if (count < kSpanMessages || (!is_whole && i + 1 < end)) continue;
     ++spans;
-    if (least_us > kSlow_us) ++slow_spans;
+    if (least_us > kSlowMicros) ++slow_spans;
     if (kFewIn * long_in_span > count) ++long_spans;
     first = i + 1;
     long_in_span = 0;
@@ -149,7 +150,7 @@ void BootClock::begin(const SentMessage& message) {
 // What a span of all messages says of the clock.
 void BootClock::end_span() {
   if (span_.count < kSpanMessages) return;
-  if (span_.least_us - apart_us_ > kSlow_us || kFewIn * span_.late > span_.count) {
+  if (span_.least_us - apart_us_ > kSlowMicros || kFewIn * span_.late > span_.count) {
     believed_ = false;
   }
   apart_us_ = std::max(apart_us_, span_.least_us);
@@ -168,14 +169,14 @@ std::int64_t BootClock::take(const SentMessage& message) {
   }
   apart_us_ = std::min(apart_us_, apart(message));
   const std::int64_t late_us = apart(message) - apart_us_;
-  if (message.came_us - span_.began_us >= kSpan_us) {
+  if (message.came_us - span_.began_us >= kSpanMicros) {
     end_span();
     span_ = {message.came_us, apart(message), 0, 0};
   }
   span_.least_us = std::min(span_.least_us, apart(message));
   ++span_.count;
-  if (late_us > kLong_us) ++span_.late;
-  if (stands || late_us > kLongest_us) believed_ = false;
+  if (late_us > kLongMicros) ++span_.late;
+  if (stands || late_us > kLongestMicros) believed_ = false;
   return believed_ ? message.came_us - late_us : message.came_us;
 }
 

@@ -46,7 +46,7 @@ std::string counted(std::uint64_t count, std::string_view what) {
 }
 
 // Said from here on.
-constexpr std::int64_t kLate_us = 1'000'000;
+constexpr std::int64_t kLateMicros = 1'000'000;
 
 // "3.2 s"
 std::string seconds_text(std::int64_t micros) {
@@ -189,7 +189,7 @@ class TelemetryReading {
   void say_times() {
     if (by_own_clock_) assembly_.note(std::string(kOwnClockNote));
     if (!by_own_clock_ && unbelieved_.empty()) assembly_.note(std::string(kArrivalNote));
-    if (latest_us_ > kLate_us) {
+    if (latest_us_ > kLateMicros) {
       assembly_.note(assembly_.source_name() + ": the latest position came " +
                      seconds_text(latest_us_) + " after the moment that it tells of");
     }

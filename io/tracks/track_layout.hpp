@@ -37,21 +37,21 @@ struct TimeChoice {
   TimeForm form = TimeForm::kNumbers;
   Unit unit = Unit::kSecond;
   bool since_1970 = false;
-  bool by_size = false;                  // the unit was told by the size of the numbers
-  std::optional<std::size_t> date = {};  // the column of the day
+  bool by_size = false;        // the unit was told by the size of the numbers
+  bool named = false;          // the header alone, or the format, says the unit
+  bool of_position = false;    // when it was measured: records in between say the position again
+  bool to_the_minute = false;  // the first time has no seconds
   DateOrder dates = DateOrder::kUnsaid;  // where the year is last
   std::string dates_reason = {};         // why it is that one
-  bool to_the_minute = false;            // the first time has no seconds
+  std::optional<std::size_t> date = {};  // the column of the day
   std::optional<TimeZone> zone = {};     // of dates and times that name none themselves
   std::string zone_reason = {};          // why it is that one
   // Of dates and times, or times of day, without a zone: what they are counted from.
   std::optional<WallClock> clock = {};
   double frames_per_second = 0.0;
-  bool named = false;  // the header alone, or the format, says the unit
   // Of whole seconds, as ROS has them: the column of what is to be added, in nanoseconds.
   std::optional<std::size_t> nanoseconds = {};
   std::optional<std::size_t> other = {};  // another column that looks like a time, and is not taken
-  bool of_position = false;  // when it was measured: records in between say the position again
 };
 
 struct VelocityChoice {
