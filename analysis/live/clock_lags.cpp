@@ -13,7 +13,7 @@ constexpr std::uint32_t kReports = 3;
 constexpr double kSpan_s = 4.0;
 // It must be so much nearer to be right again.
 constexpr double kRightShare = 0.5;
-// What is told is rounded: nobody knows more of it.
+// What is told is rounded: more is not known.
 constexpr double kPerSecond = 1000.0;
 
 }  // namespace

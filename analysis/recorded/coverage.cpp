@@ -36,15 +36,17 @@ bool rests(const Fix& from, const Fix& to, io::Frame frame) {
   return std::hypot(apart.x, apart.y) <= kMostAtRest_mps * std::abs(to.time_s - from.time_s);
 }
 
-// From the first fix of all to the last one.
+// From the first fix of all to the last one, and as far as some are there without a place.
 std::pair<double, double> whole_time(const io::Recording& recording) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::pair<double, double> time{kInfinity, -kInfinity};
   for (const io::RecordedBee& bee : recording.bees) {
     const auto ends = ends_of(bee);
     if (!ends) continue;
-    time.first = std::min(time.first, ends->first.time_s);
-    time.second = std::max(time.second, ends->last.time_s);
+    const double first_s = bee.unplaced_from_s.value_or(ends->first.time_s);
+    const double last_s = bee.unplaced_until_s.value_or(ends->last.time_s);
+    time.first = std::min({time.first, ends->first.time_s, first_s});
+    time.second = std::max({time.second, ends->last.time_s, last_s});
   }
   return time;
 }
@@ -75,11 +77,13 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
   std::vector<Outside> outside(recording.bees.size());
   const auto add = [&](Outside& of, double seconds, const Fix& end, const Fix& beside) {
     if (!(seconds > 0.0)) return;
+    // One fix alone is joined to nothing.
+    const double known_s = end == beside ? 0.0 : usual_s;
     const double height_m = end.position.z - ground_m;
     if (recording.show && height_m <= kStandsWithin_m) return;
     of.seconds += seconds;
     const bool stands = height_m <= kLoggedTolerance_m && rests(end, beside, recording.frame);
-    of.cut_off = of.cut_off || recording.show || (flies && !stands && seconds > usual_s);
+    of.cut_off = of.cut_off || recording.show || (flies && !stands && seconds > known_s);
   };
   for (std::size_t i = 0; i < outside.size(); ++i) {
     const auto ends = ends_of(recording.bees[i]);
@@ -87,8 +91,8 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
     const io::RecordedBee& bee = recording.bees[i];
     const double from_s = grounded(bee.on_ground_until_s, ends->first.time_s, whole.first, usual_s);
     const double until_s = grounded(bee.on_ground_from_s, ends->last.time_s, whole.second, usual_s);
-    outside[i].unplaced = (bee.unplaced_from_s && ends->first.time_s > whole.first) ||
-                          (bee.unplaced_until_s && ends->last.time_s < whole.second);
+    outside[i].unplaced = bee.unplaced_from_s.value_or(ends->first.time_s) < ends->first.time_s ||
+                          bee.unplaced_until_s.value_or(ends->last.time_s) > ends->last.time_s;
     add(outside[i], ends->first.time_s - from_s, ends->first, ends->second);
     add(outside[i], until_s - ends->last.time_s, ends->last, ends->last_but_one);
   }

@@ -166,8 +166,8 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
   if (instants > 0) {
     append_summary_line(out, "note",
                         plural(static_cast<std::size_t>(instants), "bee has", "bees have") +
-                            " one fix only, and so are known for an instant; 'beespace predict' "
-                            "brings all bees to one time");
+                            " one fix only, known for an instant; 'beespace predict' brings all "
+                            "bees to one time");
   }
   append_summary_line(
       out, "threshold",

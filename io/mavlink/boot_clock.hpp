@@ -3,14 +3,14 @@
 // Messages carry the sender's time since it was started (time_boot_ms), and a log or a link when
 // they came. None comes before it was sent: so the least delay tells how far the two clocks are
 // apart, and a message that took longer is not taken for a place at the moment when it came. What
-// is left is that least delay itself, which nobody knows.
+// is left is that least delay itself, which is not known.
 //
 // Two clocks of quartz go apart by some 10^-5; kDrift bounds that. A clock that falls back is that
 // of a vehicle that was started anew, where it can have been: the start must lie behind the last
 // message that was sent before. Otherwise the message is late.
 //
 // Not every number is a clock. It is not believed where it does not go on as the clock of the log
-// does (a simulator at another speed, a field that nobody sets), or where many messages would have
+// does (a simulator at another speed, a field that is never set), or where many messages would have
 // been on their way for long, as where two vehicles share an id. Then times are those of arrival.
 #pragma once
 

@@ -39,7 +39,7 @@ bool is_nowhere(const Point& place) {
   return place.x == 0.0 && place.y == 0.0;
 }
 
-// Zero is a field that nobody has set, and so is what is no time of these centuries.
+// Zero is a field that is not set, and so is a time centuries away.
 std::optional<std::int64_t> clock_us(std::uint64_t micros) {
   constexpr std::uint64_t kMost = std::uint64_t{1} << 53u;
   if (micros == 0 || micros > kMost) return std::nullopt;

@@ -38,8 +38,7 @@ struct RecordedBee {
   // before the first fix, and since when after the last one.
   std::optional<double> on_ground_until_s = {};
   std::optional<double> on_ground_from_s = {};
-  // Since when, and until when, it has records without a place, where these begin before the first
-  // fix, or end after the last one.
+  // Since when, and until when, it has records without a place, if it has any.
   std::optional<double> unplaced_from_s = {};
   std::optional<double> unplaced_until_s = {};
   std::string label = {};  // what it is called beside its id: the flight; or nothing

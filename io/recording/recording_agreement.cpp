@@ -1,5 +1,6 @@
 // What inputs must agree on to be one recording: whether they are in degrees or metres, have a
 // time, what heights are above, axes, zones and units.
+#include "io/bytes/characters.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/recording/recording_assembly.hpp"
 
@@ -32,6 +33,14 @@ std::string height_words(HeightDatum heights) {
 std::string clock_words(const SourceFacts& facts) {
   if (!facts.clock) return "counted from a zero of their own";
   return facts.clock->dated ? "dates without a time zone" : "times of day without a date";
+}
+
+// REP 105: an odometry frame is fixed, but begins anywhere. One with the name of a robot before it,
+// as "uav1/odom", is that robot's.
+bool is_odometry(std::string_view axes) {
+  if (axes.starts_with('/')) axes.remove_prefix(1);
+  const std::string name = lower_case(axes);
+  return name == "odom" || name == "odom_combined" || name == "odometry";
 }
 
 }  // namespace
@@ -118,18 +127,20 @@ std::optional<Error> RecordingAssembly::agree_on_heights(HeightDatum heights) {
   return std::nullopt;
 }
 
-std::optional<Error> RecordingAssembly::agree_on_axes(std::string_view name) {
+std::optional<Error> RecordingAssembly::agree_on_axes(std::string_view name, std::string_view id) {
   if (!axes_name_) {
     axes_name_ = name;
     axes_source_ = sources_.back();
+    axes_bee_ = id;
   }
-  // REP 105: an odometry frame is fixed, but begins anywhere.
-  if (name == "odom" && axes_source_ != sources_.back() && options_.frame == Frame::kAuto) {
+  if (*axes_name_ == name && axes_bee_ != id && options_.frame == Frame::kAuto &&
+      is_odometry(name)) {
     return Error{ErrorCode::kUnknownFrame,
-                 "this position and those in " + axes_source_ +
-                     " are in a frame 'odom' of ROS, which begins where each robot was switched "
-                     "on: if these have one origin and direction, say so with --crs metres; else "
-                     "bring all into one, such as 'map', by the transforms of /tf",
+                 "this position of " + excerpt(id) + " and those of " + excerpt(axes_bee_) +
+                     " in " + axes_source_ + " are in a frame " + excerpt(name) +
+                     " of ROS, which begins where each robot was switched on: if these have one "
+                     "origin and direction, say so with --crs metres; else bring all into one, "
+                     "such as 'map', by the transforms of /tf",
                  {}};
   }
   if (*axes_name_ == name) return std::nullopt;

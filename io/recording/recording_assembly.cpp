@@ -131,10 +131,9 @@ void RecordingAssembly::unplaced(std::string_view id, double time_s) {
 
 void RecordingAssembly::settle_unplaced(RecordedBee& bee) const {
   const auto known = unplaced_.find(bee.id);
-  if (known == unplaced_.end() || bee.fixes.empty()) return;
-  const auto [first_s, last_s] = known->second;
-  if (first_s < bee.fixes.front().time_s) bee.unplaced_from_s = first_s;
-  if (last_s > bee.fixes.back().time_s) bee.unplaced_until_s = last_s;
+  if (known == unplaced_.end()) return;
+  bee.unplaced_from_s = known->second.first_s;
+  bee.unplaced_until_s = known->second.last_s;
 }
 
 void RecordingAssembly::settle_heard() {

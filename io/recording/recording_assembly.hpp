@@ -96,9 +96,9 @@ class RecordingAssembly {
   // Errors: kUnknownFrame, kMissingColumn, kInvalidArgument for inputs that do not go together:
   // in frame, time, whether there are heights or what these are counted from.
   std::optional<Error> agree(const SourceFacts& facts);
-  // Of ROS: positions are counted in axes of that name, which must be one for all. Errors:
-  // kUnknownFrame.
-  std::optional<Error> agree_on_axes(std::string_view name);
+  // Of ROS: positions of a bee are counted in axes of that name, which must be one for all, and not
+  // one of each robot. Errors: kUnknownFrame.
+  std::optional<Error> agree_on_axes(std::string_view name, std::string_view id);
   // Of eastings and northings, as the input calls their zone and as all of that zone are called.
   // Errors: kUnknownFrame.
   std::optional<Error> agree_on_zone(std::string_view stated, std::string_view zone);
@@ -213,7 +213,8 @@ class RecordingAssembly {
   std::string stated_by_;
   std::uint64_t nameless_ = 0;
   std::optional<std::string> axes_name_;
-  std::string axes_source_;  // who said so first
+  std::string axes_source_;  // who said so first,
+  std::string axes_bee_;     // and of whom
   double highest_m_ = 0.0;
   std::optional<std::string> zone_;
   std::string stated_zone_;

@@ -37,13 +37,21 @@ bool is_heard_again(const Fix& earlier, const Fix& later, std::optional<double> 
          earlier.position.y == later.position.y;
 }
 
-// Of one moment, as times are written: whether nothing gets from one place to the other meanwhile.
-bool is_far(const Fix& earlier, const Fix& later, double repeat_s, Frame frame) {
-  constexpr double kFastest_mps = 350.0;  // no airliner is faster
-  constexpr double kSecond = 1.0;         // times are rounded to seconds often
-  constexpr double kSolutions_m = 30.0;   // so far apart are two solutions of one receiver
+// How fast it says that it flies; or else faster than any airliner.
+double speed_or_fastest(const std::vector<Velocity>& velocities, std::size_t fix) {
+  constexpr double kFastest_mps = 350.0;
+  if (velocities.empty()) return kFastest_mps;
+  const double speed_mps = std::hypot(velocities[fix].x, velocities[fix].y);
+  return std::isfinite(speed_mps) ? speed_mps : kFastest_mps;
+}
+
+// Of one moment, as times are written: whether it does not get from one place to the other
+// meanwhile.
+bool is_far(const Fix& earlier, const Fix& later, double speed_mps, double repeat_s, Frame frame) {
+  constexpr double kSecond = 1.0;        // times are rounded to seconds often
+  constexpr double kSolutions_m = 30.0;  // so far apart are two solutions of one receiver
   return flat_distance_m(earlier.position, later.position, frame) >
-         kFastest_mps * std::max(kSecond, repeat_s) + kSolutions_m;
+         speed_mps * std::max(kSecond, repeat_s) + kSolutions_m;
 }
 
 }  // namespace
@@ -202,12 +210,14 @@ void TrackGathering::settle(Bee& bee, Frame frame, const TakeConflict& conflict,
       if (last.time_s == fixes[i].time_s) {
         const TimeConflict both{bee.recorded.id, fixes[i].time_s, settled.origins.back(),
                                 bee.origins[i]};
-        if (repeat_s_ && is_far(last, fixes[i], *repeat_s_, frame)) {
-          far(both);
-        } else if (repeat_s_) {
-          ++clashing_;
+        if (repeat_s_) {
           if (bee.clashes++ == 0) {
             bee.clashed = SharedTrack{bee.recorded.id, fixes[i].time_s, bee.origins[i]};
+          }
+          if (is_far(last, fixes[i], speed_or_fastest(velocities, i), *repeat_s_, frame)) {
+            far(both);
+          } else {
+            ++clashing_;
           }
         } else {
           conflict(both);

@@ -23,7 +23,7 @@ std::optional<Error> doubt_of_time_unit(const Recording& recording, Unit named);
 // faster than any show. Errors: kUnitNeeded, without source.
 std::optional<Error> doubt_of_metres(const Recording& recording);
 
-// Heights of positions in degrees, whose greatest is that, in a unit that nobody said, or that only
+// Heights of positions in degrees, whose greatest is that, in a unit that is not said, or that only
 // the words of a known source tell: higher than anything flies, they may be feet. Errors:
 // kInvalidArgument, without source.
 std::optional<Error> doubt_of_heights(const std::vector<UnitTaken>& units, double highest_m);

@@ -346,6 +346,7 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   }
   if (auto problem = record_problem(line, layout_.table, count, cursor.problem())) return problem;
   record.left_out = nullptr;
+  record.is_timed = false;
   read_sets(record);
   if (auto problem = read_id(record)) return problem;
   if (record.left_out != nullptr) return std::nullopt;

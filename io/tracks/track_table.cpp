@@ -177,7 +177,7 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       }
     }
     if (layout.axes_name) {
-      if (auto error = assembly.agree_on_axes(record.axes_name)) {
+      if (auto error = assembly.agree_on_axes(record.axes_name, record.id)) {
         place(*error, line, rows_before + walk.row(), place_of, layout);
         return error;
       }

@@ -129,6 +129,14 @@ TEST(NoFalseAllClear, WhoIsThereWithoutAPlaceIsUnknown) {
     EXPECT_EQ(verify.exit_code, 1) << verify.err;
     expect_parts(verify.out, {R"("holds": false)", R"("bees_there_without_a_place": 1)"});
   }
+  // All of them.
+  std::string all = "id,time_s,x,y\n" + end;
+  for (int frame = 0; frame < 20; ++frame) {
+    const std::string at = "c," + std::to_string(frame) + ".0,";
+    all += at + (frame < 15 ? std::to_string(frame) + ",0\n" : "NA,NA\n");
+  }
+  EXPECT_EQ(run({"replay", "--threshold", "5", "--fail-on-risk"}, all).exit_code, 1);
+  EXPECT_EQ(run({"verify", "--threshold", "5"}, all).exit_code, 1);
   // Who has no records there has gone, or has not come yet.
   const std::string gone = end.substr(0, end.find("NA") - std::string("b,15.0,").size());
   EXPECT_EQ(run({"replay", "--threshold", "5", "--fail-on-risk"}, "id,time_s,x,y\n" + known + gone)
@@ -217,9 +225,30 @@ TEST(NoFalseAllClear, PlacesFartherApartThanRoundingExplainsAreLeftOut) {
               ",215,90,0,10000,10000,1700000000\n" + time + ",b00002,52.0," +
               std::to_string(8.0 + 0.003 * t) + ",215,90,0,10000,10000," + time + "\n";
   }
+  // A drone gets less far.
+  std::string slow = stands.substr(0, stands.find('\n') + 1);
+  for (int t = 0; t < 30; t += 5) {
+    const std::string time = std::to_string(1'700'000'000 + t);
+    slow += time + ",a00001,50.0," + std::to_string(8.0 + 0.0002 * t) +
+            ",15,90,0,100,100,1700000000\n" + time + ",b00002,52.0," +
+            std::to_string(8.0 + 0.0002 * t) + ",15,90,0,100,100," + time + "\n";
+  }
+  const Finished drone = run({"replay", "--threshold", "50", "--fail-on-risk"}, slow);
+  EXPECT_EQ(drone.exit_code, 1) << drone.err;
+  expect_parts(drone.err, {"5 records with another place"});
   const Finished replay = run({"replay", "--separation", "enroute", "--fail-on-risk"}, stands);
   EXPECT_EQ(replay.exit_code, 1) << replay.err;
   expect_parts(replay.err, {"5 records with another place", "--columns time="});
+}
+
+// Of three aircraft two were heard at one moment, and the third a little later.
+TEST(NoFalseAllClear, OneFixIsNoTrack) {
+  const std::string snapshot = R"({"now": 1700000000.0, "aircraft": [
+{"hex":"a00001","lat":50.0,"lon":8.0,"alt_baro":30000,"gs":400,"track":90,"seen_pos":0.5},
+{"hex":"a00002","lat":50.07,"lon":8.0,"alt_baro":30400,"gs":400,"track":90,"seen_pos":0.9},
+{"hex":"b00003","lat":52.0,"lon":8.0,"alt_baro":30000,"gs":400,"track":90,"seen_pos":0.5}]})";
+  const Finished finished = run({"replay", "--separation", "enroute", "--fail-on-risk"}, snapshot);
+  EXPECT_EQ(finished.exit_code, 1) << finished.err;
 }
 
 TEST(NoFalseAllClear, OneBeeAloneIsNothingToPredict) {

@@ -108,7 +108,7 @@ TEST(Replay, WithoutCommonTimesTheSeparationIsEmpty) {
 TEST(Replay, BeesWithOneFixExistForAnInstant) {
   const Finished finished =
       run({"replay"}, "id,time_s,x,y,z\na,0,0,0,0\nb,1,0,0,0\nc,0,9,0,0\nc,2,9,0,0\n");
-  expect_parts(finished.err, {"2 bees have one fix only, and so are known for an instant; "});
+  expect_parts(finished.err, {"2 bees have one fix only, known for an instant; "});
 }
 
 TEST(Replay, MomentsOfTheSeparationAreBounded) {

@@ -101,6 +101,15 @@ TEST(RosTable, OdometryOfSeveralBeginsAnywhere) {
   EXPECT_TRUE(load_recording({files[0]}, {}));
   expect_error(load_recording(files, {}),
                {ErrorCode::kUnknownFrame, folder.file("b.csv") + ":2", "--crs metres"});
+  // Of one file, too; whatever odometry is called.
+  for (const char* const name : {",odom,r", ",/odom,r", ",odom_combined,r"}) {
+    std::string two(kOdometry);
+    std::size_t robot = 0;
+    for (std::size_t at = 0; (at = two.find(",map,base_link", at)) != std::string::npos;) {
+      two.replace(at, std::string(",map,base_link").size(), name + std::to_string(++robot));
+    }
+    expect_error(record(two), {ErrorCode::kUnknownFrame, "bees.csv:3", "was switched on"});
+  }
   RecordingOptions said;
   said.frame = Frame::kMetres;
   EXPECT_TRUE(load_recording(files, said));
