@@ -9,8 +9,8 @@
 // - it is more than 50 m higher than where the aircraft flew within the minute before or after;
 // - at least 20 s before and after it the aircraft flies within 50 m of its height, at over 30 m/s:
 //   who touches down and goes comes from higher, and climbs;
-// - it goes on at more than 25 m/s on average in each of two minutes, one after the other: so slow an
-//   aircraft may fly, at 60 kt, but none rolls so far.
+// - it goes on at more than 25 m/s on average in each of two minutes, one after the other: an
+//   aircraft may fly so slowly, at 60 kt, but none rolls so far.
 //
 // A run is surely on the ground where it is not taken for flight, and two of its claims, 10 s or
 // more apart, are no more than 25 m/s and a climb of 1 m/s away from each other.
