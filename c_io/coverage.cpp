@@ -48,6 +48,7 @@ analysis::Coverage in_words_of_analysis(const beespace_io_coverage& given) {
   coverage.missing.files = count(given.files);
   coverage.missing.jumping = count(given.jumping);
   coverage.missing.swapped = count(given.swapped);
+  coverage.missing.untimed = count(given.untimed);
   return coverage;
 }
 
@@ -75,6 +76,7 @@ beespace_io_coverage as_struct(const analysis::Coverage& coverage) {
   into.files = number(missing.files);
   into.jumping = number(missing.jumping);
   into.swapped = number(missing.swapped);
+  into.untimed = number(missing.untimed);
   into.agents_unplaced = number(coverage.bees_unplaced);
   return into;
 }

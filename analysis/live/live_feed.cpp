@@ -12,6 +12,9 @@ constexpr double kLongestUnopposed_s = 60.0;
 // Clocks that differ by this part of what is not believed are named.
 constexpr double kNamedShare = 0.25;
 
+// Reports take some time to come: by so much the first of a bee may be late.
+constexpr double kLate_s = 0.5;
+
 // An overload that lasts is said again so often.
 constexpr double kOverloadedAgain_s = 10.0;
 
@@ -145,13 +148,21 @@ Status LiveFeed::pass_on(const PositionReport& report, double now_s) {
   if (!looks_ || now_s > next_look_s_) {
     if (auto done = look_before(now_s); !done) return done;
   }
-  const std::uint64_t contrary = swarm_.counts().contrary;
+  const SwarmCounts before = swarm_.counts();
   Status taken = swarm_.update(report);
   if (!taken) return taken;
-  if (contrary_ && swarm_.counts().contrary > contrary) contrary_(report);
+  const SwarmCounts after = swarm_.counts();
+  if (contrary_ && after.contrary > before.contrary) contrary_(report);
+  if (after.missed_s > before.missed_s) note_missed({report.id, after.missed_s - before.missed_s});
   latest_s_ = std::max(latest_s_.value_or(now_s), now_s);
   if (reported_) reported_(report, now_s);
   return taken;
+}
+
+void LiveFeed::note_missed(const Missed& missed) {
+  if (missed.lasted_s <= kLate_s) return;
+  ++missed_;
+  if (missed.lasted_s > longest_missed_.lasted_s) longest_missed_ = missed;
 }
 
 std::optional<AgentId> LiveFeed::leave(std::string_view id) {

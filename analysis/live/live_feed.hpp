@@ -113,6 +113,15 @@ class LiveFeed {
   [[nodiscard]] const BeeClocks& clocks() const { return clocks_; }
   // How many bees were found whose clocks differ by so little that they are believed.
   [[nodiscard]] std::uint64_t apart() const { return lags_.named(); }
+  // Of a bee that was first heard of so late, or again after a silence, that others were already
+  // forgotten where they had been then: nothing was compared with it until so much later.
+  struct Missed {
+    AgentId bee;
+    double lasted_s;
+  };
+  // How often that was by more than half a second, and the longest.
+  [[nodiscard]] std::uint64_t missed() const { return missed_; }
+  [[nodiscard]] const Missed& longest_missed() const { return longest_missed_; }
   // How often all clocks began anew.
   [[nodiscard]] std::uint64_t begun_anew() const { return begun_anew_; }
 
@@ -141,6 +150,7 @@ class LiveFeed {
   void note(const ClockNote& note);
   Status look_before(double now_s);
   Status pass_on(const PositionReport& report, double now_s);
+  void note_missed(const Missed& missed);
   Status go_back(double now_s, bool anew);
   Status look(double time_s);
   Status end(std::optional<double> anew_s = {});
@@ -167,6 +177,8 @@ class LiveFeed {
   std::array<double, kSwarmBounds> overloaded_s_;  // by bound: when it was last reported
   double not_before_s_ = 0.0;  // by the wall: the next look that no report brings
   std::uint64_t begun_anew_ = 0;
+  std::uint64_t missed_ = 0;
+  Missed longest_missed_ = {0, 0.0};
   std::unordered_map<std::string, AgentId, Hash, std::equal_to<>> numbers_;
   std::vector<BeeName> names_;
   std::vector<AgentId> follows_;   // by number: who came after it the last time

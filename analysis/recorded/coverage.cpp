@@ -186,6 +186,11 @@ std::string missing_text(const io::MissingRecords& missing) {
     text += "longitude and latitude of " + io::counted(missing.swapped, "bee", "bees") +
             " seem to be the other way round";
   }
+  if (missing.untimed > 0) {
+    if (!text.empty()) text += ", ";
+    text += "when " + io::counted(missing.untimed, "vehicle was", "vehicles were") +
+            " where they say is not known";
+  }
   if (missing.count == 0) return text;
   if (!text.empty()) text += ", ";
   if (missing.nowhere > 0) {

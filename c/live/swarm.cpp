@@ -159,6 +159,7 @@ beespace_counts counts_of(const SwarmCounts& now) {
   counts.heard_once = now.heard_once;
   counts.predicted = now.predicted;
   counts.unknown_s = now.unknown_s;
+  counts.missed_s = now.missed_s;
   return counts;
 }
 

@@ -99,6 +99,11 @@ void append_missing(std::string& out, const io::MissingRecords& missing) {
                             " would be beside others with longitude and latitude the other way "
                             "round");
   }
+  if (missing.untimed > 0) {
+    append_summary_line(out, "clocks",
+                        red(io::counted(missing.untimed, "vehicle's does", "vehicles' do")) +
+                            " not go on as that of the log");
+  }
   if (missing.count == 0) return;
   std::string text = red(io::counted(missing.count, "record", "records"));
   if (missing.without_id < missing.count) text += " of " + io::counted(missing.bees, "bee", "bees");
@@ -120,7 +125,7 @@ void write_missing(io::JsonWriter& json, const io::MissingRecords& missing) {
   json.member("shared_id_count", missing.shared).member("shared_ids", missing.shared_ids);
   json.member("left_out_files", missing.files).member("left_out_file_names", missing.file_names);
   json.member("jumping_count", missing.jumping).member("jumping_ids", missing.jumping_ids);
-  json.member("swapped_degrees", missing.swapped);
+  json.member("swapped_degrees", missing.swapped).member("untimed", missing.untimed);
 }
 
 }  // namespace beespace::cli

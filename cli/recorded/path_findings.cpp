@@ -242,10 +242,11 @@ std::string verify_summary(const PathFindings& findings, const MovingRequest& re
   append_losses(out, findings);
   if (findings.question.obstacles != nullptr) {
     const auto count = verdict.clearance_losses.size();
-    append_summary_line(out, "clearance",
-                        count == 0
-                            ? bold("none")
-                            : red(io::counted(count, "bee in a piece", "bees, a piece each")));
+    append_summary_line(
+        out, "clearance",
+        count == 0
+            ? bold("none")
+            : red(io::counted(count, "time that a bee is", "times that bees are") + " closer"));
   }
   append_breaches(out, findings);
   append_summary_line(out, "verdict", verdict_text(findings));

@@ -115,6 +115,7 @@ class Watch {
   // What is said last, and how it ends.
   Result<ExitCode> end() {
     left_out_.nowhere = unplaced_.size();
+    left_out_.untimed = lines_.untimed();
     // A signal may end the reader as well, or a write that waits for them.
     const bool cut_off = interrupted() && (write_error_ == EPIPE || write_error_ == EINTR);
     if (write_error_ == EPIPE && !cut_off) return ExitCode::kPipeClosed;

@@ -85,6 +85,8 @@ void add_input_options(Command& watch, Asked& asked) {
                "By number or name: id=1,time=2,x=3,y=4,z=5,vx=6");
   add_time_unit_option(watch, request.lines.time_unit);
   add_clock_and_pixel_options(watch, request.lines);
+  watch.flag("--grounded", request.lines.grounded,
+             "Count aircraft that stand on the ground as well");
   add_units_options(watch, request.lines.units, request.lines.heights);
   watch.option("--max-age", "SECONDS", request.swarm.max_age_s,
                amount_in_motion("seconds", kAboveZero),

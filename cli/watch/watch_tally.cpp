@@ -38,6 +38,7 @@ std::vector<std::string> untaken(const analysis::LiveFeed& feed, const LeftOutOf
   add(left_out.nowhere, "bee is known nowhere", "bees are known nowhere");
   add(left_out.shared, "id seems to be of two bees", "ids seem to be of two bees each");
   add(left_out.jumping, "bee jumps", "bees jump");
+  add(left_out.untimed, "vehicle's clock is not believed", "vehicles' clocks are not believed");
   add(feed.counts().late, "report came too late", "reports came too late");
   add(left_out.contrary, "report contradicts another one", "reports contradict others");
   add(feed.clocks().left_out(), "report was left out for its time",
@@ -55,6 +56,8 @@ std::vector<std::string> doubtful(const analysis::LiveFeed& feed) {
   add(feed.apart(), "bee's clock differs from the others'",
       "bees' clocks differ from those of the others");
   if (feed.begun_anew() > 0) texts.emplace_back("all clocks began anew");
+  add(feed.missed(), "bee was heard of too late to be compared from then on",
+      "bees were heard of too late to be compared from then on");
   add(feed.counts().heard_once, "bee was heard of once only", "bees were heard of once only");
   add(feed.counts().predicted, "predicted conflict lay ahead at the end",
       "predicted conflicts lay ahead at the end");
@@ -100,6 +103,13 @@ void WatchTally::append_clocks(std::string& out, const analysis::LiveFeed& feed)
 
 void WatchTally::append_unknown(std::string& out, const analysis::LiveFeed& feed) const {
   constexpr std::size_t kMostNamed = 5;
+  if (feed.missed() > 0) {
+    const analysis::LiveFeed::Missed& most = feed.longest_missed();
+    append_summary_line(out, "missed",
+                        red(several(feed.missed(), "bee was", "bees were")) + " heard of late, " +
+                            printable(feed.name(most.bee).id) + " by " + seconds(most.lasted_s) +
+                            ": sort the reports by time, or give the file to 'beespace replay'");
+  }
   std::vector<Silence> longest = feed.silences();
   if (longest.empty()) return;
   const double sum_s = unknown_s(longest);

@@ -7,9 +7,9 @@
 /// heard of once is there at that instant. So the events *entered*, *closest passed*, *left* and
 /// *lost* are exact, and the same however often Swarm::advance is called, where reports come in the
 /// order of their times (an agent that is first heard of late has missed what all others know by
-/// then). They come as soon as both agents are known up to then. What is about to happen,
-/// *predicted*, is derived from the last reports and velocities, as by predict_conflicts; it comes
-/// again for a pair only after the pair has been out of danger.
+/// then: SwarmCounts::missed_s). They come as soon as both agents are known up to then. What is
+/// about to happen, *predicted*, is derived from the last reports and velocities, as by
+/// predict_conflicts; it comes again for a pair only after the pair has been out of danger.
 ///
 /// Silence is not absence. An agent that has not been heard of for `max_age_s` is *stale*: it is
 /// somewhere, and stays known until it is removed. A pair that had entered and of which one agent
@@ -182,6 +182,9 @@ struct SwarmCounts {
   /// @brief For how long agents have been unknown in all, in seconds, removed ones included, where
   /// they have been heard of again.
   double unknown_s = 0.0;
+  /// @brief How far the first reports of agents, or their first after a silence, were before what
+  /// was still known of the others, in seconds in all: what happened in these times is not found.
+  double missed_s = 0.0;
 };
 
 /// @brief A known agent, and where it would be.

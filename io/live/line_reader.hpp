@@ -5,6 +5,7 @@
 
 #include <beespace/result.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@ struct LineFacts {
   HeightDatum heights = HeightDatum::kUnstated;
   std::vector<std::string> notes = {};
   std::vector<UnitTaken> units = {};
+  std::uint64_t untimed = 0;  // as MissingRecords::untimed
 };
 
 class LineReader {

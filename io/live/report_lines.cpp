@@ -168,4 +168,8 @@ std::vector<std::string> ReportLines::notes() const {
   return reader_ ? reader_->facts().notes : std::vector<std::string>();
 }
 
+std::uint64_t ReportLines::untimed() const {
+  return reader_ ? reader_->facts().untimed : 0;
+}
+
 }  // namespace beespace::io

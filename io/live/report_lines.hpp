@@ -98,6 +98,8 @@ class ReportLines {
   [[nodiscard]] std::vector<UnitTaken> units() const;
   // What was decided, and how much was left out so far, to be said aloud.
   [[nodiscard]] std::vector<std::string> notes() const;
+  // Of how many it is not known when they were where they say, as MissingRecords::untimed.
+  [[nodiscard]] std::uint64_t untimed() const;
 
  private:
   Result<std::optional<ReportLine>> read(std::string_view line);

@@ -63,6 +63,9 @@ class TelemetryFrames final : public LineReader {
     facts.heights = metres() ? HeightDatum::kHome : HeightDatum::kMeanSeaLevel;
     facts.notes = {std::string(metres() ? kLocalNote : kGlobalNote)};
     for (std::string& note : clock_notes()) facts.notes.push_back(std::move(note));
+    for (const BootClock& clock : clocks_) {
+      if (!clock.believed()) ++facts.untimed;
+    }
     if (!lesser_.empty()) {
       facts.notes.push_back("of drones that tell nothing better, positions are those of message " +
                             lesser_);

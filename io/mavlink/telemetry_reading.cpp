@@ -197,7 +197,9 @@ class TelemetryReading {
     for (const std::size_t system : unbelieved_) {
       names.append(names.empty() ? "" : ", ").append(before_).append(std::to_string(system));
     }
-    if (!names.empty()) assembly_.note(std::string(kNoClockNote) + names);
+    if (names.empty()) return;
+    assembly_.note(std::string(kNoClockNote) + names);
+    assembly_.doubt_times(unbelieved_.size());
   }
 
   [[nodiscard]] std::string id_of(const Heard& heard) const {

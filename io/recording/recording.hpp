@@ -73,9 +73,13 @@ struct MissingRecords {
   // they may be somewhere else. None of them counts above.
   std::uint64_t swapped = 0;
 
+  // Vehicles whose own clock is not believed (see boot_clock.hpp): they were where they say at some
+  // time before that came. None of them counts above.
+  std::uint64_t untimed = 0;
+
   // Whether all that was there is known.
   [[nodiscard]] bool none() const {
-    return count == 0 && shared == 0 && files == 0 && jumping == 0 && swapped == 0;
+    return count == 0 && shared == 0 && files == 0 && jumping == 0 && swapped == 0 && untimed == 0;
   }
 
   static constexpr std::size_t kMostNamed = 3;

@@ -131,6 +131,8 @@ class RecordingAssembly {
   void leave_out(const LeftOutReason& reason, std::string_view id);
   // A file, or a folder, beside those that are read: who may be in it is not known.
   void leave_file_out(std::string_view name);
+  // So many vehicles were where they say at another time: MissingRecords::untimed.
+  void doubt_times(std::uint64_t vehicles) { recording_.missing.untimed += vehicles; }
   // A report of an aircraft, in a format in which it may say that it is on the ground: where it is
   // kept, and where it is not since it says so, which is counted once it is known whether it flies.
   void flies_at(std::string_view id, const Fix& fix);

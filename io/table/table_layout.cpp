@@ -64,7 +64,8 @@ ColumnContent content_of_field(std::string_view text) {
   text = without_padding(text);
   if (looks_numeric(text)) return ColumnContent::kNumber;
   const std::string lower = lower_case(text);
-  for (const std::string_view nothing : {"", "n/a", "na", "null", "none", "nil", "-", "--", "?"}) {
+  for (const std::string_view nothing :
+       {"", "n/a", "#n/a", "na", "null", "none", "nil", "-", "--", ".", "?"}) {
     if (lower == nothing) return ColumnContent::kUnknown;
   }
   return ColumnContent::kText;

@@ -74,7 +74,11 @@ void settle_other_height(const Header& header, TrackLayout& layout) {
 
 bool is_unknown(std::string_view text) {
   // Signs and digits come before letters: nearly all texts are numbers.
-  if (!text.empty() && text.front() <= '9') return false;
+  if (!text.empty() && text.front() <= '9') {
+    constexpr std::size_t kLongest = 4;
+    return text.front() < '0' && text.size() <= kLongest &&
+           is_one_of(". - -- #n/a", lower_case(text));
+  }
   const std::string lower = lower_case(text);
   return lower.empty() || is_one_of("nan nat none null na n/a <na>", lower);
 }

@@ -52,6 +52,9 @@ class Coverage:
         How many agents jump faster than anything flies, or than they say.
     swapped_count : int
         Of how many agents longitude and latitude seem to be the other way round.
+    untimed_count : int
+        Of how many agents it is not known when they were where they say: their clocks do not go on
+        as that of the log.
 
     Examples
     --------
@@ -85,6 +88,7 @@ class Coverage:
         "swapped_count",
         "typical_interval",
         "unknown",
+        "untimed_count",
     )
 
     def __init__(self, get: Any, *arguments: Any) -> None:
@@ -111,6 +115,7 @@ class Coverage:
         self.file_count = int(found.files)
         self.jumping_count = int(found.jumping)
         self.swapped_count = int(found.swapped)
+        self.untimed_count = int(found.untimed)
         self.agents_unplaced = int(found.agents_unplaced)
         self.unknown = _text_of(found)
         found.gaps = 0

@@ -249,6 +249,9 @@ class SwarmCounts(NamedTuple):
         Pairs of which a predicted conflict has neither begun nor been averted.
     unknown : float
         For how long agents were unknown in all, in seconds, where they have been heard of again.
+    missed : float
+        How far the first reports of agents, or their first after a silence, were before what was
+        still known of the others, in seconds in all: what happened in these times is not found.
 
     Examples
     --------
@@ -269,3 +272,4 @@ class SwarmCounts(NamedTuple):
     heard_once: int
     predicted: int
     unknown: float
+    missed: float

@@ -89,6 +89,7 @@ class CCoverage(ctypes.Structure):
         ("jumping", c_int64),
         ("swapped", c_int64),
         ("agents_unplaced", c_int64),
+        ("untimed", c_int64),
     ]
 
 

@@ -46,6 +46,7 @@ class CCounts(ctypes.Structure):
         ("heard_once", c_uint64),
         ("predicted", c_uint64),
         ("unknown_s", c_double),
+        ("missed_s", c_double),
     ]
 
 

@@ -224,6 +224,7 @@ class CSwarm : public testing::Test {
     EXPECT_EQ(counts.heard_once, expected.heard_once);
     EXPECT_EQ(counts.predicted, expected.predicted);
     EXPECT_EQ(counts.unknown_s, expected.unknown_s);
+    EXPECT_EQ(counts.missed_s, expected.missed_s);
     sum_.late += counts.late;
     sum_.repeated += counts.repeated;
     sum_.contrary += counts.contrary;

@@ -69,7 +69,7 @@ inline void take_all(Swarm& swarm, double now_s, Events& events) {
 
 // All events, sorted: the swarm is called every `every_s`, and at last when all are stale.
 inline Events replay(const std::vector<Delivery>& deliveries, const SwarmOptions& options,
-                     double every_s) {
+                     double every_s, SwarmCounts* counts = nullptr) {
   Swarm swarm(options);
   Events events;
   double asks_s = deliveries.empty() ? 0.0 : deliveries.front().arrives_s;
@@ -81,6 +81,7 @@ inline Events replay(const std::vector<Delivery>& deliveries, const SwarmOptions
   }
   take_all(swarm, std::max(last_s, asks_s) + 2.0 * options.max_age_s, events);
   EXPECT_EQ(swarm.counts().agents, 0U);
+  if (counts != nullptr) *counts = swarm.counts();
   std::sort(events.begin(), events.end(), earlier);
   return events;
 }

@@ -255,6 +255,9 @@ typedef struct beespace_counts {
   uint64_t predicted;   ///< Pairs of which a predicted conflict has neither begun nor been averted.
   double unknown_s;  ///< For how long agents have been unknown in all, in seconds, where they have
                      ///< been heard of again.
+  double missed_s;   ///< How far the first reports of agents, or their first after a silence, were
+                    ///< before what was still known of the others, in seconds in all: what happened
+                    ///< in these times is not found.
 } beespace_counts;
 
 /// @brief Says what became of the reports.

@@ -57,6 +57,7 @@ void LiveBees::add(LiveSegment& segment, const PositionReport& report) const {
 
 void LiveBees::begin_segment(KnownBee& bee, const PositionReport& report) {
   ++changes_;
+  missed_s_ += std::max(0.0, forgotten_until_s_ - report.time_s);
   if (free_.empty()) {
     bee.segment = static_cast<std::uint32_t>(segments_.size());
     segments_.emplace_back();
@@ -178,6 +179,7 @@ void LiveBees::begin_anew(double later_s) {
   free_.clear();
   returns_.clear();
   lost_.clear();
+  forgotten_until_s_ = LiveSegment::kNever;
   ++changes_;
   for (auto& [id, bee] : known_) {
     bee.last.time_s = in_domain(bee.last.time_s + later_s);
@@ -208,6 +210,7 @@ void LiveBees::forget(std::pmr::vector<std::uint32_t>& dropped) {
   for (std::uint32_t place = 0; place < segments_.size(); ++place) {
     LiveSegment& segment = segments_[place];
     if (segment.fixes.empty()) continue;
+    forgotten_until_s_ = std::max(forgotten_until_s_, std::min(from_s, segment.last_s()));
     if (segment.done) {
       segment = {};
       free_.push_back(place);

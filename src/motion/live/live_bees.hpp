@@ -119,6 +119,8 @@ class LiveBees {
   [[nodiscard]] std::uint64_t changes() const { return changes_; }
   // How long bees were unknown that have been heard again, removed ones included.
   [[nodiscard]] double unknown_s() const { return unknown_s_; }
+  // How far segments began before what is still known, in all.
+  [[nodiscard]] double missed_s() const { return missed_s_; }
   // Returns since the last call; overwritten.
   void take_returns(std::vector<Return>& returns) {
     returns.clear();
@@ -152,6 +154,8 @@ class LiveBees {
   std::vector<AgentId> lost_;  // and not reported
   std::uint64_t changes_ = 1;
   double unknown_s_ = 0.0;
+  double missed_s_ = 0.0;
+  double forgotten_until_s_ = LiveSegment::kNever;
   std::vector<Return> returns_;
 };
 

@@ -107,6 +107,7 @@ class __attribute__((visibility("hidden"))) Swarm::State {
     counts.agents = bees_.under_way();
     counts.stale = bees_.stale();
     counts.unknown_s = unknown_before_s_ + bees_.unknown_s();
+    counts.missed_s = missed_before_s_ + bees_.missed_s();
     counts.heard_once = bees_.heard_once();
     counts.predicted = predictions_.open();
     return counts;
@@ -134,6 +135,7 @@ class __attribute__((visibility("hidden"))) Swarm::State {
   std::uint64_t refused_ = 0;  // since the last advance(), first of this bee
   AgentId refused_first_ = 0;
   double unknown_before_s_ = 0.0;        // of bees before the last finish()
+  double missed_before_s_ = 0.0;         // the same
   std::vector<motion::Return> returns_;  // silences that are over, since the last advance()
   core::Memory memory_;
   core::KeptCrew crew_;
@@ -258,6 +260,7 @@ Status Swarm::State::finish(double now_s, std::vector<SwarmEvent>& events) {
   Status ended = end(now_s, false, events);
   if (!ended) return ended;
   unknown_before_s_ += bees_.unknown_s();
+  missed_before_s_ += bees_.missed_s();
   bees_ = motion::LiveBees(options_.heights_apart);
   return std::monostate{};
 }

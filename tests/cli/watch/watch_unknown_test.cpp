@@ -71,6 +71,28 @@ TEST(WatchUnknown, WhereABeeIsUnknownItIsNotKnownThatThereWasNoConflict) {
   for (const std::string& line : lines_of(fast.out)) EXPECT_TRUE(is_json(line)) << line;
 }
 
+// A file sorted by bee, of a time so short that no clock can be told from a late one.
+TEST(WatchUnknown, WhoIsHeardOfAfterTheOthersAreForgottenIsNotSaidToKeepItsDistance) {
+  std::ostringstream sorted;
+  std::ostringstream after_each_other;
+  for (const char* bee : {"a", "b"}) {
+    for (int t = 0; t <= 15; ++t) sorted << bee << "," << t << "e-1," << t - 8 << ",0,0\n";
+  }
+  const Finished finished = watched(sorted.str());
+  EXPECT_EQ(finished.exit_code, 1);
+  expect_parts(finished.err,
+               {"missed     1 bee was heard of late, b by 1.", " s: sort the reports by time",
+                "1 bee was heard of too late to be compared from then on\n"});
+  // Who comes later and is reported then misses nothing.
+  for (int t = 0; t <= 30; ++t) {
+    after_each_other << "a," << t << "e-1," << t << ",0,0\n";
+    if (t >= 15) after_each_other << "b," << t << "e-1," << t << ",90,0\n";
+  }
+  const Finished later = watched(after_each_other.str());
+  EXPECT_EQ(later.exit_code, 0) << later.err;
+  EXPECT_EQ(later.err.find("missed"), std::string::npos) << later.err;
+}
+
 TEST(WatchUnknown, BeesBeyondTheBoundAreLeftOutAndReported) {
   std::ostringstream text;
   for (int t = 0; t < 30; ++t) {

@@ -69,6 +69,15 @@ TEST(TelemetryClocks, AClockThatStandsStillIsSaid) {
     EXPECT_EQ(since_launch(bee), (std::vector<double>{0, 1, 2, 3}));
   }
   EXPECT_TRUE(has_note(recording, "times are those at which the log was written: 3"));
+  // It is not known when it was where it says: no all-clear.
+  EXPECT_EQ(recording.missing.untimed, 1u);
+  EXPECT_FALSE(recording.missing.none());
+  ReportLines lines;
+  for (int k = 0; k < 4; ++k) {
+    ASSERT_TRUE(lines.take_frame(place_of(3, k, 5'000, k)));
+    ASSERT_TRUE(lines.take_frame(place_of(4, k, 0, k)));
+  }
+  EXPECT_EQ(lines.untimed(), 1u);
 }
 
 TEST(TelemetryClocks, LiveALatePlaceIsTimedByWhenItWasSentToo) {

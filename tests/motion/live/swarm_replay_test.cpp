@@ -197,6 +197,34 @@ TEST(SwarmReplay, ReportsTheSameWithAnyNumberOfThreads) {
   }
 }
 
+// One bee's messages take longer, and when it is first heard of the others are forgotten where they
+// were then: either that is counted, or nothing is missed.
+TEST(SwarmReplay, SaysForHowLongItMissesWhoIsHeardOfLate) {
+  int missed = 0;
+  int differ = 0;
+  for (int round = 0; round < test::rounds(120); ++round) {
+    SCOPED_TRACE(round);
+    const auto tracks = scenes::random_turns(4, {20, 20, 5}, {3, 12}, {15.0, 1.0, false},
+                                             static_cast<std::uint64_t>(round));
+    SwarmOptions options;
+    options.threshold_m = 8.0;
+    options.horizon_s = 0.0;
+    options.max_age_s = 7.0;
+    const Events in_order = test::happened(test::replay(test::deliveries_of(tracks), options, 1.0));
+    const double takes_s = 0.1 * (round % 60);
+    const auto late =
+        test::deliveries_of(tracks, [&](AgentId id) { return id == 1 ? takes_s : 0.0; });
+    SwarmCounts counts;
+    const Events told = test::happened(test::replay(late, options, 0.6, &counts));
+    if (counts.missed_s > 0.0) ++missed;
+    if (told == in_order) continue;
+    EXPECT_GT(counts.missed_s, 0.0) << takes_s;
+    ++differ;
+  }
+  EXPECT_GT(missed, differ);
+  EXPECT_GT(differ, 0);
+}
+
 // Every bee's messages take their own time, up to four seconds.
 TEST(SwarmReplay, ReportsTheSameInAnyOrderOfBees) {
   for (int round = 0; round < test::rounds(40); ++round) {
