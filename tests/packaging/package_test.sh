@@ -23,7 +23,7 @@ if [ "$kind" = shared ]; then
   library_build=$work/build
   # What it exports is looked at, not how fast it is.
   cmake -S "$source" -B "$library_build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-    -DCMAKE_CXX_FLAGS_RELEASE='-O1 -DNDEBUG' \
+    -DCMAKE_CXX_FLAGS_RELEASE='-O0 -DNDEBUG' \
     -DCMAKE_CXX_COMPILER="$compiler" -DBUILD_SHARED_LIBS=ON -DBEESPACE_WERROR=ON \
     -DBEESPACE_BUILD_CLI=OFF -DBEESPACE_BUILD_TESTS=OFF -DBEESPACE_BUILD_EXAMPLES=OFF > /dev/null
   cmake --build "$library_build"
