@@ -89,6 +89,13 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
                              : "; read them apart, or name the column unix_time_s if it counts "
                                "from 1970"));
   }
+  if (facts.since_start && facts_->since_start) {
+    return disagree(ErrorCode::kInvalidArgument,
+                    "times here and in " + facts_source_ +
+                        " are counted since each vehicle was switched on: they cannot be compared; "
+                        "read the logs themselves (.ulg), which have the time of GPS, or say "
+                        "--time-unit us if all were switched on together, as in one simulation");
+  }
   if (facts.clock.has_value() != facts_->clock.has_value() ||
       (facts.clock && facts.clock->dated != facts_->clock->dated)) {
     return disagree(ErrorCode::kInvalidArgument, "times here are " + clock_words(facts) +

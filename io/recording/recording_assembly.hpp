@@ -42,6 +42,7 @@ struct SourceFacts {
   bool has_time = true;
   bool since_1970 = false;
   std::optional<WallClock> clock = {};
+  bool since_start = false;           // times count since the one vehicle was switched on
   Unit named_time = Unit::kUnstated;  // that of the times, where nothing but the header says it
   bool supposed_metres = false;       // positions: nothing says so
   HeightDatum heights = HeightDatum::kUnstated;

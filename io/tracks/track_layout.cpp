@@ -360,6 +360,10 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   auto time = choose_time(text, header, options);
   if (!time) return time.error();
   layout.time = time.value();
+  // Who says the unit knows what is counted.
+  if (layout.time && header.source() != nullptr && options.time_unit == Unit::kUnstated) {
+    layout.time->since_start = header.source()->since_start && !header.override_of(Role::kTime);
+  }
   const auto id = choose_id(header, layout.notes);
   if (auto problem = nameless_position(header)) return *std::move(problem);
   auto position = choose_position(header);

@@ -40,6 +40,7 @@ struct TimeChoice {
   bool by_size = false;        // the unit was told by the size of the numbers
   bool named = false;          // the header alone, or the format, says the unit
   bool of_position = false;    // when it was measured: records in between say the position again
+  bool since_start = false;    // of the vehicle whose table it is: those of others have other zeros
   bool to_the_minute = false;  // the first time has no seconds
   DateOrder dates = DateOrder::kUnsaid;  // where the year is last
   std::string dates_reason = {};         // why it is that one

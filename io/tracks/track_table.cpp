@@ -86,6 +86,7 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   facts.has_time = layout.time.has_value();
   facts.since_1970 = layout.time && layout.time->since_1970;
   if (layout.time) facts.clock = layout.time->clock;
+  facts.since_start = layout.time && layout.time->since_start;
   if (layout.time && layout.time->named && layout.time->form == TimeForm::kNumbers) {
     facts.named_time = layout.time->unit;
   }

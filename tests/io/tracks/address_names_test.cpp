@@ -73,18 +73,29 @@ TEST(AddressNames, ANameIsTheFirstSpelling) {
   EXPECT_EQ(names.spelt_twice(), 1u);
 }
 
+const std::string kOfPx4 =
+    "timestamp,timestamp_sample,lat,lon,alt,alt_ellipsoid,eph\n1000000,0,47,8,500,548,1\n";
+
 // PX4's drones tell both; a place in degrees is above the ellipsoid.
 TEST(KnownTables, Ulog2csvHasTwoHeights) {
-  RecordingOptions options;
-  options.time_unit = Unit::kMicrosecond;
-  const auto recording =
-      recording_of(record("timestamp,timestamp_sample,lat,lon,alt,alt_ellipsoid,eph\n"
-                          "1000000,0,47,8,500,548,1\n",
-                          options));
+  const auto recording = recording_of(record(kOfPx4));
   ASSERT_EQ(recording.bees.size(), 1u);
   EXPECT_EQ(recording.bees[0].fixes[0].position.z, 548.0);
   EXPECT_EQ(recording.heights, HeightDatum::kEllipsoid);
   EXPECT_EQ(times_of(recording.bees[0]), std::vector<double>{1.0});
+}
+
+// Each drone counts from when it was switched on.
+TEST(KnownTables, Ulog2csvOfTwoDronesHasTwoClocks) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> both = {folder.write("north.csv", kOfPx4),
+                                         folder.write("south.csv", kOfPx4)};
+  expect_error(load_recording(both, {}),
+               {ErrorCode::kInvalidArgument, both[1],
+                "since each vehicle was switched on: they cannot be compared"});
+  RecordingOptions together;
+  together.time_unit = Unit::kMicrosecond;
+  EXPECT_EQ(recording_of(load_recording(both, together)).bees.size(), 2u);
 }
 
 // What trackpy measures beside the place is no third coordinate.

@@ -220,8 +220,8 @@ TEST(FixQuality, WhoIsMissingInAPictureOfTRexIsKnownNowhereThen) {
 TEST(UnknownPlaces, AreSaidInManyWays) {
   for (const std::string nothing : {"", "NA", "nan", "#N/A", ".", "-", "--"}) {
     const auto recording = recording_of(load_recording_from_memory(
-        "id,time_s,x,y\na,0,-1,2000\na,1," + nothing + "," + nothing + "\na,2,-.5,4000\n", "bees.csv",
-        {}));
+        "id,time_s,x,y\na,0,-1,2000\na,1," + nothing + "," + nothing + "\na,2,-.5,4000\n",
+        "bees.csv", {}));
     EXPECT_EQ(recording.bees[0].fixes.size(), 2u) << nothing;
     EXPECT_TRUE(has_note(recording, "1 record without a place")) << nothing;
   }
