@@ -113,7 +113,8 @@ namespace {
 
 // Whether a length is stated, or taken, in a unit of small things.
 io::Unit if_small(io::Unit unit) {
-  const bool small = unit == io::Unit::kMillimetre || unit == io::Unit::kCentimetre;
+  const bool small = unit == io::Unit::kMicrometre || unit == io::Unit::kMillimetre ||
+                     unit == io::Unit::kCentimetre;
   return small ? unit : io::Unit::kUnstated;
 }
 
@@ -143,10 +144,13 @@ std::string length_text(double metres, double limit_m) {
 std::string horizontal_text(double metres, const Distances& distances) {
   const double limit_m = distances.threshold_m;
   if (distances.small != io::Unit::kUnstated) {
-    const bool millimetres = distances.small == io::Unit::kMillimetre;
-    if (metres == 0.0) return millimetres ? "0 mm" : "0 cm";
-    if (metres < 1e-4) return millimetres ? "under 0.1 mm" : "under 0.01 cm";
-    return in_unit(metres, limit_m, distances.small, millimetres ? 1 : 2);
+    // To a tenth of a millimetre, or of a micrometre.
+    const bool centimetres = distances.small == io::Unit::kCentimetre;
+    const std::string name = " " + std::string(io::symbol_of(distances.small));
+    const double least = centimetres ? 0.01 : 0.1;
+    if (metres == 0.0) return "0" + name;
+    if (io::from_metric(metres, distances.small) < least) return "under " + io::exact(least) + name;
+    return in_unit(metres, limit_m, distances.small, centimetres ? 2 : 1);
   }
   if (!distances.aviation) return length_text(metres, limit_m);
   return in_unit(metres, limit_m, io::Unit::kNauticalMile, 3) + " (" +
