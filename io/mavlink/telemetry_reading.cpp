@@ -119,7 +119,9 @@ class TelemetryReading {
     const Frame asked = assembly_.options().frame;
     global_ = asked == Frame::kWgs84 ||
               (asked == Frame::kAuto && (any(PlaceBy::kGlobal) || (any_global() && !all_local())));
-    if (global_ ? any_global() : any(PlaceBy::kLocal)) return std::nullopt;
+    if (global_ ? any_global() : any(PlaceBy::kLocal)) {
+      return global_ || asked == Frame::kMetres ? std::nullopt : own_origins_problem();
+    }
     const std::string wanted = asked == Frame::kWgs84    ? "GLOBAL_POSITION_INT (33)"
                                : asked == Frame::kMetres ? "LOCAL_POSITION_NED (32)"
                                                          : "GLOBAL_POSITION_INT (33) or "
@@ -127,6 +129,21 @@ class TelemetryReading {
     std::string message = "this telemetry log tells no position: there is no " + wanted;
     if (any_global() || any(PlaceBy::kLocal)) message += "; leave --crs out";
     return Error{ErrorCode::kNoPoints, std::move(message), {}};
+  }
+
+  // Each local position begins where its drone was switched on.
+  [[nodiscard]] std::optional<Error> own_origins_problem() const {
+    std::size_t local = 0;
+    for (std::size_t system = 0; system < kSystems; ++system) {
+      if (tells(system, PlaceBy::kLocal)) ++local;
+    }
+    if (local < 2 && !assembly_.has_several()) return std::nullopt;
+    std::string message =
+        "this telemetry log tells metres from each drone's own origin (message 32), and not where "
+        "on the Earth that is; say --crs metres if all drones have the same origin, as with motion "
+        "capture";
+    if (any_global()) message += ", or --crs wgs84 to take what their satellites alone tell";
+    return Error{ErrorCode::kUnknownFrame, std::move(message), {}};
   }
 
   // The best that each drone tells: of its estimator before that of its satellites alone.

@@ -192,6 +192,17 @@ TEST(Telemetry, AVehicleWithoutAPositionYetIsLeftOut) {
   EXPECT_EQ(recording.missing.nowhere, 0u);
 }
 
+TEST(Telemetry, LocalPositionsOfSeveralDronesHaveAnOriginEach) {
+  const std::string local = local_payload(1, 2, 3, 0, 0, 0);
+  const std::string log =
+      logged(kNoon, frame_v2(1, 32, local)) + logged(kNoon, frame_v2(2, 32, local));
+  expect_error(load(log), {ErrorCode::kUnknownFrame, "flight.tlog",
+                           "say --crs metres if all drones have the same origin"});
+  RecordingOptions metres;
+  metres.frame = Frame::kMetres;
+  EXPECT_EQ(recording_of(load(log, metres)).bees.size(), 2u);
+}
+
 TEST(Telemetry, WithoutLocalPositionsADroneIsKnownNowhereInMetres) {
   RecordingOptions metres;
   metres.frame = Frame::kMetres;
