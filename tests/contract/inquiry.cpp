@@ -171,7 +171,7 @@ std::vector<Inquiry> make_inquiries() {
   if (!kSanitized) return all;
   // Brute force takes most of their time there.
   std::vector<Inquiry> some;
-  for (std::size_t i = 0; i < all.size(); i += 3) some.push_back(all[i]);
+  for (std::size_t i = 0; i < all.size(); i += 7) some.push_back(all[i]);
   return some;
 }
 

@@ -3,6 +3,7 @@
 // with each other, and the plain one with brute force about some of the points.
 #include "tests/contract/variants.hpp"
 #include "tests/support/crowd_scenes.hpp"
+#include "tests/support/rounds.hpp"
 
 #include <beespace/brute_force.hpp>
 
@@ -80,7 +81,10 @@ std::vector<Inquiry> large_inquiries(const std::vector<Subject>& subjects) {
 }
 
 void expect_agreement(const std::vector<Subject>& subjects, const std::vector<Variant>& variants) {
-  const std::vector<Inquiry> inquiries = large_inquiries(subjects);
+  std::vector<Inquiry> inquiries = large_inquiries(subjects);
+  // Sanitizers take a minute for each second: with them each question of another swarm.
+  std::size_t number = 0;
+  if (kSanitized) std::erase_if(inquiries, [&](const Inquiry&) { return number++ % 3 != 0; });
   const Variant plain = public_functions(1);
   std::vector<std::uint64_t> expected;
   for (const Inquiry& inquiry : inquiries) expected.push_back(digest(plain.ask(inquiry)));
