@@ -90,11 +90,12 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
                                "from 1970"));
   }
   if (facts.since_start && facts_->since_start) {
-    return disagree(ErrorCode::kInvalidArgument,
-                    "times here and in " + facts_source_ +
-                        " are counted since each vehicle was switched on: they cannot be compared; "
-                        "read the logs themselves (.ulg), which have the time of GPS, or say "
-                        "--time-unit us if all were switched on together, as in one simulation");
+    return disagree(
+        ErrorCode::kInvalidArgument,
+        "times here and in " + facts_source_ +
+            " may be counted from a zero of each vehicle's own, as when it was switched "
+            "on: then they cannot be compared; give times since 1970 (of PX4 the logs "
+            "themselves, .ulg), or say their unit with --time-unit if all have one clock");
   }
   if (facts.clock.has_value() != facts_->clock.has_value() ||
       (facts.clock && facts.clock->dated != facts_->clock->dated)) {

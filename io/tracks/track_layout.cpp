@@ -12,6 +12,7 @@
 #include "io/table/record_walk.hpp"
 #include "io/table/table_sources.hpp"
 #include "io/table/unit_choice.hpp"
+#include "io/tracks/first_fields.hpp"
 #include "io/tracks/ros_table.hpp"
 #include "io/tracks/several_vehicles.hpp"
 #include "io/tracks/track_aircraft.hpp"
@@ -275,16 +276,31 @@ bool is_trajectory_of_poses(std::string_view text, const TableLayout& table) {
   return before_s.has_value();
 }
 
+// Seconds, but for times since 1970 whose size says another unit: as ROS has them, nanoseconds.
+Unit unit_of_stamps(std::string_view text, const TableLayout& table) {
+  double first = 0.0;
+  const FirstFields stamps = first_fields(text, table, 0);
+  if (stamps.empty() ||
+      parse_number(without_padding(stamps.front()), first) != NumberKind::kNumber) {
+    return Unit::kSecond;
+  }
+  const Unit by_size = unit_since_1970(first);
+  return by_size == Unit::kUnstated ? Unit::kSecond : by_size;
+}
+
 Result<TrackLayout> layout_of_poses(TableLayout table, std::string_view text,
                                     RecordingOptions options, SeenRecords seen) {
+  const bool unit_is_said = options.time_unit != Unit::kUnstated;
   options.columns = "time=1,x=2,y=3,z=4";
-  if (options.time_unit == Unit::kUnstated) options.time_unit = Unit::kSecond;
+  if (!unit_is_said) options.time_unit = unit_of_stamps(text, table);
   if (options.frame == Frame::kAuto) options.frame = Frame::kMetres;
   auto layout = choose_track_layout(std::move(table), text, options, seen);
   if (!layout) return layout;
-  layout->notes.emplace_back(
-      "this is taken for a trajectory as of TUM: time [s], x, y, z [m] and a "
-      "quaternion");
+  TimeChoice& time = *layout->time;
+  time.by_size = !unit_is_said && time.since_1970;
+  time.since_start = !unit_is_said && !time.since_1970;
+  layout->notes.emplace_back("this is taken for a trajectory as of TUM: time [" +
+                             std::string(symbol_of(time.unit)) + "], x, y, z [m] and a quaternion");
   return layout;
 }
 

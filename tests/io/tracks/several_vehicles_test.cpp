@@ -65,6 +65,26 @@ TEST(SeveralVehicles, TrajectoriesOfPosesAreKnownByTheirQuaternions) {
   EXPECT_FALSE(record("0 1 2 3 4 5 6 7\n1 1 2 3 4 5 6 7\n"));
 }
 
+TEST(SeveralVehicles, StampsOfTrajectoriesTellTheirUnitByTheirSize) {
+  for (const std::string zeros : {"", "000", "000000", "000000000"}) {
+    const auto recording = recording_of(
+        record("1700000000" + zeros + " 1 2 3 0 0 0 1\n1700000002" + zeros + " 2 2 3 0 0 0 1\n"));
+    EXPECT_EQ(times_of(recording.bees[0]), (std::vector<double>{1.7e9, 1.7e9 + 2})) << zeros;
+    EXPECT_TRUE(recording.since_1970);
+  }
+}
+
+TEST(SeveralVehicles, TrajectoriesFromZerosOfTheirOwnAreAskedAbout) {
+  const TemporaryFolder folder;
+  const std::string walk = "0.0 1 2 3 0 0 0 1\n1.0 2 2 3 0 0 0 1\n";
+  const std::vector<std::string> both = {folder.write("a.txt", walk), folder.write("b.txt", walk)};
+  expect_error(load_recording(both, {}),
+               {ErrorCode::kInvalidArgument, both[1], "say their unit with --time-unit"});
+  RecordingOptions one_clock;
+  one_clock.time_unit = Unit::kSecond;
+  EXPECT_EQ(recording_of(load_recording(both, one_clock)).bees.size(), 2u);
+}
+
 TEST(SeveralVehicles, NumbersOfRowsAreNoHeight) {
   const auto recording = recording_of(record(",id,time_s,x_m,y_m\n1,a,0,5,6\n2,a,1,7,8\n"));
   ASSERT_EQ(recording.bees.size(), 1u);
