@@ -134,8 +134,11 @@ def file_of(tmp_path):
 def test_predictions_are_those_of_the_command(file_of, name):
     make, threshold = FILES[name]
     path = file_of(name, make(np.random.default_rng(17)))
-    said = said_by("predict", path, f"--threshold={threshold}", "--horizon=60")
-    recording = beespace.read_recording(path)
+    # Local positions of several drones are asked about.
+    frame = "metres" if name == "local.tlog" else None
+    asked = [] if frame is None else [f"--crs={frame}"]
+    said = said_by("predict", path, f"--threshold={threshold}", "--horizon=60", *asked)
+    recording = beespace.read_recording(path, frame=frame)
     now = recording.movers()
     found = beespace.predict(now, now.velocities, threshold, within=60)
     assert said["known"]["complete"] and now.known.all() and len(now) == said["movers"]
