@@ -182,7 +182,7 @@ double work_after_stop(double requested_after, const Ask& ask) {
 // All points in one cell, each near each other one: one row of the grid has all the work, and more
 // is written than searched.
 TEST(CStopOfACrowd, EndsAtAnyMomentWithLittleMoreWork) {
-  const std::vector<Point> crowd(kSanitized ? 1500 : 5000, Point{0.5, 0.5, 0.5});
+  const std::vector<Point> crowd(kSanitized ? 2500 : 5000, Point{0.5, 0.5, 0.5});
   const beespace_points given = c_points(crowd);
   const beespace_search search = c_search(1.0, BEESPACE_DISTANCES);
   const beespace_search around = c_search(1.0);
@@ -190,7 +190,7 @@ TEST(CStopOfACrowd, EndsAtAnyMomentWithLittleMoreWork) {
   upright.flags |= BEESPACE_VERTICAL;
   upright.vertical_m = 1.0;
   // As far off as the threshold: nothing is near, and each two are decided exactly.
-  const std::vector<Point> beside(kSanitized ? 700 : 1500, Point{1.5, 0.5, 0.5});
+  const std::vector<Point> beside(1500, Point{1.5, 0.5, 0.5});
   const beespace_points given_beside = c_points(beside);
   const Owned<beespace_engine> engine(beespace_engine_create());
   const Owned<beespace_result> result(beespace_result_create());
