@@ -153,16 +153,16 @@ Status LiveFeed::pass_on(const PositionReport& report, double now_s) {
   if (!taken) return taken;
   const SwarmCounts after = swarm_.counts();
   if (contrary_ && after.contrary > before.contrary) contrary_(report);
-  if (after.missed_s > before.missed_s) note_missed({report.id, after.missed_s - before.missed_s});
+  if (after.missed_s > before.missed_s) note_missed(report.id, after.missed_s - before.missed_s);
   latest_s_ = std::max(latest_s_.value_or(now_s), now_s);
   if (reported_) reported_(report, now_s);
   return taken;
 }
 
-void LiveFeed::note_missed(const Missed& missed) {
-  if (missed.lasted_s <= kLate_s) return;
+void LiveFeed::note_missed(AgentId bee, double lasted_s) {
+  if (lasted_s <= kLate_s) return;
   ++missed_;
-  if (missed.lasted_s > longest_missed_.lasted_s) longest_missed_ = missed;
+  if (lasted_s > longest_missed_.lasted_s) longest_missed_ = {names_[bee].id, lasted_s};
 }
 
 std::optional<AgentId> LiveFeed::leave(std::string_view id) {

@@ -116,7 +116,7 @@ class LiveFeed {
   // Of a bee that was first heard of so late, or again after a silence, that others were already
   // forgotten where they had been then: nothing was compared with it until so much later.
   struct Missed {
-    AgentId bee;
+    std::string id;  // numbers of bees that have left become others'
     double lasted_s;
   };
   // How often that was by more than half a second, and the longest.
@@ -150,7 +150,7 @@ class LiveFeed {
   void note(const ClockNote& note);
   Status look_before(double now_s);
   Status pass_on(const PositionReport& report, double now_s);
-  void note_missed(const Missed& missed);
+  void note_missed(AgentId bee, double lasted_s);
   Status go_back(double now_s, bool anew);
   Status look(double time_s);
   Status end(std::optional<double> anew_s = {});
@@ -178,7 +178,7 @@ class LiveFeed {
   double not_before_s_ = 0.0;  // by the wall: the next look that no report brings
   std::uint64_t begun_anew_ = 0;
   std::uint64_t missed_ = 0;
-  Missed longest_missed_ = {0, 0.0};
+  Missed longest_missed_ = {{}, 0.0};
   std::unordered_map<std::string, AgentId, Hash, std::equal_to<>> numbers_;
   std::vector<BeeName> names_;
   std::vector<AgentId> follows_;   // by number: who came after it the last time

@@ -107,7 +107,7 @@ void WatchTally::append_unknown(std::string& out, const analysis::LiveFeed& feed
     const analysis::LiveFeed::Missed& most = feed.longest_missed();
     append_summary_line(out, "missed",
                         red(several(feed.missed(), "bee was", "bees were")) + " heard of late, " +
-                            printable(feed.name(most.bee).id) + " by " + seconds(most.lasted_s) +
+                            printable(most.id) + " by " + seconds(most.lasted_s) +
                             ": sort the reports by time, or give the file to 'beespace replay'");
   }
   std::vector<Silence> longest = feed.silences();

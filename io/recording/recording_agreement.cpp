@@ -89,7 +89,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
                              : "; read them apart, or name the column unix_time_s if it counts "
                                "from 1970"));
   }
-  if (facts.since_start && facts_->since_start) {
+  if (facts.since_start || facts_->since_start) {
     return disagree(
         ErrorCode::kInvalidArgument,
         "times here and in " + facts_source_ +
