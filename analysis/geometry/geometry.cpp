@@ -14,7 +14,8 @@ GeographicPosition geographic(const Point& p) {
 Result<InMetres> placed(const Point& position, io::Frame frame, Geometry geometry,
                         const StatedHeight& stated) {
   const bool as_stated = geometry == Geometry::kGroundAndStatedHeight;
-  const double height = as_stated ? stated.value : position.z;
+  const double height_there = stated.unit == io::Unit::kMetre ? position.z : stated.value;
+  const double height = as_stated ? io::as_compared(height_there, stated.unit) : position.z;
   if (frame == io::Frame::kMetres) {
     if (geometry == Geometry::kSpace) return InMetres{position, std::nullopt};
     return InMetres{{position.x, position.y, 0.0}, std::nullopt, height};
@@ -31,7 +32,8 @@ Result<InMetres> placed(const Point& position, io::Frame frame, Geometry geometr
 // The climb rate, in the unit of the heights that are compared.
 double climb_of(const Velocity& v, Geometry geometry, const StatedHeight& stated) {
   if (geometry == Geometry::kSpace) return 0.0;
-  return geometry == Geometry::kGroundAndHeight ? v.z : flushed(io::from_metric(v.z, stated.unit));
+  if (geometry == Geometry::kGroundAndHeight) return v.z;
+  return flushed(io::as_compared(io::from_metric(v.z, stated.unit), stated.unit));
 }
 
 }  // namespace
@@ -51,12 +53,14 @@ std::optional<double> vertical_in(Geometry geometry,
                                   const std::optional<io::StatedLength>& vertical,
                                   io::Unit height_unit) {
   if (!vertical) return std::nullopt;
-  return geometry == Geometry::kGroundAndStatedHeight ? exactly_in(*vertical, height_unit)
-                                                      : vertical->metric;
+  return geometry == Geometry::kGroundAndStatedHeight
+             ? exactly_in(*vertical, compared_in(vertical, height_unit))
+             : vertical->metric;
 }
 
 double height_unit_m(Geometry geometry, io::Unit height_unit) {
-  return geometry == Geometry::kGroundAndStatedHeight ? io::in_metric(1.0, height_unit) : 1.0;
+  if (geometry != Geometry::kGroundAndStatedHeight) return 1.0;
+  return io::in_metric(1.0, height_unit == io::Unit::kMetre ? io::Unit::kCentimetre : height_unit);
 }
 
 StatedHeight stated_height(const io::Recording& recording, const io::RecordedBee& bee,

@@ -15,8 +15,9 @@
 namespace beespace::analysis {
 
 // What distances are taken of: positions in space; or, for a vertical threshold between geographic
-// positions, those on the ground, and heights apart from them. Of a threshold in the unit of the
-// heights, where that is not the metre, these are heights as they are stated.
+// positions, those on the ground, and heights apart from them. Where the threshold and the heights
+// can be compared exactly in another unit than the metre (io::compared_in), these are heights in
+// it.
 enum class Geometry : std::uint8_t { kSpace, kGroundAndHeight, kGroundAndStatedHeight };
 Geometry geometry_for(io::Frame frame, io::Unit height_unit,
                       const std::optional<io::StatedLength>& vertical);

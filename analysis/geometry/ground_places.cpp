@@ -10,14 +10,18 @@ GroundPlaces ground_places(const io::LoadedPoints& loaded,
                            const std::optional<io::StatedLength>& vertical, io::Unit height_unit) {
   GroundPlaces places;
   if (!vertical) return places;
-  const bool as_stated = compares_as_stated(vertical, height_unit);
+  const io::Unit compared = compared_in(vertical, height_unit);
+  const bool as_stated = compared != io::Unit::kMetre;
   const bool geographic = loaded.frame == io::Frame::kWgs84;
-  places.vertical_m = as_stated ? exactly_in(*vertical, height_unit) : vertical->metric;
+  places.vertical_m = as_stated ? exactly_in(*vertical, compared) : vertical->metric;
   if (!as_stated && !geographic) return places;
   std::vector<PointId> all(loaded.points.size());
   std::iota(all.begin(), all.end(), PointId{0});
   io::for_each_record(loaded, all, [&](const io::Record& record) {
-    places.heights_m.push_back(as_stated ? record.height : record.geographic.height_m);
+    const double in_metres =
+        geographic ? record.geographic.height_m : loaded.points[record.point].z;
+    const double stated = height_unit == io::Unit::kMetre ? in_metres : record.height;
+    places.heights_m.push_back(as_stated ? io::as_compared(stated, height_unit) : in_metres);
     if (!geographic) {
       const Point& point = loaded.points[record.point];
       places.ground.push_back({point.x, point.y, 0.0});

@@ -89,8 +89,7 @@ void tell_apart(PairTable& table, const Question& question, const DetectRequest&
                                     request.vertical)};
   const PointsView& ours = question.points;
   const PointsView& theirs = question.others != nullptr ? *question.others : question.points;
-  const double unit_m =
-      io::compares_as_stated(request.vertical, height_unit) ? io::in_metric(1.0, height_unit) : 1.0;
+  const double unit_m = io::in_metric(1.0, io::compared_in(request.vertical, height_unit));
   table.apart.reserve(table.pairs.size());
   for (const Pair& pair : table.pairs) {
     const Point a = ours[pair.first];

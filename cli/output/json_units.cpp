@@ -15,8 +15,7 @@ void write_units(io::JsonWriter& json, const std::vector<io::UnitTaken>& units) 
 void write_vertical(io::JsonWriter& json, const std::optional<io::StatedLength>& vertical,
                     io::Unit height_unit) {
   if (!vertical) return json.null();
-  const io::Unit compared =
-      compares_as_stated(vertical, height_unit) ? height_unit : io::Unit::kMetre;
+  const io::Unit compared = compared_in(vertical, height_unit);
   json.begin_object();
   json.member("value", vertical->value).member("unit", io::symbol_of(vertical->unit));
   json.member("compared_in", io::symbol_of(compared));

@@ -19,6 +19,8 @@ std::optional<char> extra_of(std::uint32_t message) {
   switch (message) {
     case kHeartbeat:
       return static_cast<char>(50);
+    case kSystemTime:
+      return static_cast<char>(137);
     case kGpsRawInt:
       return static_cast<char>(24);
     case kLocalPositionNed:

@@ -17,6 +17,7 @@
 namespace beespace::io {
 
 inline constexpr std::uint32_t kHeartbeat = 0;
+inline constexpr std::uint32_t kSystemTime = 2;
 inline constexpr std::uint32_t kGpsRawInt = 24;
 inline constexpr std::uint32_t kLocalPositionNed = 32;
 inline constexpr std::uint32_t kGlobalPositionInt = 33;

@@ -2,9 +2,9 @@
 
 #include "io/aircraft/aircraft_report.hpp"
 #include "io/frames/track_domain.hpp"
-#include "io/mavlink/boot_clock.hpp"
 #include "io/mavlink/mavlink_position.hpp"
 #include "io/mavlink/telemetry_log.hpp"
+#include "io/mavlink/telemetry_times.hpp"
 #include "io/mavlink/telemetry_words.hpp"
 #include "io/mavlink/vehicle_census.hpp"
 #include "io/problems/skipped_records.hpp"
@@ -45,9 +45,6 @@ std::string counted(std::uint64_t count, std::string_view what) {
   return std::to_string(count) + " " + std::string(what) + (count == 1 ? "" : "s");
 }
 
-// Said from here on.
-constexpr std::int64_t kLateMicros = 1'000'000;
-
 // "3.2 s"
 std::string seconds_text(std::int64_t micros) {
   constexpr std::int64_t kTenth = 100'000;
@@ -86,6 +83,7 @@ class TelemetryReading {
     while (walk_.next()) {
       const MavlinkFrame& frame = walk_.frame();
       census_.take(frame);
+      times_.take(frame, walk_.index(), static_cast<std::int64_t>(walk_.stamp()));
       if (auto drone = remote_drone(frame)) ++remote_[*std::move(drone)];
       auto position = read_mavlink_position(frame);
       if (!position || position->by != PlaceBy::kOfAnother) ++frames_of_[frame.system];
@@ -204,19 +202,28 @@ class TelemetryReading {
   }
 
   void say_times() {
-    if (by_own_clock_) assembly_.note(std::string(kOwnClockNote));
-    if (!by_own_clock_ && unbelieved_.empty()) assembly_.note(std::string(kArrivalNote));
-    if (latest_us_ > kLateMicros) {
-      assembly_.note(assembly_.source_name() + ": the latest position came " +
-                     seconds_text(latest_us_) + " after the moment that it tells of");
+    if (times_.by_own_clocks()) assembly_.note(std::string(kOwnClockNote));
+    if (!times_.by_own_clocks() && times_.unbelieved().empty()) {
+      assembly_.note(std::string(kArrivalNote));
     }
+    if (times_.by_satellites()) assembly_.note(std::string(kSatelliteTimeNote));
+    if (times_.satellites_differ()) assembly_.note(std::string(kSatelliteTimesDifferNote));
+    if (times_.latest_us() > kLateMicros) {
+      assembly_.note(assembly_.source_name() + ": the latest position came " +
+                     seconds_text(times_.latest_us()) + " after the moment that it tells of");
+    }
+    doubt(times_.unbelieved(), kNoClockNote);
+    doubt(times_.perhaps_late(), kNoSatelliteTimeNote);
+  }
+
+  void doubt(const std::vector<std::size_t>& systems, std::string_view why) {
     std::string names;
-    for (const std::size_t system : unbelieved_) {
+    for (const std::size_t system : systems) {
       names.append(names.empty() ? "" : ", ").append(before_).append(std::to_string(system));
     }
     if (names.empty()) return;
-    assembly_.note(std::string(kNoClockNote) + names);
-    assembly_.doubt_times(unbelieved_.size());
+    assembly_.note(std::string(why) + names);
+    assembly_.doubt_times(systems.size());
   }
 
   [[nodiscard]] std::string id_of(const Heard& heard) const {
@@ -253,22 +260,16 @@ class TelemetryReading {
     for (Heard& heard : heard_) {
       if (!heard.is_taken) continue;
       heard.time_s = static_cast<double>(heard.stamp) / kMicrosPerSecond - heard.at.age_s;
-      if (heard.at.sent_us) places[heard.system].push_back(&heard);
+      if (!heard.at.sent_us) continue;
+      places[heard.system].push_back(&heard);
+      times_.add_place(heard.system, heard.component, heard.frame,
+                       {*heard.at.sent_us, static_cast<std::int64_t>(heard.stamp)});
     }
+    times_.settle();
     for (std::size_t system = 0; system < kSystems; ++system) {
-      std::vector<SentMessage> messages;
-      for (const Heard* heard : places[system]) {
-        messages.push_back({*heard->at.sent_us, static_cast<std::int64_t>(heard->stamp)});
-      }
-      const SentTimes times = sent_times(messages);
-      if (!times.believed) {
-        if (!messages.empty()) unbelieved_.push_back(system);
-        continue;
-      }
-      by_own_clock_ = true;
-      latest_us_ = std::max(latest_us_, times.latest_us);
-      for (std::size_t i = 0; i < messages.size(); ++i) {
-        places[system][i]->time_s = static_cast<double>(times.at_us[i]) / kMicrosPerSecond;
+      const std::vector<std::int64_t>& at_us = times_.at_us(system);
+      for (std::size_t i = 0; i < at_us.size(); ++i) {
+        places[system][i]->time_s = static_cast<double>(at_us[i]) / kMicrosPerSecond;
       }
     }
   }
@@ -351,7 +352,7 @@ class TelemetryReading {
     return error;
   }
 
-  static constexpr std::size_t kSystems = 256;
+  static constexpr std::size_t kSystems = TelemetryTimes::kSystems;
 
   TelemetryWalk walk_;
   RecordingAssembly& assembly_;
@@ -367,9 +368,7 @@ class TelemetryReading {
   std::array<std::optional<std::string>, kSystems> own_names_ = {};
   std::unordered_map<std::uint32_t, Point> places_;  // by address: the last
   std::map<std::string, std::uint64_t> remote_;      // how many records of whom
-  bool by_own_clock_ = false;
-  std::int64_t latest_us_ = 0;           // how late the latest place came
-  std::vector<std::size_t> unbelieved_;  // systems whose clocks do not go on with the log's
+  TelemetryTimes times_;
 };
 
 }  // namespace

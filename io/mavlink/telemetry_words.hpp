@@ -33,6 +33,14 @@ inline constexpr std::string_view kArrivalNote =
 inline constexpr std::string_view kNoClockNote =
     "of drones whose own clock does not go on as that of the log (it stands still, goes at another "
     "speed, or is that of two drones), times are those at which the log was written: ";
+inline constexpr std::string_view kSatelliteTimeNote =
+    "how late each link always is is known by the time of satellites (message 2)";
+inline constexpr std::string_view kSatelliteTimesDifferNote =
+    "the times of satellites that drones tell (message 2) are more than a minute apart and are not "
+    "used";
+inline constexpr std::string_view kNoSatelliteTimeNote =
+    "of drones that do not tell the time of satellites (message 2), it is not known how late they "
+    "always are, as others are late: ";
 inline constexpr std::string_view kReportedNote =
     "aircraft that a receiver of ADS-B tells (message 246) are bees, named by their address: their "
     "heights are by pressure or by satellites, tens of metres from those of the drones";

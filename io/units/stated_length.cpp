@@ -45,11 +45,25 @@ std::optional<double> exactly_in(const StatedLength& stated, Unit unit) {
     const double feet = stated.value * kFeetPerLevel;
     if (std::fma(stated.value, kFeetPerLevel, -feet) == 0.0) return feet;
   }
+  if (unit == Unit::kCentimetre) {
+    constexpr double kHundredthsPerFoot = 3048.0;
+    constexpr double kHundredths = 100.0;
+    const auto feet = exactly_in(stated, Unit::kFoot);
+    if (!feet) return std::nullopt;
+    const double hundredths = *feet * kHundredthsPerFoot;
+    const double centimetres = hundredths / kHundredths;
+    if (std::fma(*feet, kHundredthsPerFoot, -hundredths) == 0.0 &&
+        std::fma(centimetres, kHundredths, -hundredths) == 0.0) {
+      return centimetres;
+    }
+  }
   return std::nullopt;
 }
 
-bool compares_as_stated(const std::optional<StatedLength>& vertical, Unit height_unit) {
-  return vertical && height_unit != Unit::kMetre && exactly_in(*vertical, height_unit);
+Unit compared_in(const std::optional<StatedLength>& vertical, Unit height_unit) {
+  if (!vertical) return Unit::kMetre;
+  const Unit unit = height_unit == Unit::kMetre ? Unit::kCentimetre : height_unit;
+  return exactly_in(*vertical, unit) ? unit : Unit::kMetre;
 }
 
 namespace {
@@ -66,7 +80,12 @@ std::string short_number(double value) {
 std::string vertical_note(const std::optional<StatedLength>& vertical, Unit height_unit) {
   if (!vertical) return {};
   const std::string heights(symbol_of(height_unit));
-  if (compares_as_stated(vertical, height_unit)) {
+  const Unit compared = compared_in(vertical, height_unit);
+  if (height_unit == Unit::kMetre && compared != Unit::kMetre) {
+    return text_of(*vertical) + ", compared with heights in metres as " +
+           exact(*exactly_in(*vertical, compared)) + " cm";
+  }
+  if (compared != Unit::kMetre) {
     return text_of(*vertical) + ", compared with heights in " + heights + " as they stand";
   }
   if (height_unit != Unit::kMetre) {

@@ -26,13 +26,23 @@ std::optional<double> parse_amount(std::string_view text, std::string_view words
 // "1000 ft".
 std::string text_of(const StatedLength& stated);
 
-// In that unit, where nothing is rounded: in its own one, and a hundred feet are a flight level.
+// In that unit, where nothing is rounded: in its own one; a hundred feet are a flight level, and a
+// foot is 30.48 cm.
 std::optional<double> exactly_in(const StatedLength& stated, Unit unit);
 
-// A vertical threshold and the heights of an input in a unit other than the metre: whether the
-// threshold is exactly_in() that, so that they can be compared as they stand. What is converted
-// otherwise is rounded.
-bool compares_as_stated(const std::optional<StatedLength>& vertical, Unit height_unit);
+// In which unit a vertical threshold and heights are compared: that of the heights, where the
+// threshold is exactly_in() it, so that they are compared as they stand. A threshold in feet and
+// heights in metres are compared in centimetres: 10668.0 m and 10363.2 m are 1000 ft apart, which
+// no fraction of two shows. What is converted otherwise is rounded to metres.
+Unit compared_in(const std::optional<StatedLength>& vertical, Unit height_unit);
+inline bool compares_as_stated(const std::optional<StatedLength>& vertical, Unit height_unit) {
+  return compared_in(vertical, height_unit) != Unit::kMetre;
+}
+// A height of that input as it is compared.
+inline double as_compared(double height, Unit height_unit) {
+  constexpr double kCentimetres = 100.0;
+  return height_unit == Unit::kMetre ? kCentimetres * height : height;
+}
 
 // To be said of that; empty where all is in metres.
 std::string vertical_note(const std::optional<StatedLength>& vertical, Unit height_unit);

@@ -63,9 +63,10 @@ LargeSearch::LargeSearch(const DetectRequest& request, const std::string& folder
 
 void LargeSearch::set_heights(io::Unit height_unit, bool apart, TextStore* places) {
   heights_apart_ = apart;
-  if (io::compares_as_stated(request_.vertical, height_unit)) {
-    options_.vertical_m = exactly_in(*request_.vertical, height_unit);
-    height_unit_m_ = io::in_metric(1.0, height_unit);
+  const io::Unit compared = io::compared_in(request_.vertical, height_unit);
+  if (compared != io::Unit::kMetre) {
+    options_.vertical_m = exactly_in(*request_.vertical, compared);
+    height_unit_m_ = io::in_metric(1.0, compared);
   }
   places_ = places;
   fields_ = {places != nullptr, in_aviation(request_.load.units.convention, height_unit,

@@ -1,6 +1,7 @@
 // Units of files and of options: 1,000 ft are 1,000 ft, and nothing is read as metres in silence.
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -184,6 +185,60 @@ TEST(Units, AThousandFeetAreExactWhenPredictedReplayedAndWatched) {
   // 304.8 m apart: reported in metres.
   expect_parts(events, {R"("distance_m": 304.8)"});
   expect_parts(run(Arguments{"replay", "-", "--csv"} + closer, recorded).out, {",304.8"});
+}
+
+// As OpenSky writes them: multiples of 7.62 m. By fractions of two 8 of 12 were in conflict.
+TEST(Units, AThousandFeetAreExactOfHeightsInMetres) {
+  const auto in_metres = [](const std::string& feet_table) {
+    std::istringstream lines(feet_table);
+    std::string text;
+    for (std::string line; std::getline(lines, line);) {
+      std::vector<std::string> fields;
+      std::istringstream record(line);
+      for (std::string field; std::getline(record, field, ',');) fields.push_back(field);
+      if (fields[3] == "alt_ft") {
+        fields[3] = "alt_m";
+      } else {
+        const int centimetres = std::stoi(fields[3]) * 3048 / 100;
+        const std::string hundredths = std::to_string(centimetres % 100);
+        fields[3] =
+            std::to_string(centimetres / 100) + (hundredths.size() < 2 ? ".0" : ".") + hundredths;
+      }
+      for (std::size_t i = 0; i < fields.size(); ++i) text += (i == 0 ? "" : ",") + fields[i];
+      text += '\n';
+    }
+    return text;
+  };
+  const TemporaryFolder folder;
+  const std::string snapshot = folder.file("now.csv", in_metres(table("id,lat,lon,alt_ft")));
+  std::string recorded = table("id,lat,lon,alt_ft,time_s", ",0");
+  recorded += table("", ",4").substr(1);
+  recorded = folder.file("recorded.csv", in_metres(recorded));
+  const std::string moving =
+      folder.file("moving.csv", in_metres(table("id,lat,lon,alt_ft,ve,vn,vu", ",1,1,0")));
+  const Arguments apart = {"--threshold", "5NM", "--vertical", "1000ft", "--quiet"};
+  Arguments closer = apart;
+  closer[3] = "1000.5ft";
+  const Arguments memory = {"--memory", "64MB"};
+  for (const Arguments& command :
+       {Arguments{"detect", snapshot, "--report", "pairs"},
+        Arguments{"detect", snapshot, "--report", "pairs"} + memory, Arguments{"predict", moving},
+        Arguments{"replay", recorded}, Arguments{"replay", recorded} + memory}) {
+    EXPECT_EQ(rows_of(run(command + apart).out), 0U) << command[0];
+    EXPECT_EQ(rows_of(run(command + apart + Arguments{"--inclusive"}).out), kLevels) << command[0];
+    EXPECT_EQ(rows_of(run(command + closer).out), kLevels) << command[0];
+  }
+  const Arguments watch = {"watch", "--max-age", "60"};
+  EXPECT_EQ(run(watch + apart, folder.read("recorded.csv")).out, "");
+  const std::string events =
+      run(watch + apart + Arguments{"--inclusive"}, folder.read("recorded.csv")).out;
+  EXPECT_GE(lines_of(events), kLevels);
+  expect_parts(events, {R"("distance_m": 304.8)"});
+  expect_parts(run({"detect", snapshot, "--threshold", "5NM", "--vertical", "1000ft"}).err,
+               {"vertical   1000 ft, compared with heights in metres as 30480 cm\n"});
+  expect_parts(
+      run({"replay", recorded, "--threshold", "5NM", "--vertical", "1000ft", "--json"}).out,
+      {R"("compared_in": "cm")"});
 }
 
 TEST(Units, ThresholdsOfEverySubcommandTakeThem) {

@@ -80,6 +80,76 @@ TEST(TelemetryClocks, AClockThatStandsStillIsSaid) {
   EXPECT_EQ(lines.untimed(), 1u);
 }
 
+std::string time_of(int system, double at_s, double unix_s, std::uint32_t boot_ms,
+                    int component = 1) {
+  const auto unix_us = kLaunch_us + static_cast<std::uint64_t>(1e6 * unix_s);
+  return logged(kLaunch_us + static_cast<std::uint64_t>(1e6 * at_s),
+                frame_v2(system, 2, system_time(unix_us, boot_ms), component));
+}
+
+// Two drones that are heard of each second; all that the second says comes so much later.
+std::string flight_with_lag(double lag_s, double second_unix_s, bool second_tells) {
+  std::string log;
+  for (int k = 0; k < 20; ++k) {
+    const auto ms = static_cast<std::uint32_t>(1'000 * k);
+    log += place_of(1, k, 60'000 + ms, k) + time_of(1, k, k, 60'000 + ms);
+    log += place_of(2, k + lag_s, 90'000 + ms, k);
+    // Another part of it has another clock.
+    log += time_of(2, k + lag_s, 7, 5'000, 191);
+    if (second_tells) log += time_of(2, k + lag_s, k + second_unix_s, 90'000 + ms);
+  }
+  return log;
+}
+
+TEST(TelemetryClocks, ALinkThatIsAlwaysLateIsKnownByTheTimeOfSatellites) {
+  const auto recording =
+      recording_of(load_recording_from_memory(flight_with_lag(3.0, 0.0, true), "flight.tlog", {}));
+  ASSERT_EQ(recording.bees.size(), 2u);
+  for (std::size_t k = 0; k < 20; ++k) {
+    EXPECT_EQ(since_launch(recording.bees[0])[k], static_cast<double>(k));
+    EXPECT_EQ(since_launch(recording.bees[1])[k], static_cast<double>(k));
+  }
+  EXPECT_TRUE(has_note(recording, "by the time of satellites (message 2)"));
+  EXPECT_TRUE(has_note(recording, "flight.tlog: the latest position came 3.0 s after"));
+  EXPECT_TRUE(recording.missing.none());
+}
+
+TEST(TelemetryClocks, HowLateADroneIsThatDoesNotTellTheTimeIsNotKnownWhereOthersAreLate) {
+  std::string log = flight_with_lag(3.0, 0.0, true);
+  for (int k = 0; k < 20; ++k) log += place_of(3, k, static_cast<std::uint32_t>(k + 1) * 1'000, k);
+  const auto recording = recording_of(load_recording_from_memory(log, "flight.tlog", {}));
+  EXPECT_EQ(recording.missing.untimed, 1u);
+  EXPECT_TRUE(has_note(recording, "as others are late: 3"));
+  const auto alone =
+      recording_of(load_recording_from_memory(flight_with_lag(3.0, 0.0, false), "flight.tlog", {}));
+  EXPECT_EQ(since_launch(alone.bees[1])[0], 3.0);
+}
+
+TEST(TelemetryClocks, TimesOfSatellitesThatCannotBeAreNotUsed) {
+  const auto hours = recording_of(
+      load_recording_from_memory(flight_with_lag(0.0, 3600.0, true), "flight.tlog", {}));
+  EXPECT_EQ(since_launch(hours.bees[1])[0], 0.0);
+  EXPECT_TRUE(has_note(hours, "more than a minute apart"));
+}
+
+TEST(TelemetryClocks, PlacesThatTellTheTimeOfSatellitesThemselvesNeedNoOther) {
+  std::string log;
+  for (int k = 0; k < 20; ++k) {
+    for (const int system : {1, 2}) {
+      const std::uint64_t unix_us = kLaunch_us + 1'000'000 * static_cast<std::uint64_t>(k);
+      std::string payload = little_endian(static_cast<std::uint32_t>(unix_us), 4) +
+                            little_endian(static_cast<std::uint32_t>(unix_us >> 32), 4) +
+                            little_endian(470'000'000, 4) + little_endian(80'000'000, 4) +
+                            little_endian(100'000, 4) + little_endian(0, 4) + little_endian(0, 4) +
+                            '\x03' + '\x09';
+      log += logged(unix_us + (system == 2 ? 2'500'000 : 0), frame_v2(system, 24, payload));
+    }
+  }
+  const auto recording = recording_of(load_recording_from_memory(log, "flight.tlog", {}));
+  ASSERT_EQ(recording.bees.size(), 2u);
+  EXPECT_EQ(since_launch(recording.bees[0]), since_launch(recording.bees[1]));
+}
+
 TEST(TelemetryClocks, LiveALatePlaceIsTimedByWhenItWasSentToo) {
   ReportLines lines;
   for (int k = 0; k < 10; ++k) {

@@ -28,6 +28,10 @@ inline char crc_extra(std::uint32_t message) {
   switch (message) {
     case 0:
       return static_cast<char>(50);
+    case 2:
+      return static_cast<char>(137);
+    case 24:
+      return static_cast<char>(24);
     case 32:
     case 109:
       return static_cast<char>(185);
@@ -83,6 +87,12 @@ inline std::string global_payload(std::int32_t lat, std::int32_t lon, std::int32
 
 inline std::string somewhere() {
   return global_payload(470'000'000, 80'000'000, 500'000, 100, 200, 300);
+}
+
+// Message 2: microseconds since 1970, and milliseconds since the start.
+inline std::string system_time(std::uint64_t unix_us, std::uint32_t boot_ms) {
+  return little_endian(static_cast<std::uint32_t>(unix_us), 4) +
+         little_endian(static_cast<std::uint32_t>(unix_us >> 32), 4) + little_endian(boot_ms, 4);
 }
 
 // Message 0: what the sender is.
