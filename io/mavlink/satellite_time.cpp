@@ -12,7 +12,7 @@ namespace {
 constexpr std::int64_t kFirst_us = 978'307'200'000'000;   // 2001
 constexpr std::int64_t kLast_us = 4'102'444'800'000'000;  // 2100
 constexpr std::int64_t kAgreeMicros = 250'000;
-constexpr std::size_t kFewIn = 4;
+constexpr std::size_t kOneIn = 4;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ std::optional<std::int64_t> ahead_of_satellites_us(const std::vector<SatelliteTi
   const auto others = std::count_if(ahead.begin(), ahead.end(), [median](std::int64_t one) {
     return one > median + kAgreeMicros || one < median - kAgreeMicros;
   });
-  if (kFewIn * static_cast<std::size_t>(others) > ahead.size()) return std::nullopt;
+  if (kOneIn * static_cast<std::size_t>(others) > ahead.size()) return std::nullopt;
   return median;
 }
 

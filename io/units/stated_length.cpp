@@ -66,6 +66,14 @@ Unit compared_in(const std::optional<StatedLength>& vertical, Unit height_unit) 
   return exactly_in(*vertical, unit) ? unit : Unit::kMetre;
 }
 
+double as_compared(double height, Unit height_unit) {
+  if (height_unit != Unit::kMetre) return height;
+  constexpr double kCentimetres = 100.0;
+  const double whole = std::round(height * kCentimetres);
+  // The double that is nearest to so many hundredths is what was written so.
+  return whole / kCentimetres == height ? whole : height * kCentimetres;
+}
+
 namespace {
 
 // A suggestion to type: not every digit of what is rounded anyway.

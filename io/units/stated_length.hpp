@@ -38,11 +38,8 @@ Unit compared_in(const std::optional<StatedLength>& vertical, Unit height_unit);
 inline bool compares_as_stated(const std::optional<StatedLength>& vertical, Unit height_unit) {
   return compared_in(vertical, height_unit) != Unit::kMetre;
 }
-// A height of that input as it is compared.
-inline double as_compared(double height, Unit height_unit) {
-  constexpr double kCentimetres = 100.0;
-  return height_unit == Unit::kMetre ? kCentimetres * height : height;
-}
+// A height of that input as it is compared. Of metres with two decimals that is a whole number.
+double as_compared(double height, Unit height_unit);
 
 // To be said of that; empty where all is in metres.
 std::string vertical_note(const std::optional<StatedLength>& vertical, Unit height_unit);

@@ -230,8 +230,7 @@ TEST(Units, AThousandFeetAreExactOfHeightsInMetres) {
   }
   const Arguments watch = {"watch", "--max-age", "60"};
   EXPECT_EQ(run(watch + apart, folder.read("recorded.csv")).out, "");
-  const std::string events =
-      run(watch + apart + Arguments{"--inclusive"}, folder.read("recorded.csv")).out;
+  const std::string events = run(watch + closer, folder.read("recorded.csv")).out;
   EXPECT_GE(lines_of(events), kLevels);
   expect_parts(events, {R"("distance_m": 304.8)"});
   expect_parts(run({"detect", snapshot, "--threshold", "5NM", "--vertical", "1000ft"}).err,
