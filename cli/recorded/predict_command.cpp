@@ -120,7 +120,10 @@ std::string found_line(const Prediction& prediction) {
 std::string summary(const Prediction& prediction, const PredictRequest& request, double search_s) {
   const analysis::Snapshot& snapshot = prediction.snapshot;
   std::string out = input_summary(prediction.recording, request.moving);
-  append_summary_line(out, "bees", io::grouped(snapshot.movers.size()));
+  const std::size_t all = prediction.recording.bees.size();
+  append_summary_line(out, "bees",
+                      io::grouped(snapshot.movers.size()) +
+                          (snapshot.movers.size() < all ? " of " + io::grouped(all) : ""));
   append_summary_line(out, "now", analysis::moment_text(snapshot.time_s, prediction.recording));
   if (snapshot.brought_forward > 0) {
     append_summary_line(out, "note",

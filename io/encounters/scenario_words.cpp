@@ -76,9 +76,11 @@ std::vector<std::vector<std::string>> commands_in(std::string_view commands) {
 std::optional<double> degrees_in(std::string_view word) {
   if (word.empty()) return std::nullopt;
   double sign = 1.0;
-  if (is_one_of("N E S W", word.substr(0, 1))) {
-    if (word.front() == 'S' || word.front() == 'W') sign = -1.0;
-    word.remove_prefix(1);
+  const bool before = is_one_of("N E S W", word.substr(0, 1));
+  if (before || is_one_of("N E S W", word.substr(word.size() - 1))) {
+    const char side = before ? word.front() : word.back();
+    if (side == 'S' || side == 'W') sign = -1.0;
+    before ? word.remove_prefix(1) : word.remove_suffix(1);
   }
   if (word.find_first_of("'\"") == std::string_view::npos) {
     const auto value = finite_number(word);

@@ -3,7 +3,7 @@
 #include "io/frames/track_domain.hpp"
 #include "io/live/line_reader.hpp"
 #include "io/live/report_layout.hpp"
-#include "io/mavlink/boot_clock.hpp"
+#include "io/mavlink/live_telemetry_times.hpp"
 #include "io/mavlink/mavlink_position.hpp"
 #include "io/mavlink/telemetry_log.hpp"
 #include "io/mavlink/telemetry_words.hpp"
@@ -48,6 +48,9 @@ class TelemetryFrames final : public LineReader {
       return left_out(kRemoteDrone);
     }
     const auto at = read_mavlink_position(frame);
+    if (components_[frame.system] == frame.component) {
+      times_.take(frame, static_cast<std::int64_t>(walk.stamp()));
+    }
     if (at && at->by == PlaceBy::kOfAnother) return of_another(*at, walk.stamp());
     id_ = std::to_string(frame.system);
     return at ? of_vehicle(frame, *at, walk.stamp()) : of_silent(frame.system);
@@ -63,9 +66,7 @@ class TelemetryFrames final : public LineReader {
     facts.heights = metres() ? HeightDatum::kHome : HeightDatum::kMeanSeaLevel;
     facts.notes = {std::string(metres() ? kLocalNote : kGlobalNote)};
     for (std::string& note : clock_notes()) facts.notes.push_back(std::move(note));
-    for (const BootClock& clock : clocks_) {
-      if (!clock.believed()) ++facts.untimed;
-    }
+    facts.untimed = times_.unbelieved().size() + times_.perhaps_late().size();
     if (!lesser_.empty()) {
       facts.notes.push_back("of drones that tell nothing better, positions are those of message " +
                             lesser_);
@@ -164,9 +165,8 @@ class TelemetryFrames final : public LineReader {
   // By the clock of the drone, where that can be believed, else by when the message came.
   std::uint64_t sent_at(std::uint8_t system, const MavlinkPosition& at, std::uint64_t stamp) {
     if (!at.sent_us) return stamp;
-    by_own_clock_ = true;
     return static_cast<std::uint64_t>(
-        clocks_[system].take({*at.sent_us, static_cast<std::int64_t>(stamp)}));
+        times_.sent_at(system, {*at.sent_us, static_cast<std::int64_t>(stamp)}));
   }
 
   // Bounded by the aircraft that there can be: of more, all places count as new.
@@ -186,13 +186,17 @@ class TelemetryFrames final : public LineReader {
   }
 
   [[nodiscard]] std::vector<std::string> clock_notes() const {
-    std::vector<std::string> notes = {std::string(by_own_clock_ ? kOwnClockNote : kArrivalNote)};
-    std::string names;
-    for (std::size_t system = 0; system < kSystems; ++system) {
-      if (clocks_[system].believed()) continue;
-      names.append(names.empty() ? "" : ", ").append(std::to_string(system));
+    std::vector<std::string> notes = {
+        std::string(times_.by_own_clocks() ? kOwnClockNote : kArrivalNote)};
+    if (times_.by_satellites()) notes.emplace_back(kSatelliteTimeNote);
+    for (const auto& [systems, why] : {std::pair(times_.unbelieved(), kNoClockNote),
+                                       std::pair(times_.perhaps_late(), kNoSatelliteTimeNote)}) {
+      std::string names;
+      for (const std::size_t system : systems) {
+        names.append(names.empty() ? "" : ", ").append(std::to_string(system));
+      }
+      if (!names.empty()) notes.push_back(std::string(why) + names);
     }
-    if (!names.empty()) notes.push_back(std::string(kNoClockNote) + names);
     return notes;
   }
 
@@ -254,8 +258,7 @@ class TelemetryFrames final : public LineReader {
   std::array<std::optional<std::uint64_t>, kSystems> first_ = {};
   std::array<std::optional<std::uint8_t>, kSystems> components_ = {};
   std::array<std::optional<std::string>, kSystems> own_names_ = {};
-  std::array<BootClock, kSystems> clocks_ = {};
-  bool by_own_clock_ = false;                        // some drone tells one
+  LiveTelemetryTimes times_;
   std::unordered_map<std::uint32_t, Point> places_;  // of aircraft by address: the last
 };
 

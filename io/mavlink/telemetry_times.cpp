@@ -4,12 +4,6 @@
 #include <limits>
 
 namespace beespace::io {
-namespace {
-
-// What differs by more is not how long messages took.
-constexpr std::int64_t kMostApartMicros = 60'000'000;
-
-}  // namespace
 
 void TelemetryTimes::take(const MavlinkFrame& frame, std::uint64_t index, std::int64_t came_us) {
   if (const auto time = read_satellite_time(frame)) {

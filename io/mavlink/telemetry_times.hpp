@@ -17,6 +17,8 @@ namespace beespace::io {
 
 // From here on a place, or a link, is said to be late.
 inline constexpr std::int64_t kLateMicros = 1'000'000;
+// What differs by more is not how long messages took.
+inline constexpr std::int64_t kMostApartMicros = 60'000'000;
 
 class TelemetryTimes {
  public:

@@ -212,12 +212,23 @@ Result<ColumnChoice> choose_in_order(const Header& header) {
   return choice;
 }
 
+// "ECEF_X [m]"
+bool are_of_the_earth(const Header& header) {
+  const auto is_of_the_earth = [&header](Role role) {
+    const std::vector<std::string> words =
+        split_words(header.table().names[header.columns(role).front()]);
+    return std::find(words.begin(), words.end(), "ecef") != words.end();
+  };
+  return is_of_the_earth(Role::kX) && is_of_the_earth(Role::kY);
+}
+
 Result<ColumnChoice> choose_by_header(const Header& header) {
   const Frame frame = header.options().frame;
   const bool geographic = header.has(Role::kLongitude) && header.has(Role::kLatitude);
   const bool metres = header.has(Role::kX) && header.has(Role::kY);
-  // Tables of animals have the same place in both.
-  const bool both = header.source() != nullptr && header.source()->of_animals;
+  // Tables of animals have the same place in both, and so have those with x, y, z of the Earth.
+  const bool both = (header.source() != nullptr && header.source()->of_animals) ||
+                    (metres && are_of_the_earth(header));
   if (geographic && metres && frame == Frame::kAuto && !both) {
     return missing_column(
         "the header names both longitude, latitude and x, y; say which to take with --crs wgs84 "
@@ -269,6 +280,7 @@ Header::Header(const ColumnSchema& schema, const ColumnOptions& options, const T
 
 // By its name, and by the source that it is of.
 ColumnMeaning Header::meaning_of(std::size_t column) const {
+  if (is_of_a_quaternion(column)) return {};
   ColumnMeaning meaning = read_column_name(schema_, table_.names[column]);
   if (source_ == nullptr) return meaning;
   const KnownColumn* const known = source_->find(table_.names[column]);
@@ -288,6 +300,17 @@ ColumnMeaning Header::meaning_of(std::size_t column) const {
   const auto first = source_->first(meaning.role, table_.names);
   const bool other = first ? *first != column : meaning.role == Role::kId;
   return other && meaning.role != Role::kHeight ? ColumnMeaning() : meaning;
+}
+
+// Whether it is "q_RS_x" beside "q_RS_w": an attitude, as EuRoC's tables have it.
+bool Header::is_of_a_quaternion(std::size_t column) const {
+  std::string name = plain_name(table_.names[column]);
+  const std::size_t size = name.size();
+  if (size < 3 || name[size - 2] != '_' || name[size - 1] < 'x' || name[size - 1] > 'z')
+    return false;
+  name.back() = 'w';
+  return std::any_of(table_.names.begin(), table_.names.end(),
+                     [&name](const std::string& other) { return plain_name(other) == name; });
 }
 
 // Where a coordinate comes several times, the one that can be read is meant, the one without "uav"

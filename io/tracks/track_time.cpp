@@ -116,7 +116,7 @@ bool is_header_stamp(std::string_view name) {
 }
 
 // A time of aircraft, or of ROS, that counts from 1970 tells its unit by its size; elsewhere
-// microseconds since a boot may look the same.
+// microseconds since a boot may look the same, but no nanoseconds since one do.
 Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
                                const FirstFields& times, const TableLayout& table, Unit asked) {
   time.since_1970 = meaning.since_1970;
@@ -129,7 +129,9 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
   }
   const Unit by_size = common_unit(times);
   const bool of_ros = time.column < table.names.size() && is_header_stamp(table.names[time.column]);
-  if (time.unit == Unit::kUnstated && (of_ros || !words_of_aviation(table.names).empty())) {
+  const bool tells =
+      of_ros || by_size == Unit::kNanosecond || !words_of_aviation(table.names).empty();
+  if (time.unit == Unit::kUnstated && tells) {
     time.unit = by_size;
     time.by_size = by_size != Unit::kUnstated;
   }

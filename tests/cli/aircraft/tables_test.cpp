@@ -50,7 +50,7 @@ TEST_P(TrafficTable, PredictNamesTheTwoThatMeet) {
   // After 25.05 s.
   EXPECT_EQ(rows[0][2].substr(0, 22), "2018-08-01T05:00:45.05");
   expect_parts(finished.err,
-               {"bees       3\n", "now        2018-08-01T05:00:20.000Z\n",
+               {"bees       3 of 4\n", "now        2018-08-01T05:00:20.000Z\n",
                 "1 checked for now only, where last heard of",
                 "conflicts  1, of 2 bees; 1 bee is checked for now only, 1 record was left out\n",
                 "1 record without a position is left out\n",

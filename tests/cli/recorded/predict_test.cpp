@@ -95,8 +95,9 @@ TEST(Predict, BeesNotHeardForLongAreLeftOutAndNamed) {
       "b,10,100,3,0,-1,0,0\n";
   expect_rows(predicted({"--max-age", "10"}, input), {{"a", "b", "53", "55", "3", "57"}});
   expect_rows(predicted({"--max-age", "9.5"}, input), {});
-  expect_parts(run({"predict", "--max-age", "9.5"}, input).err,
-               {"bees       1\n", "stale      1 left out, not heard of for 9.5 s (--max-age)"});
+  expect_parts(
+      run({"predict", "--max-age", "9.5"}, input).err,
+      {"bees       1 of 2\n", "stale      1 left out, not heard of for 9.5 s (--max-age)"});
   const std::string json = run({"predict", "--max-age", "9.5", "--json"}, input).out;
   EXPECT_TRUE(is_json(json)) << json;
   expect_parts(json, {R"("now_s": 10)", R"("movers": 1)", R"("stale": 1)"});
@@ -117,7 +118,7 @@ TEST(Predict, ABeeWithNeitherVelocityNorTwoReportsIsCheckedForNowAndCounted) {
       run({"predict", "--threshold", "5"},
           "id,time_s,x,y,z\na,0,0,0,0\na,1,1,0,0\nb,1,2,2,2\nc,0,9,0,0\nc,1,9,0,0\n");
   EXPECT_EQ(finished.exit_code, 0);
-  expect_parts(finished.err, {"bees       2\n",
+  expect_parts(finished.err, {"bees       2 of 3\n",
                               "unknown    1 checked for now only, where last heard "
                               "of: neither a velocity nor two fixes, at "});
   expect_rows(rows_of(finished.out),

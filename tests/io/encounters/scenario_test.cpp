@@ -36,6 +36,8 @@ TEST(ScenarioWords, AreReadAsBlueSkyReadsThem) {
   EXPECT_EQ(degrees_in("S4.5"), -4.5);
   EXPECT_NEAR(*degrees_in("N52'18'36"), 52.31, 1e-12);
   EXPECT_NEAR(*degrees_in("W4'30"), -4.5, 1e-12);
+  EXPECT_NEAR(*degrees_in("52'18'36.0\"N"), 52.31, 1e-12);
+  EXPECT_EQ(degrees_in("4.5W"), -4.5);
   for (const char* word : {"EHAM", "", "N", "NORTH", "1'2'3'4", "nan", "*"}) {
     EXPECT_FALSE(degrees_in(word)) << word;
   }

@@ -167,6 +167,36 @@ TEST(TelemetryClocks, LiveALatePlaceIsTimedByWhenItWasSentToo) {
   }));
 }
 
+TEST(TelemetryClocks, LiveALinkThatIsAlwaysLateIsKnownByTheTimeOfSatellitesToo) {
+  ReportLines lines;
+  std::vector<double> second;
+  const auto take = [&](const std::string& logged) {
+    const auto report = lines.take_frame(logged);
+    ASSERT_TRUE(report);
+    if (*report && (*report)->id == "2") second.push_back((*report)->time_s - 1714564800.0);
+  };
+  for (int k = 0; k < 20; ++k) {
+    const auto ms = static_cast<std::uint32_t>(1'000 * k);
+    take(place_of(1, k + 3.0, 60'000 + ms + 3'000, k));
+    take(time_of(1, k + 3.0, k + 3.0, 60'000 + ms + 3'000));
+    take(place_of(2, k + 3.0, 90'000 + ms, k));
+    take(time_of(2, k + 3.0, 7, 5'000, 191));
+    take(time_of(2, k + 3.0, k, 90'000 + ms));
+    take(place_of(3, k + 3.0, 10'000 + ms, k));
+  }
+  ASSERT_EQ(second.size(), 20u);
+  EXPECT_EQ(second[0], 3.0);  // nothing is known of it yet
+  for (std::size_t k = 1; k < second.size(); ++k) {
+    EXPECT_NEAR(second[k], static_cast<double>(k), 0.01);
+  }
+  // How late the third is that does not tell the time is not known.
+  EXPECT_EQ(lines.untimed(), 1u);
+  const std::vector<std::string> notes = lines.notes();
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.ends_with("as others are late: 3");
+  }));
+}
+
 TEST(TelemetryLogs, AnArchiveOfThemIsReadAsAFolder) {
   const std::string one = place_of(1, 0, 1'000, 1) + place_of(1, 1, 2'000, 2);
   const std::string archive = zipped({{"b/flight.tlog", one},

@@ -100,5 +100,34 @@ TEST(TrackWords, WhatIsNotUnderstoodToItsLastWordIsNothing) {
   }
 }
 
+// As EuRoC's ground truth has it.
+TEST(TrackWords, AnAttitudeIsNoPlace) {
+  const Recording recording = recording_of(record(
+      "#timestamp [ns], p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], "
+      "q_RS_z [], v_RS_R_x [m s^-1], v_RS_R_y [m s^-1], v_RS_R_z [m s^-1]\n"
+      "1403636580838555648,4.5,-1.5,0.75,0.5,-0.1,-0.8,-0.1,0.5,0.25,0\n"
+      "1403636581838555648,5.0,-1.25,0.75,0.5,-0.1,-0.8,-0.1,0.5,0.25,0\n"));
+  ASSERT_EQ(recording.bees.size(), 1u);
+  const Fix& fix = recording.bees[0].fixes.back();
+  EXPECT_EQ(fix.position.x, 5.0);
+  EXPECT_EQ(fix.position.y, -1.25);
+  EXPECT_EQ(fix.position.z, 0.75);
+  EXPECT_NEAR(fix.time_s, 1403636581.838555648, 1e-6);
+}
+
+// As Vectronic's collars have them.
+TEST(TrackWords, PlacesOfTheEarthBesideLongitudeAndLatitudeAreTheSame) {
+  const std::string text =
+      "CollarID,UTC_Date,UTC_Time,ECEF_X [m],ECEF_Y [m],ECEF_Z [m],Latitude [\u00b0],Longitude "
+      "[\u00b0],Height [m]\n"
+      "12345,25.03.2023,20:00:00,4300000,840000,4600000,46.499489,11.00051,1207\n"
+      "12345,25.03.2023,21:00:00,4300000,840000,4600000,46.5,11.25,1207\n";
+  const Recording recording = recording_of(record(text));
+  EXPECT_EQ(recording.frame, Frame::kWgs84);
+  ASSERT_EQ(ids_of(recording), std::vector<std::string>{"12345"});
+  EXPECT_EQ(recording.bees[0].fixes[1].position.x, 11.25);
+  EXPECT_EQ(recording.bees[0].fixes[1].position.z, 1207.0);
+}
+
 }  // namespace
 }  // namespace beespace::io
