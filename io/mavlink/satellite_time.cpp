@@ -9,15 +9,15 @@ namespace beespace::io {
 namespace {
 
 // A vehicle that has never heard of satellites counts from its start, or from 1970.
-constexpr std::int64_t kFirst_us = 978'307'200'000'000;   // 2001
-constexpr std::int64_t kLast_us = 4'102'444'800'000'000;  // 2100
+constexpr std::int64_t kFirstMicros = 978'307'200'000'000;   // 2001
+constexpr std::int64_t kLastMicros = 4'102'444'800'000'000;  // 2100
 constexpr std::int64_t kAgreeMicros = 250'000;
 constexpr std::size_t kOneIn = 4;
 
 }  // namespace
 
 bool is_unix_time(std::int64_t micros) {
-  return micros >= kFirst_us && micros <= kLast_us;
+  return micros >= kFirstMicros && micros <= kLastMicros;
 }
 
 std::optional<SatelliteTime> read_satellite_time(const MavlinkFrame& frame) {
