@@ -34,7 +34,7 @@ inline constexpr std::string_view kNoClockNote =
     "of drones whose own clock does not go on as that of the log (it stands still, goes at another "
     "speed, or is that of two drones), times are those at which the log was written: ";
 inline constexpr std::string_view kSatelliteTimeNote =
-    "how late each link always is is known by the time of satellites (message 2)";
+    "the time of satellites (message 2) tells how much later one link always is than another";
 inline constexpr std::string_view kSatelliteTimesDifferNote =
     "the times of satellites that drones tell (message 2) are more than a minute apart and are not "
     "used";

@@ -109,7 +109,7 @@ TEST(TelemetryClocks, ALinkThatIsAlwaysLateIsKnownByTheTimeOfSatellites) {
     EXPECT_EQ(since_launch(recording.bees[0])[k], static_cast<double>(k));
     EXPECT_EQ(since_launch(recording.bees[1])[k], static_cast<double>(k));
   }
-  EXPECT_TRUE(has_note(recording, "by the time of satellites (message 2)"));
+  EXPECT_TRUE(has_note(recording, "the time of satellites (message 2) tells how much later"));
   EXPECT_TRUE(has_note(recording, "flight.tlog: the latest position came 3.0 s after"));
   EXPECT_TRUE(recording.missing.none());
 }

@@ -103,7 +103,7 @@ TEST(TrackWords, WhatIsNotUnderstoodToItsLastWordIsNothing) {
 // As EuRoC's ground truth has it.
 TEST(TrackWords, AnAttitudeIsNoPlace) {
   const Recording recording = recording_of(record(
-      "#timestamp [ns], p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], "
+      "#timestamp, p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], "
       "q_RS_z [], v_RS_R_x [m s^-1], v_RS_R_y [m s^-1], v_RS_R_z [m s^-1]\n"
       "1403636580838555648,4.5,-1.5,0.75,0.5,-0.1,-0.8,-0.1,0.5,0.25,0\n"
       "1403636581838555648,5.0,-1.25,0.75,0.5,-0.1,-0.8,-0.1,0.5,0.25,0\n"));
