@@ -89,11 +89,29 @@ Result<std::vector<std::string>> tables_of(const ZipArchive& archive, const std:
   return tables;
 }
 
-std::optional<Error> read_member(const Bytes& bytes, const std::string& name, bool bare_skybrush,
+// A table in text, as whichever tool writes it; `bare_skybrush` says that four columns without
+// names are a drone of a show.
+std::optional<Error> read_text_table(Bytes content, const std::string& path, bool bare_skybrush,
+                                     RecordingAssembly& assembly) {
+  if (auto points = with_decimal_points(without_byte_order_mark(content.view))) {
+    content = *std::move(points);
+    assembly.note("numbers have decimal commas");
+  }
+  if (assembly.options().format == RecordingFormat::kAuto) {
+    const std::string_view text = without_byte_order_mark(content.view);
+    const bool columns_are_named = !assembly.options().columns.empty();
+    if (!columns_are_named && is_trackmate_table(text)) return read_trackmate_table(text, assembly);
+    if (is_pose_table(text)) return read_pose_table(text, stem_of(path), assembly);
+    if (!columns_are_named && is_wide_table(text)) return read_wide_table(text, assembly);
+  }
+  return read_table(content, path, bare_skybrush, assembly);
+}
+
+std::optional<Error> read_member(Bytes bytes, const std::string& name, bool bare_skybrush,
                                  RecordingAssembly& assembly) {
   if (is_ulog(bytes.view)) return read_flight(bytes.view, name, assembly);
   if (is_telemetry_log(bytes.view)) return read_telemetry(bytes.view, name, assembly);
-  return read_table(bytes, name, bare_skybrush, assembly);
+  return read_text_table(std::move(bytes), name, bare_skybrush, assembly);
 }
 
 std::optional<Error> read_archive(Bytes bytes, const std::string& source,
@@ -126,7 +144,8 @@ std::optional<Error> read_archive(Bytes bytes, const std::string& source,
     if (!content) return content.error();
     content = unpacked(std::move(content).value(), place);
     if (!content) return content.error();
-    auto error = read_member(*content, table, format != RecordingFormat::kTable, assembly);
+    auto error =
+        read_member(*std::move(content), table, format != RecordingFormat::kTable, assembly);
     if (error) {
       if (error->location.source.empty()) error->location.source = place;
       return error;
@@ -185,10 +204,6 @@ char front_of(std::string_view bytes) {
   return first != std::string_view::npos ? text[first] : '\0';
 }
 
-bool options_name_no_columns(const RecordingAssembly& assembly) {
-  return assembly.options().columns.empty();
-}
-
 // One input, whatever it holds.
 std::optional<Error> read_source(Bytes bytes, const std::string& path,
                                  RecordingAssembly& assembly) {
@@ -225,22 +240,8 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
         "file",
         {}};
   }
-  if (auto points = with_decimal_points(without_byte_order_mark(content->view))) {
-    *content = *std::move(points);
-    assembly.note("numbers have decimal commas");
-  }
-  if (format == RecordingFormat::kAuto) {
-    const std::string_view text = without_byte_order_mark(content->view);
-    if (options_name_no_columns(assembly) && is_trackmate_table(text)) {
-      return read_trackmate_table(text, assembly);
-    }
-    if (is_pose_table(text)) return read_pose_table(text, stem_of(path), assembly);
-  }
-  if (format == RecordingFormat::kAuto && options_name_no_columns(assembly)) {
-    const std::string_view text = without_byte_order_mark(content->view);
-    if (is_wide_table(text)) return read_wide_table(text, assembly);
-  }
-  return read_table(*content, path, format == RecordingFormat::kSkybrushCsv, assembly);
+  return read_text_table(*std::move(content), path, format == RecordingFormat::kSkybrushCsv,
+                         assembly);
 }
 
 std::optional<Error> placed(std::optional<Error> error, const std::string& path) {

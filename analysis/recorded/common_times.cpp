@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 #include "analysis/geometry/geometry.hpp"
-#include "analysis/text/moment_text.hpp"
 #include "io/bytes/number_text.hpp"
+#include "io/recording/moment_text.hpp"
 
 namespace beespace::analysis {
 namespace {
@@ -32,7 +32,7 @@ std::optional<Error> difference(const io::RecordedBee& first, const io::Recorded
   const double time_s = second_lacks ? at->time_s : there->time_s;
   const io::RecordedBee& lacks = second_lacks ? second : first;
   const io::RecordedBee& has = second_lacks ? first : second;
-  std::string when = moment_text(time_s, recording);
+  std::string when = io::moment_text(time_s, recording);
   if (!recording.since_1970) when = io::exact(time_s) + " s";
   return unsuited(quoted(lacks) + " has no fix at " + when + ", where " + quoted(has) +
                   " has one; this checks bees with fixes at the same times, and 'beespace replay' "

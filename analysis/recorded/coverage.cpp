@@ -2,9 +2,9 @@
 
 #include "analysis/recorded/ends.hpp"
 #include "analysis/text/bee_name.hpp"
-#include "analysis/text/moment_text.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/recording/flat_distance.hpp"
+#include "io/recording/moment_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -202,8 +202,8 @@ std::string missing_text(const io::MissingRecords& missing) {
 }
 
 std::string gap_text(const Gap& gap, const io::Recording& recording) {
-  return text_of(name_of(gap.track, recording)) + " from " + moment_text(gap.begins_s, recording) +
-         " for " + io::time_span(length_of(gap));
+  return text_of(name_of(gap.track, recording)) + " from " +
+         io::moment_text(gap.begins_s, recording) + " for " + io::time_span(length_of(gap));
 }
 
 }  // namespace beespace::analysis

@@ -13,9 +13,9 @@
 #include "analysis/scene/uprights.hpp"
 #include "analysis/snapshot/worst_pairs.hpp"
 #include "analysis/text/bee_name.hpp"
-#include "analysis/text/moment_text.hpp"
 #include "analysis/text/unit_notes.hpp"
 #include "io/bytes/number_text.hpp"
+#include "io/recording/moment_text.hpp"
 #include "report/earth_frame.hpp"
 
 #include <beespace/find_conflicts.hpp>
@@ -226,7 +226,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
     swarm.notes.push_back("bad records left out: " + io::grouped(recording.skipped_count));
   }
   facts.since_1970 = recording.since_1970;
-  if (recording.clock) swarm.notes.push_back("times are " + clock_text(recording));
+  if (recording.clock) swarm.notes.push_back("times are " + io::clock_text(recording));
   if (recording.show) {
     facts.limits = recording.show->limits;
     facts.cues = recording.show->cues;

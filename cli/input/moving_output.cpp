@@ -2,12 +2,12 @@
 
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/text/bee_name.hpp"
-#include "analysis/text/moment_text.hpp"
 #include "analysis/text/unit_notes.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/output/block_writer.hpp"
 #include "cli/output/json_units.hpp"
 #include "io/bytes/number_text.hpp"
+#include "io/recording/moment_text.hpp"
 #include "io/units/units.hpp"
 
 #include <beespace/version.hpp>
@@ -46,7 +46,7 @@ void write_input(io::JsonWriter& json, const io::Recording& recording,
   json.member("reason", recording.frame_reason);
   json.member("heights", io::known_if(!datum.empty(), datum));
   write_units(json.key("units"), recording.units);
-  json.member("times", analysis::clock_text(recording));
+  json.member("times", io::clock_text(recording));
   json.member("dimensions", recording.flat ? 2u : 3u);
   json.member("bees", recording.bees.size()).member("skipped", recording.skipped_count);
   json.member("notes", recording.notes);
@@ -183,7 +183,7 @@ std::string encounter_text(const Conflict& conflict, const io::Recording& record
                   vertical_text(apart->vertical_m, distances) + " vertically apart"
             : horizontal_text(conflict.closest_m, distances) + " apart";
   return pair_text(conflict, recording) + ", " + how_far + " at " +
-         analysis::moment_text(conflict.closest_s, recording);
+         io::moment_text(conflict.closest_s, recording);
 }
 
 void add_apart_columns(std::vector<RowColumn>& columns, const Distances& distances) {
@@ -219,7 +219,7 @@ Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& 
              {"ends_s", nullptr, "ends"}},
             {},
             analysis::has_labels(recording),
-            analysis::calendar_of(recording)};
+            io::calendar_of(recording)};
   if (with_certain) rows.columns.push_back({"certain"});
   add_apart_columns(rows.columns, distances);
   rows.rows.reserve(conflicts.size());

@@ -26,7 +26,7 @@ bool has_dates(const Rows& rows, const RowColumn& column) {
 }
 
 // A time as a date; any other value as it is.
-Value as_date(const Value& value, const analysis::Calendar& calendar) {
+Value as_date(const Value& value, const io::Calendar& calendar) {
   const auto* time_s = std::get_if<double>(&value);
   if (time_s == nullptr) return value;
   std::string date = calendar.text(*time_s);

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "analysis/text/bee_name.hpp"
-#include "analysis/text/moment_text.hpp"
 #include "io/bytes/atomic_output.hpp"
 #include "io/json/json_writer.hpp"
+#include "io/recording/moment_text.hpp"
 
 #include <cstdint>
 #include <string>
@@ -27,8 +27,8 @@ struct RowColumn {
 struct Rows {
   std::vector<RowColumn> columns;
   std::vector<std::vector<Value>> rows;
-  bool labelled = false;             // whether any bee of the input has a label
-  analysis::Calendar calendar = {};  // how times are told to people
+  bool labelled = false;       // whether any bee of the input has a label
+  io::Calendar calendar = {};  // how times are told to people
 };
 
 // For programs, to whom a bee is its id: labels go into columns of their own, behind all others.

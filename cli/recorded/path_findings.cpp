@@ -1,12 +1,12 @@
 #include "cli/recorded/path_findings.hpp"
 
 #include "analysis/text/bee_name.hpp"
-#include "analysis/text/moment_text.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
 #include "cli/output/coverage_output.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/obstacle_name.hpp"
+#include "io/recording/moment_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ std::string shown_bee(PointId bee, const io::Recording& recording) {
 }
 
 std::string when(double time_s, const io::Recording& recording) {
-  return " at " + analysis::moment_text(time_s, recording);
+  return " at " + io::moment_text(time_s, recording);
 }
 
 // Down is no climb, and up no descent.
@@ -148,7 +148,7 @@ Rows finding_rows(const PathFindings& findings) {
              {"at_s", nullptr, "at"}},
             {},
             analysis::has_labels(recording),
-            analysis::calendar_of(recording)};
+            io::calendar_of(recording)};
   for (const Conflict& loss : findings.verdict.losses) {
     rows.rows.push_back({std::string("loss"), analysis::name_of(loss.first, recording),
                          analysis::name_of(loss.second, recording), loss.begins_s, loss.ends_s,
@@ -219,8 +219,8 @@ std::string verify_summary(const PathFindings& findings, const MovingRequest& re
   append_summary_line(out, "bees", io::grouped(recording.bees.size()));
   const TimeSpan time = time_of_all(recording);
   append_summary_line(out, "from",
-                      analysis::moment_text(time.begins_s, recording) + " to " +
-                          analysis::moment_text(time.ends_s, recording) + " (" +
+                      io::moment_text(time.begins_s, recording) + " to " +
+                          io::moment_text(time.ends_s, recording) + " (" +
                           io::grouped(time.ends_s - time.begins_s, 2) + " s)");
   if (!recording.show || !findings.coverage.complete()) {
     append_coverage(out, findings.coverage, recording);

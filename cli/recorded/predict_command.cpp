@@ -4,7 +4,6 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/last_snapshot.hpp"
-#include "analysis/text/moment_text.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
@@ -13,6 +12,7 @@
 #include "cli/output/output_file.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/load_recording.hpp"
+#include "io/recording/moment_text.hpp"
 
 #include <beespace/predict_conflicts.hpp>
 
@@ -124,7 +124,7 @@ std::string summary(const Prediction& prediction, const PredictRequest& request,
   append_summary_line(out, "bees",
                       io::grouped(snapshot.movers.size()) +
                           (snapshot.movers.size() < all ? " of " + io::grouped(all) : ""));
-  append_summary_line(out, "now", analysis::moment_text(snapshot.time_s, prediction.recording));
+  append_summary_line(out, "now", io::moment_text(snapshot.time_s, prediction.recording));
   if (snapshot.brought_forward > 0) {
     append_summary_line(out, "note",
                         io::grouped(snapshot.brought_forward) + " last heard of before now " +

@@ -19,7 +19,7 @@ Rows bee_rows(const analysis::Findings& findings, const Distances& distances) {
              {"unknown_s"}},
             {},
             analysis::has_labels(recording),
-            analysis::calendar_of(recording)};
+            io::calendar_of(recording)};
   const std::size_t columns = rows.columns.size();
   add_apart_columns(rows.columns, distances);
   const auto bees = analysis::bees_in_conflict(findings.tracks.size(), findings.recorded.conflicts);
@@ -56,7 +56,7 @@ Rows separation_rows(const std::vector<analysis::Moment>& moments,
              {"unknown"}},
             {},
             analysis::has_labels(recording),
-            analysis::calendar_of(recording)};
+            io::calendar_of(recording)};
   const std::size_t columns = rows.columns.size();
   add_apart_columns(rows.columns, distances);
   for (const analysis::Moment& moment : moments) {

@@ -1,11 +1,11 @@
 #include "cli/recorded/replay_summary.hpp"
 
 #include "analysis/text/bee_name.hpp"
-#include "analysis/text/moment_text.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
 #include "cli/output/coverage_output.hpp"
 #include "io/bytes/number_text.hpp"
+#include "io/recording/moment_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -82,8 +82,8 @@ void append_velocities(std::string& out, const analysis::Findings& findings, dou
       out, "velocities",
       "curves with them leave the straight lines by up to " + io::length(curves->most_off_m) +
           " (" + printable(text_of(analysis::name_of(curves->bee, recording))) + " from " +
-          analysis::moment_text(curves->span.begins_s, recording) + " to " +
-          analysis::moment_text(curves->span.ends_s, recording) + "); " +
+          io::moment_text(curves->span.begins_s, recording) + " to " +
+          io::moment_text(curves->span.ends_s, recording) + "); " +
           (curves->followed ? "both are looked at (--straight: not the curves)"
                             : red("that is too far to follow them") +
                                   ": are they in another unit, or of another direction?"));
@@ -155,8 +155,8 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
   append_summary_line(out, "bees", io::grouped(findings.tracks.size()));
   if (const auto time = analysis::time_of(findings.tracks)) {
     append_summary_line(out, "from",
-                        analysis::moment_text(time->begins_s, recording) + " to " +
-                            analysis::moment_text(time->ends_s, recording) + " (" +
+                        io::moment_text(time->begins_s, recording) + " to " +
+                            io::moment_text(time->ends_s, recording) + " (" +
                             io::grouped(time->ends_s - time->begins_s, 2) + " s)");
   }
   append_coverage(out, findings.coverage, recording);

@@ -1,12 +1,12 @@
 #include "cli/recorded/verify_findings.hpp"
 
 #include "analysis/text/bee_name.hpp"
-#include "analysis/text/moment_text.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
 #include "cli/output/coverage_output.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/obstacle_name.hpp"
+#include "io/recording/moment_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ std::string closest_text(const Verification& verification) {
   return shown(verdict.closest_pair->first) + " and " + shown(verdict.closest_pair->second) + ", " +
          io::length_below(verification.options.threshold_m, *verdict.closest_m) +
          " apart in the step from " +
-         analysis::moment_text(verdict.closest_step_s, verification.recording);
+         io::moment_text(verdict.closest_step_s, verification.recording);
 }
 
 std::string found_text(std::uint64_t count, const char* one, const char* several) {
@@ -94,7 +94,7 @@ Rows finding_rows(const Verification& verification) {
              {"value"}},
             {},
             analysis::has_labels(recording),
-            analysis::calendar_of(recording)};
+            io::calendar_of(recording)};
   for (const Loss& loss : verification.verdict.first_losses) {
     rows.rows.push_back({std::string("loss"), analysis::name_of(loss.pair.first, recording),
                          analysis::name_of(loss.pair.second, recording), loss.begins_s, loss.ends_s,
@@ -153,8 +153,8 @@ std::string verify_summary(const Verification& verification, const MovingRequest
   std::string out = input_summary(recording, request);
   append_summary_line(out, "bees", io::grouped(recording.bees.size()));
   append_summary_line(out, "from",
-                      analysis::moment_text(times_s.front(), recording) + " to " +
-                          analysis::moment_text(times_s.back(), recording) + " (" +
+                      io::moment_text(times_s.front(), recording) + " to " +
+                          io::moment_text(times_s.back(), recording) + " (" +
                           io::grouped(times_s.back() - times_s.front(), 2) + " s)");
   append_coverage(out, verification.coverage, recording);
   append_summary_line(out, "motion", verification.motion);

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <unordered_map>
@@ -180,7 +181,10 @@ class TelemetryReading {
   }
 
   void say_choice() {
-    assembly_.note(std::string(global_ ? kGlobalNote : kLocalNote));
+    const bool only_worse = global_ && placed_by(PlaceBy::kGlobal).empty();
+    assembly_.note(std::string(!global_     ? kLocalNote
+                               : only_worse ? "heights are above mean sea level"
+                                            : kGlobalNote));
     for (const auto& [by, message] : {std::pair(PlaceBy::kUtm, "340 (UTM_GLOBAL_POSITION)"),
                                       std::pair(PlaceBy::kSatellite, "24 (GPS_RAW_INT)")}) {
       const std::string names = placed_by(by);
@@ -208,12 +212,33 @@ class TelemetryReading {
     }
     if (times_.by_satellites()) assembly_.note(std::string(kSatelliteTimeNote));
     if (times_.satellites_differ()) assembly_.note(std::string(kSatelliteTimesDifferNote));
+    if (assembly_.has_several()) say_clock_of_log();
     if (times_.latest_us() > kLateMicros) {
       assembly_.note(assembly_.source_name() + ": the latest position came " +
                      seconds_text(times_.latest_us()) + " after the moment that it tells of");
     }
-    doubt(times_.unbelieved(), kNoClockNote);
+    if (!assembly_.has_several() || times_.log_ahead_us()) doubt(times_.unbelieved(), kNoClockNote);
     doubt(times_.perhaps_late(), kNoSatelliteTimeNote);
+  }
+
+  // Each log has the clock of the computer that wrote it.
+  void say_clock_of_log() {
+    const std::string& name = assembly_.source_name();
+    if (const auto ahead_us = times_.log_ahead_us()) {
+      assembly_.note("the clock of " + name +
+                     " is set to the time of satellites (message 2), from which it is " +
+                     seconds_text(std::abs(*ahead_us)) + " away");
+      return;
+    }
+    std::array<bool, kSystems> placed = {};
+    for (const Heard& heard : heard_) {
+      if (heard.is_taken) placed[heard.system] = true;
+    }
+    std::vector<std::size_t> systems;
+    for (std::size_t system = 0; system < kSystems; ++system) {
+      if (placed[system]) systems.push_back(system);
+    }
+    doubt(systems, kNoClockOfLogNote);
   }
 
   void doubt(const std::vector<std::size_t>& systems, std::string_view why) {
@@ -258,18 +283,23 @@ class TelemetryReading {
   void time_places() {
     std::vector<std::vector<Heard*>> places(kSystems);
     for (Heard& heard : heard_) {
-      if (!heard.is_taken) continue;
-      heard.time_s = static_cast<double>(heard.stamp) / kMicrosPerSecond - heard.at.age_s;
-      if (!heard.at.sent_us) continue;
+      if (!heard.is_taken || !heard.at.sent_us) continue;
       places[heard.system].push_back(&heard);
       times_.add_place(heard.system, heard.component, heard.frame,
                        {*heard.at.sent_us, static_cast<std::int64_t>(heard.stamp)});
     }
     times_.settle();
+    const std::int64_t ahead_us = assembly_.has_several() ? times_.log_ahead_us().value_or(0) : 0;
+    const auto seconds = [ahead_us](std::int64_t at_us) {
+      return static_cast<double>(at_us - ahead_us) / kMicrosPerSecond;
+    };
+    for (Heard& heard : heard_) {
+      heard.time_s = seconds(static_cast<std::int64_t>(heard.stamp)) - heard.at.age_s;
+    }
     for (std::size_t system = 0; system < kSystems; ++system) {
       const std::vector<std::int64_t>& at_us = times_.at_us(system);
       for (std::size_t i = 0; i < at_us.size(); ++i) {
-        places[system][i]->time_s = static_cast<double>(at_us[i]) / kMicrosPerSecond;
+        places[system][i]->time_s = seconds(at_us[i]);
       }
     }
   }

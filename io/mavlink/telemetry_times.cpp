@@ -75,9 +75,11 @@ void TelemetryTimes::compare_links() {
     least_us = std::min(least_us, *of.ahead_us);
     most_us = std::max(most_us, *of.ahead_us);
   }
-  if (least_us >= most_us) return;  // one or none, or no difference
+  if (least_us > most_us) return;  // none
   satellites_differ_ = most_us - least_us > kMostApartMicros;
-  by_satellites_ = !satellites_differ_;
+  if (satellites_differ_) return;
+  log_ahead_us_ = least_us;
+  by_satellites_ = most_us > least_us;
   if (!by_satellites_) return;
   const std::int64_t late_us = most_us - least_us;
   latest_us_ = std::max(latest_us_, late_us);

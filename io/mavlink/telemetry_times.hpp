@@ -43,6 +43,9 @@ class TelemetryTimes {
   [[nodiscard]] bool by_satellites() const { return by_satellites_; }
   // Whether what satellites say of the links cannot be.
   [[nodiscard]] bool satellites_differ() const { return satellites_differ_; }
+  // By how much the clock of the log is ahead of that of satellites, with what the quickest link
+  // takes; nothing where no vehicle tells it, or some contradict each other.
+  [[nodiscard]] std::optional<std::int64_t> log_ahead_us() const { return log_ahead_us_; }
   // How late the latest place came.
   [[nodiscard]] std::int64_t latest_us() const { return latest_us_; }
   // Systems whose clocks do not go on with that of the log.
@@ -76,6 +79,7 @@ class TelemetryTimes {
   bool by_own_clocks_ = false;
   bool by_satellites_ = false;
   bool satellites_differ_ = false;
+  std::optional<std::int64_t> log_ahead_us_;
   std::int64_t latest_us_ = 0;
   std::vector<std::size_t> unbelieved_;
   std::vector<std::size_t> perhaps_late_;

@@ -41,6 +41,9 @@ inline constexpr std::string_view kSatelliteTimesDifferNote =
 inline constexpr std::string_view kNoSatelliteTimeNote =
     "of drones that do not tell the time of satellites (message 2), it is not known how late they "
     "always are, as others are late: ";
+inline constexpr std::string_view kNoClockOfLogNote =
+    "it is not known how the clock of the log goes with that of other inputs, as no drone in it "
+    "tells the time of satellites (message 2): ";
 inline constexpr std::string_view kReportedNote =
     "aircraft that a receiver of ADS-B tells (message 246) are bees, named by their address: their "
     "heights are by pressure or by satellites, tens of metres from those of the drones";

@@ -35,6 +35,9 @@ std::string milliseconds(std::uint64_t micros) {
   return std::to_string((micros + 500) / 1000) + " ms";
 }
 
+// A receiver says the same time within tens of milliseconds, as far as the drone heeds it at once.
+constexpr std::uint64_t kSurelyOneClockMicros = 100'000;
+
 // Where positions are taken from.
 enum class Source : std::uint8_t { kGlobal, kReferred, kLocal };
 
@@ -68,6 +71,7 @@ class FlightReading {
     if (place.micros == 0 || place.micros >= std::uint64_t{1} << 53u) return &kNoTimeOfIt;
     if (!place.known) return &kNotKnown;
     if (!place.height_known) return &kHeightNotKnown;
+    if (!std::isfinite(place.position.x + place.position.y + place.position.z)) return &kNotKnown;
     if (source == Source::kGlobal && at.x == 0.0 && at.y == 0.0) return &kNotKnown;
     if (source == Source::kGlobal && by_ellipsoid() && !std::isfinite(place.ellipsoid_height)) {
       return &kNoEllipsoid;
@@ -215,6 +219,9 @@ class FlightReading {
     assembly_.note("the clock of " + name + " is set by " + counted(log_.clock->samples, "time") +
                    " of GPS, nine of ten of which agree within " +
                    milliseconds(log_.clock->spread_micros));
+    if (!assembly_.has_several() || log_.clock->spread_micros <= kSurelyOneClockMicros) return;
+    assembly_.note("so it may be that much off from the clocks of other inputs: " + name);
+    assembly_.doubt_times(1);
   }
 
   void say_losses() {
@@ -289,10 +296,6 @@ class FlightReading {
   }
 
   [[nodiscard]] std::optional<Error> position_problem(const Point& at) const {
-    if (!std::isfinite(at.x + at.y + at.z)) {
-      return Error{
-          ErrorCode::kNotFinite, "its position is not a number" + std::string(kOrLeaveOut), {}};
-    }
     if (source_ != Source::kLocal) return impossible_place(at);
     if (in_motion_domain(at.x) && in_motion_domain(at.y) && in_motion_domain(at.z)) {
       return std::nullopt;

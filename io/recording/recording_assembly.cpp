@@ -4,6 +4,7 @@
 #include "io/problems/excerpt.hpp"
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/unplaced.hpp"
+#include "io/recording/moment_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -149,8 +150,8 @@ void RecordingAssembly::share(const SharedTrack& track) {
   if (++missing.shared > MissingRecords::kMostNamed) return;
   missing.shared_ids.push_back(track.id);
   note("bee " + excerpt(track.id) + " is at two places in turn, from " + place_text(track.first) +
-       " on, " + exact(track.time_s) +
-       " s, as if two had this id: where they are is not known; give each an id of its own");
+       " on, " + moment_text(track.time_s, recording_) +
+       ", as if two had this id: where they are is not known; give each an id of its own");
 }
 
 void RecordingAssembly::jump(const SharedTrack& track) {
@@ -158,8 +159,8 @@ void RecordingAssembly::jump(const SharedTrack& track) {
   if (++missing.jumping > MissingRecords::kMostNamed) return;
   missing.jumping_ids.push_back(track.id);
   note("bee " + excerpt(track.id) + " jumps to where it is in " + place_text(track.first) + ", " +
-       exact(track.time_s) +
-       " s, faster than anything that flies, or than it says itself: a place or a time is wrong, "
+       moment_text(track.time_s, recording_) +
+       ", faster than anything that flies, or than it says itself: a place or a time is wrong, "
        "and where it is is not known; correct such records, or leave them out");
 }
 

@@ -148,7 +148,16 @@ std::vector<std::string> names_of(const PoseLayout& pose) {
   return names;
 }
 
-Error which_part(const PoseLayout& pose, std::string_view why) {
+// What else pictures do not tell is asked for at once.
+std::string what_pictures_lack(const RecordingOptions& options) {
+  std::string text;
+  if (!options.frames_per_second) text += "how many pictures there are in a second (--fps 25)";
+  if (!options.pixel)
+    text.append(text.empty() ? "" : " and ").append("how long a pixel is (--scale 0.1mm)");
+  return text.empty() ? text : ", and " + text;
+}
+
+Error which_part(const PoseLayout& pose, const RecordingOptions& options, std::string_view why) {
   constexpr std::size_t kMostNamed = 20;
   const std::vector<std::string> names = names_of(pose);
   std::string list;
@@ -160,7 +169,7 @@ Error which_part(const PoseLayout& pose, std::string_view why) {
           std::string(why) +
               "say which place of the body is where the animal is, as in --columns " +
               "x=" + names[0] + ".x,y=" + names[0] + ".y (" + std::string(pose.tool) + " has " +
-              list + ")",
+              list + ")" + what_pictures_lack(options),
           {}};
 }
 
@@ -169,7 +178,7 @@ Result<std::string> choose_part(const PoseLayout& pose, const RecordingOptions& 
   const std::vector<std::string> names = names_of(pose);
   if (options.columns.empty()) {
     if (names.size() == 1) return names.front();
-    return which_part(pose, {});
+    return which_part(pose, options, {});
   }
   const auto overrides = read_column_overrides(track_columns(), options.columns, options.frame);
   if (!overrides) return overrides.error();
@@ -181,8 +190,9 @@ Result<std::string> choose_part(const PoseLayout& pose, const RecordingOptions& 
     const std::string name = fits ? of.column.substr(0, of.column.size() - 2) : std::string();
     const bool known = std::find(names.begin(), names.end(), name) != names.end();
     if (!known || (chosen && *chosen != name)) {
-      return which_part(pose, "--columns " + excerpt(options.columns) +
-                                  " names no place of a body that this table has; ");
+      return which_part(pose, options,
+                        "--columns " + excerpt(options.columns) +
+                            " names no place of a body that this table has; ");
     }
     chosen = name;
   }

@@ -14,6 +14,7 @@
 #include "io/table/unit_choice.hpp"
 #include "io/tracks/first_fields.hpp"
 #include "io/tracks/ros_table.hpp"
+#include "io/tracks/scaled_degrees.hpp"
 #include "io/tracks/several_vehicles.hpp"
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_animals.hpp"
@@ -377,8 +378,11 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   if (!time) return time.error();
   layout.time = time.value();
   // Who says the unit knows what is counted.
-  if (layout.time && header.source() != nullptr && options.time_unit == Unit::kUnstated) {
-    layout.time->since_start = header.source()->since_start && !header.override_of(Role::kTime);
+  if (layout.time && options.time_unit == Unit::kUnstated) {
+    layout.time->since_start =
+        header.source() != nullptr
+            ? header.source()->since_start && !header.override_of(Role::kTime)
+            : counts_from_start(layout.table, *layout.time);
   }
   const auto id = choose_id(header, layout.notes);
   if (auto problem = nameless_position(header)) return *std::move(problem);
@@ -390,6 +394,15 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   const FrameDecision frame = frame_before_values(options.frame, {choice.evidence, choice.reason});
   layout.frame = frame.frame;
   layout.frame_reason = frame.reason;
+  if (layout.frame == Frame::kMetres) {
+    auto problem = scaled_degrees_as_metres(text, header, choice);
+    if (problem) return *std::move(problem);
+  } else if (layout.frame == Frame::kWgs84 && are_scaled_degrees(text, layout.table, choice)) {
+    layout.scaled_degrees = true;
+    layout.notes.emplace_back(
+        "longitude and latitude are whole numbers of 1e-7 degrees, as MAVLink and PX4 have them: "
+        "their size tells");
+  }
   if (seen != SeenRecords::kSome && layout.time && layout.frame == Frame::kWgs84 &&
       !header.override_of(Role::kHeight) && is_empty_throughout(text, layout.table, 2)) {
     layout.notes.push_back(column_text(layout.table, choice.axes[2]) + " is empty throughout");

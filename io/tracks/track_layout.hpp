@@ -84,6 +84,7 @@ struct TrackLayout {
   // it is as good as none.
   bool places_may_be_unknown = false;
   bool infinite_is_unknown = false;
+  bool scaled_degrees = false;     // longitude and latitude are whole numbers of 1e-7 degrees
   bool ids_may_be_empty = false;   // of who is none of the animals
   bool show = false;               // of a drone show: a path with colours
   bool supposed_metres = false;    // its positions: nothing says so

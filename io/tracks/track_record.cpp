@@ -10,6 +10,7 @@
 #include "io/table/coordinate_units.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
+#include "io/tracks/scaled_degrees.hpp"
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
@@ -267,6 +268,16 @@ std::optional<Error> TrackRecordReader::read_position(TrackRecord& record) {
     if (kind != NumberKind::kNumber) {
       return number_problem(kind, text, coordinate_name(layout_, axis),
                             std::string(kMotionDomain) + " m", choice.axes[axis]);
+    }
+    if (layout_.scaled_degrees && axis < 2) {
+      if (values[axis] != std::floor(values[axis])) {
+        return at_column(ErrorCode::kMalformedRecord,
+                         excerpt(text) +
+                             " is no whole number of 1e-7 degrees, as the first are; correct it" +
+                             std::string(kOrLeaveOut),
+                         choice.axes[axis]);
+      }
+      values[axis] /= kScaledPerDegree;
     }
     values[axis] = without_dust(values[axis]);
     if (!in_motion_domain(values[axis])) {

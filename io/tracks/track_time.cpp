@@ -284,6 +284,15 @@ std::optional<Error> lengths_problem(const TableLayout& table, const RecordingOp
                {}};
 }
 
+bool counts_from_start(const TableLayout& table, const TimeChoice& time) {
+  if (time.since_1970 || time.form != TimeForm::kNumbers || time.column >= table.names.size()) {
+    return false;
+  }
+  const auto words = split_words(table.names[time.column]);
+  return std::any_of(words.begin(), words.end(),
+                     [](const std::string& word) { return is_one_of("boot uptime", word); });
+}
+
 std::string time_note(const TableLayout& table, const TimeChoice& time, bool asked) {
   std::string text = "times are read from " + column_text(table, time.column);
   if (time.form == TimeForm::kFrames) {

@@ -33,6 +33,9 @@ std::optional<Error> frames_problem(const TableLayout& table, const TimeChoice& 
 // Lengths of an image: where neither the header nor the caller says a unit, they may be pixels.
 std::optional<Error> lengths_problem(const TableLayout& table, const RecordingOptions& options);
 
+// Whether the name says that numbers count since the vehicle was switched on: "time_boot_ms".
+bool counts_from_start(const TableLayout& table, const TimeChoice& time);
+
 // What was chosen, for the notes.
 std::string time_note(const TableLayout& table, const TimeChoice& time, bool asked);
 

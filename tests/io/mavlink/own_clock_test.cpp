@@ -125,6 +125,45 @@ TEST(TelemetryClocks, HowLateADroneIsThatDoesNotTellTheTimeIsNotKnownWhereOthers
   EXPECT_EQ(since_launch(alone.bees[1])[0], 3.0);
 }
 
+// One drone that flies east and tells the time of satellites, or does not, as a computer writes it
+// whose clock is ahead.
+std::string flight_by_clock(double ahead_s, bool tells) {
+  std::string log;
+  for (int k = 0; k < 20; ++k) {
+    const auto ms = static_cast<std::uint32_t>(60'000 + 1'000 * k);
+    log += place_of(1, k + ahead_s, ms, k);
+    if (tells) log += time_of(1, k + ahead_s, k, ms);
+  }
+  return log;
+}
+
+TEST(TelemetryClocks, LogsOfTwoComputersAreSetToTheTimeOfSatellites) {
+  const TemporaryFolder folder;
+  const std::string first = folder.write("a.tlog", flight_by_clock(5.0, true));
+  const std::string second = folder.write("b.tlog", flight_by_clock(-90.0, true));
+  const auto recording = recording_of(load_recording({first, second}));
+  ASSERT_EQ(recording.bees.size(), 2u);
+  for (const RecordedBee& bee : recording.bees) {
+    EXPECT_EQ(since_launch(bee)[7], 7.0);
+  }
+  EXPECT_TRUE(has_note(recording, "the clock of " + second +
+                                      " is set to the time of satellites (message 2), from which "
+                                      "it is 90.0 s away"));
+  EXPECT_TRUE(recording.missing.none());
+  // Alone it has no other to agree with.
+  EXPECT_EQ(since_launch(recording_of(load_recording({first})).bees[0])[7], 12.0);
+}
+
+TEST(TelemetryClocks, ALogWithoutTheTimeOfSatellitesBesideOthersIsNoAllClear) {
+  const TemporaryFolder folder;
+  const std::string first = folder.write("a.tlog", flight_by_clock(0.0, true));
+  const std::string second = folder.write("b.tlog", flight_by_clock(0.0, false));
+  const auto recording = recording_of(load_recording({first, second}));
+  EXPECT_EQ(recording.missing.untimed, 1u);
+  EXPECT_TRUE(has_note(recording, "no drone in it tells the time of satellites (message 2): b:1"));
+  EXPECT_TRUE(recording_of(load_recording({second})).missing.none());
+}
+
 TEST(TelemetryClocks, TimesOfSatellitesThatCannotBeAreNotUsed) {
   const auto hours = recording_of(
       load_recording_from_memory(flight_with_lag(0.0, 3600.0, true), "flight.tlog", {}));

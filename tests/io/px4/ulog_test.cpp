@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -317,6 +318,17 @@ TEST(Ulog, AnotherInstanceOfATopicIsLeftOutAndSaid) {
 
 // ---- Clocks -------------------------------------------------------------------------------------
 
+TEST(Ulog, PlacesThatAreNoNumbersAreNotKnown) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  UlogMaking log = px4_log();
+  log.data(kGlobalNumber, global_message({.micros = 1'000'000, .lat = kNan}));
+  log.data(kGlobalNumber, global_message({.micros = 2'000'000}));
+  const auto recording = recording_of(load(log.bytes()));
+  EXPECT_EQ(recording.bees[0].fixes.size(), 1u);
+  EXPECT_TRUE(has_note(recording, "1 record in which a drone says itself that it does not know"));
+  EXPECT_EQ(recording.missing.count, 1u);
+}
+
 TEST(Ulog, TheClockIsTheMedianOfGps) {
   UlogMaking log = px4_log();
   log.data(kGpsNumber, gps_message(1'000'000, 0));                    // does not know the time yet
@@ -393,6 +405,24 @@ TEST_F(SeveralLogs, WhoseClocksContradictGpsAreRefused) {
   const std::string path = write("b.ulg", other.bytes());
   expect_error(load_recording({write("a.ulg", small_log().bytes()), path}, {}),
                {ErrorCode::kInvalidArgument, path, "contradict its own clock by 3600 ms"});
+}
+
+TEST_F(SeveralLogs, WhoseClocksMayDifferAreNoAllClear) {
+  const std::string path = write("a.ulg", small_log().bytes());
+  for (const std::uint64_t late_us : {90'000u, 400'000u}) {
+    UlogMaking other = px4_log();
+    for (std::uint64_t i = 1; i < 40; ++i) {
+      const std::uint64_t late = i % 2 == 0 ? late_us : 0;
+      other.data(kGpsNumber, gps_message(i * 1'000'000 + late, kNoon_us + i * 1'000'000));
+    }
+    other.data(kGlobalNumber, global_message({.micros = 2'000'000}));
+    const std::string second = write("b.ulg", other.bytes());
+    const bool doubtful = late_us > 100'000;
+    const auto together = recording_of(load_recording({path, second}, {}));
+    EXPECT_EQ(together.missing.untimed, doubtful ? 1u : 0u);
+    EXPECT_EQ(has_note(together, "off from the clocks of other inputs: " + second), doubtful);
+    EXPECT_TRUE(recording_of(load_recording({second}, {})).missing.none());
+  }
 }
 
 TEST_F(SeveralLogs, InMetresOfTheirOwnAreComparedOnlyWhereThatIsSaid) {

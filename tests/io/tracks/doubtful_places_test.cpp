@@ -69,7 +69,7 @@ TEST(JumpsOfTracks, AreSaidAndNotKnown) {
   const auto read = recording_of(record(with_place("8.9,47,100")));
   EXPECT_EQ(read.missing.jumping_ids, std::vector<std::string>{"b"});
   EXPECT_FALSE(read.missing.none());
-  EXPECT_TRUE(has_note(read, "bee 'b' jumps to where it is in bees.csv, line 9, 3 s"));
+  EXPECT_TRUE(has_note(read, "bee 'b' jumps to where it is in bees.csv, line 9, 3.00 s"));
   EXPECT_EQ(streamed(with_place("8.9,47,100")).missing.jumping, 1u);
   // 750 m in a second is possible.
   EXPECT_TRUE(recording_of(record(with_place("8.61,47,100"))).missing.none());

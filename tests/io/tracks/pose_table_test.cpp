@@ -31,6 +31,11 @@ TEST(PoseTable, OneOfSeveralPlacesOfTheBodyIsAskedFor) {
                {ErrorCode::kInvalidArgument, "bees.csv",
                 "say which place of the body is where the animal is, as in --columns "
                 "x=snout.x,y=snout.y (DeepLabCut has 'snout', 'tailbase')"});
+  // What else pictures do not tell is asked for at once.
+  expect_error(record(kMouse, {}),
+               {ErrorCode::kInvalidArgument, "bees.csv",
+                "has 'snout', 'tailbase'), and how many pictures there are in a second (--fps 25) "
+                "and how long a pixel is (--scale 0.1mm)"});
   expect_error(record(kMouse, of_video("x=nose.x,y=nose.y")),
                {ErrorCode::kInvalidArgument, "bees.csv", "names no place of a body"});
   expect_error(record(kMouse, of_video("x=snout.x,y=tailbase.y")),

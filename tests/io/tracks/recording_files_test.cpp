@@ -67,6 +67,21 @@ TEST(RecordingFiles, TablesOfTheSameNameInAnArchiveAreSeveralBees) {
                {ErrorCode::kUnsupportedFormat, "show.zip", "holds several files named '1.csv'"});
 }
 
+TEST(RecordingFiles, TablesInAnArchiveAreReadAsThoseBesideIt) {
+  const std::string commas = "Time [msec];x [m];y [m];z [m]\n0;0,5;1,25;3,0\n1000;0,5;1,5;3,0\n";
+  const std::string wide = "time,x1,y1,x2,y2\n0,1,2,3,4\n1,1,2,3,4\n";
+  for (const std::string& table : {commas, wide}) {
+    RecordingOptions options;
+    options.pixel =
+        table == wide ? std::optional(StatedLength{1.0, 1.0, Unit::kMetre}) : std::nullopt;
+    const auto alone = recording_of(load_recording_from_memory(table, "1.csv", options));
+    const auto packed =
+        recording_of(load_recording_from_memory(zipped({{"1.csv", table}}), "show.zip", options));
+    EXPECT_EQ(ids_of(packed), ids_of(alone));
+    EXPECT_EQ(packed.bees[0].fixes, alone.bees[0].fixes);
+  }
+}
+
 TEST(RecordingFiles, VelocitiesThatOneFileHasAreUnknownInTheOther) {
   const TemporaryFolder folder;
   const auto recording = recording_of(

@@ -1,7 +1,7 @@
 // How far apart two are, horizontally and in height, each below its own limit or not.
 import type { Head } from '../data/page';
 import { kFoot_m } from './heights';
-import { formatBelow, formatCount, formatDigits, formatExactly, formatMetres, formatTick, readsBelow } from './numbers';
+import { formatBelow, formatCount, formatDigits, formatExactly, formatMetres, formatTick, kSmall_m, readsBelow } from './numbers';
 
 export const kNauticalMile_m = 1852;
 
@@ -35,15 +35,20 @@ export interface AxisUnit {
   text: (value: number) => string;
 }
 
-export const kInMetres: AxisUnit = { metres: 1, text: (value) => formatTick(Number(value.toPrecision(12))) };
+const kInMetres: AxisUnit = { metres: 1, text: (value) => formatTick(Number(value.toPrecision(12))) };
 
 function inUnits(metres: number, name: string): AxisUnit {
   const number = (value: number): string => (Math.abs(value) >= 1000 ? formatCount(value) : String(Number(value.toPrecision(5))));
   return { metres, text: (value) => `${number(value)}\u202f${name}` };
 }
 
-export function axisUnits({ heights }: Head): { horizontal: AxisUnit; vertical: AxisUnit } {
-  if (!heights?.in_feet) return { horizontal: kInMetres, vertical: kInMetres };
+/** Metres, or millimetres where that is how far apart they must be. */
+export function lengthUnit(head: Head): AxisUnit {
+  return head.threshold_m < kSmall_m ? inUnits(0.001, 'mm') : kInMetres;
+}
+
+export function axisUnits(head: Head): { horizontal: AxisUnit; vertical: AxisUnit } {
+  if (!head.heights?.in_feet) return { horizontal: lengthUnit(head), vertical: lengthUnit(head) };
   return { horizontal: inUnits(kNauticalMile_m, 'NM'), vertical: inUnits(kFoot_m, 'ft') };
 }
 

@@ -21,11 +21,19 @@ export function formatDigits(value: number, digits: number): string {
   return plain(value, Math.min(6, Math.max(0, digits - 1 - exponent)));
 }
 
-/** A distance: 0.0912 m, 12.34 m, 1,234 m, 12.34 km. */
+/** Below this, millimetres are read more easily. */
+export const kSmall_m = 0.1;
+
+function inMillimetres(metres: number): boolean {
+  return metres !== 0 && Math.abs(metres) < kSmall_m;
+}
+
+/** A distance: 9.12 mm, 12.34 m, 1,234 m, 12.34 km. */
 export function formatMetres(metres: number, digits = 4): string {
   if (!Number.isFinite(metres)) return '–';
   if (metres !== 0 && Math.abs(metres) < 5e-7) return `<${kThin}1${kThin}µm`;
   if (Math.abs(metres) >= 20000) return `${formatDigits(metres / 1000, digits)}${kThin}km`;
+  if (inMillimetres(metres)) return `${formatDigits(metres * 1000, digits)}${kThin}mm`;
   return `${formatDigits(metres, digits)}${kThin}m`;
 }
 
@@ -43,7 +51,7 @@ export function readsBelow(value: number, limit: number, least: number, format: 
 export function formatBelow(metres: number, limit_m: number, digits = 4): string {
   if (!(metres < limit_m)) return formatMetres(metres, digits);
   const read = (text: string): number =>
-    parseFloat(text.replace(/,/g, '')) * (text.endsWith('km') ? 1000 : 1);
+    parseFloat(text.replace(/,/g, '')) * (text.endsWith('km') ? 1000 : text.endsWith('mm') ? 0.001 : 1);
   for (let more = digits; more < 16; ++more) {
     const text = formatMetres(metres, more);
     if (text.startsWith('<') || read(text) < limit_m) return text;
@@ -51,11 +59,13 @@ export function formatBelow(metres: number, limit_m: number, digits = 4): string
   return `<${kThin}${formatExactly(limit_m)}`;
 }
 
-/** A setting as it was given: 5 m, 0.125 m. */
+/** A setting as it was given: 5 m, 0.125 m, 3 mm. */
 export function formatExactly(metres: number): string {
-  const [whole, ...fraction] = String(Math.abs(metres)).split('.');
+  const small = inMillimetres(metres);
+  const value = small ? Number((metres * 1000).toPrecision(15)) : metres;
+  const [whole, ...fraction] = String(Math.abs(value)).split('.');
   const text = [/^\d+$/.test(whole) ? formatCount(Number(whole)) : whole, ...fraction].join('.');
-  return `${metres < 0 ? kMinus : ''}${text}${kThin}m`;
+  return `${metres < 0 ? kMinus : ''}${text}${kThin}${small ? 'mm' : 'm'}`;
 }
 
 /** The same, for a scale: 500 m, 20 km. */

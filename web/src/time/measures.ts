@@ -1,7 +1,7 @@
 // What the time line shows of how far apart bees are: a distance, or with a vertical threshold two.
 import type { Recording } from '../data/recording';
 import type { Shown } from '../panels/shown';
-import { axisUnits, formatHorizontal, formatVertical, kInMetres, type AxisUnit } from '../text/apart';
+import { axisUnits, formatHorizontal, formatVertical, lengthUnit, type AxisUnit } from '../text/apart';
 import { formatBelow } from '../text/numbers';
 
 export type Recorded = Shown & { swarm: Recording };
@@ -20,7 +20,7 @@ export function measuresOf(recorded: Recorded[]): Measure[] {
   const limit = (of: 'threshold_m' | 'vertical_m'): number => Math.max(...recorded.map(({ swarm }) => swarm.head[of] ?? 0));
   if (!recorded.every(({ swarm }) => swarm.separation.apart)) {
     const text = (metres: number, { head }: Recording): string => formatBelow(metres, head.threshold_m, 3);
-    return [{ name: 'closest two', limit_m: limit('threshold_m'), unit: kInMetres, of: ({ separation }) => separation.distance_m, text }];
+    return [{ name: 'closest two', limit_m: limit('threshold_m'), unit: lengthUnit(recorded[0].swarm.head), of: ({ separation }) => separation.distance_m, text }];
   }
   const none = new Float64Array(0);
   const { horizontal, vertical } = axisUnits(recorded[0].swarm.head);

@@ -1,7 +1,7 @@
 // How far apart a pair is around its conflict: in a straight line, or horizontally and in height, each with its limit.
 import type { ApartNow } from '../data/pair_ways';
 import type { Recording } from '../data/recording';
-import { axisUnits, kInMetres, type AxisUnit } from '../text/apart';
+import { axisUnits, lengthUnit, type AxisUnit } from '../text/apart';
 import { drawing } from '../text/element';
 import { niceBelow, niceTicks } from '../text/nice_steps';
 import { formatStep } from '../text/numbers';
@@ -26,7 +26,7 @@ interface Row {
 }
 
 function rowsOf({ head }: Recording): Row[] {
-  if (head.vertical_m === undefined) return [{ name: 'Apart', limit_m: head.threshold_m, unit: kInMetres, of: ({ distance_m }) => distance_m }];
+  if (head.vertical_m === undefined) return [{ name: 'Apart', limit_m: head.threshold_m, unit: lengthUnit(head), of: ({ distance_m }) => distance_m }];
   const { horizontal, vertical } = axisUnits(head);
   return [
     { name: 'Horizontally', limit_m: head.threshold_m, unit: horizontal, of: ({ horizontal_m }) => horizontal_m },

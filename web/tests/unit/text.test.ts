@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Head } from '../../src/data/page';
-import { formatHorizontal, formatVertical, limitsOf } from '../../src/text/apart';
+import { axisUnits, formatHorizontal, formatVertical, lengthUnit, limitsOf } from '../../src/text/apart';
 import { niceBelow, niceTicks } from '../../src/text/nice_steps';
 import { isolate, shorten } from '../../src/text/names';
 import * as numbers from '../../src/text/numbers';
@@ -14,7 +14,7 @@ test('counts have their thousands apart', () => {
 
 test('distances keep four digits that matter', () => {
   const shown = [0, 0.0912345, 2.2254, 12.3456, 1234.56, 19999.9, 25000, 123456.7].map((m) => plain(numbers.formatMetres(m)));
-  assert.deepEqual(shown, ['0 m', '0.09123 m', '2.225 m', '12.35 m', '1,235 m', '20,000 m', '25.00 km', '123.5 km']);
+  assert.deepEqual(shown, ['0 m', '91.23 mm', '2.225 m', '12.35 m', '1,235 m', '20,000 m', '25.00 km', '123.5 km']);
   assert.equal(numbers.formatMetres(NaN), '–');
   assert.equal(plain(numbers.formatMetres(3e-9)), '< 1 µm');
 });
@@ -24,6 +24,7 @@ test('what is below a limit reads as below it', () => {
   assert.deepEqual(shown, ['99.20 m', '99.9996 m', '< 100 m', '100.0 m', '120.0 m']);
   assert.equal(plain(numbers.formatBelow(24999.7, 25000)), '24.9997 km');
   assert.equal(plain(numbers.formatBelow(1e-9, 5)), '< 1 µm');
+  assert.equal(plain(numbers.formatBelow(0.0029999, 0.003)), '2.9999 mm');
 });
 
 test('separations are below their limits in every unit', () => {
@@ -38,8 +39,15 @@ test('separations are below their limits in every unit', () => {
   assert.deepEqual(Object.values(limitsOf({ threshold_m: 9260, vertical_m: 304.8 } as Head)).map(plain), ['9,260 m', '304.8 m']);
 });
 
+test('axes of the small are in millimetres', () => {
+  const head = { threshold_m: 0.003 } as Head;
+  assert.equal(plain(lengthUnit(head).text(12.5)), '12.5 mm');
+  assert.equal(axisUnits(head).vertical.metres, 0.001);
+  assert.equal(plain(lengthUnit({ threshold_m: 5 } as Head).text(12.5)), '12.5 m');
+});
+
 test('settings are written as they were given', () => {
-  assert.deepEqual([5, 0.125, 1500, -2.5, 1e21].map((m) => plain(numbers.formatExactly(m))), ['5 m', '0.125 m', '1,500 m', '-2.5 m', '1e+21 m']);
+  assert.deepEqual([5, 0.125, 1500, -2.5, 1e21, 0.003, 0.0254, -0.0003].map((m) => plain(numbers.formatExactly(m))), ['5 m', '0.125 m', '1,500 m', '-2.5 m', '1e+21 m', '3 mm', '25.4 mm', '-0.3 mm']);
 });
 
 test('errors are never rounded down', () => {

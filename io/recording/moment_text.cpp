@@ -1,4 +1,4 @@
-#include "analysis/text/moment_text.hpp"
+#include "io/recording/moment_text.hpp"
 
 #include "io/bytes/number_text.hpp"
 
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstdio>
 
-namespace beespace::analysis {
+namespace beespace::io {
 namespace {
 
 constexpr double kFarthest_s = 1e11;
@@ -31,34 +31,33 @@ std::string date_and_time(double local_s, char between) {
 }
 
 // Of a clock that shows UTC, or the time of a zone, at an instant.
-std::string instant_text(double since_1970_s, const io::TimeZone& zone) {
+std::string instant_text(double since_1970_s, const TimeZone& zone) {
   const double rounded_s = std::round(since_1970_s * 1e3) / 1e3;
   const std::int64_t offset_s = zone.offset_at(static_cast<std::int64_t>(std::floor(rounded_s)));
-  return date_and_time(since_1970_s + static_cast<double>(offset_s), 'T') +
-         io::offset_text(offset_s);
+  return date_and_time(since_1970_s + static_cast<double>(offset_s), 'T') + offset_text(offset_s);
 }
 
 }  // namespace
 
 std::string utc_text(double since_1970_s) {
-  return std::abs(since_1970_s) < kFarthest_s ? instant_text(since_1970_s, io::TimeZone::utc())
+  return std::abs(since_1970_s) < kFarthest_s ? instant_text(since_1970_s, TimeZone::utc())
                                               : std::string();
 }
 
 std::string Calendar::text(double time_s) const {
   if (!(std::abs(time_s) < kFarthest_s)) return {};
-  if (since_1970) return instant_text(time_s, zone ? *zone : io::TimeZone::utc());
+  if (since_1970) return instant_text(time_s, zone ? *zone : TimeZone::utc());
   if (!clock) return {};
   constexpr std::size_t kBeforeTime = 11;  // "1970-01-01 "
   std::string text = date_and_time(time_s + static_cast<double>(clock->zero_s), ' ');
   return clock->dated ? text : text.substr(kBeforeTime);
 }
 
-Calendar calendar_of(const io::Recording& recording) {
+Calendar calendar_of(const Recording& recording) {
   return {recording.since_1970, recording.time_zone, recording.clock};
 }
 
-std::string clock_text(const io::Recording& recording) {
+std::string clock_text(const Recording& recording) {
   if (recording.since_1970) return "seconds since 1970-01-01T00:00:00Z";
   if (!recording.clock) return "seconds";
   if (!recording.clock->dated) return "seconds since midnight, of a day that is not known";
@@ -67,9 +66,9 @@ std::string clock_text(const io::Recording& recording) {
          " of a clock whose time zone is not known";
 }
 
-std::string moment_text(double time_s, const io::Recording& recording) {
+std::string moment_text(double time_s, const Recording& recording) {
   const std::string date = calendar_of(recording).text(time_s);
-  return date.empty() ? io::grouped(time_s, 2) + " s" : date;
+  return date.empty() ? grouped(time_s, 2) + " s" : date;
 }
 
-}  // namespace beespace::analysis
+}  // namespace beespace::io

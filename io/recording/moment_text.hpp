@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace beespace::analysis {
+namespace beespace::io {
 
 // "2024-05-01T12:00:00.250Z"; nothing for what is not within a few thousand years of 1970.
 std::string utc_text(double since_1970_s);
@@ -14,8 +14,8 @@ std::string utc_text(double since_1970_s);
 // How times of a recording are told to people where they are more than seconds.
 struct Calendar {
   bool since_1970 = false;
-  std::optional<io::TimeZone> zone = {};    // of those since 1970; none: UTC
-  std::optional<io::WallClock> clock = {};  // or they count from a midnight of a clock
+  std::optional<TimeZone> zone = {};    // of those since 1970; none: UTC
+  std::optional<WallClock> clock = {};  // or they count from a midnight of a clock
 
   // Whether they are told as dates, or times of day.
   [[nodiscard]] bool tells() const { return since_1970 || clock; }
@@ -24,12 +24,12 @@ struct Calendar {
   [[nodiscard]] std::string text(double time_s) const;
 };
 
-Calendar calendar_of(const io::Recording& recording);
+Calendar calendar_of(const Recording& recording);
 
 // "seconds since 1970-01-01T00:00:00Z", "seconds", ...: what the numbers are.
-std::string clock_text(const io::Recording& recording);
+std::string clock_text(const Recording& recording);
 
 // "12.5 s", or the date and time where seconds count from 1970 or a midnight.
-std::string moment_text(double time_s, const io::Recording& recording);
+std::string moment_text(double time_s, const Recording& recording);
 
-}  // namespace beespace::analysis
+}  // namespace beespace::io

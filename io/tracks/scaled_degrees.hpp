@@ -1,0 +1,26 @@
+// Longitude and latitude as whole numbers of 1e-7 degrees: so MAVLink and PX4 have them;
+// they look like metres.
+#pragma once
+
+#include "io/table/column_choice.hpp"
+#include "io/table/table_layout.hpp"
+
+#include <beespace/result.hpp>
+
+#include <optional>
+#include <string_view>
+
+namespace beespace::io {
+
+inline constexpr double kScaledPerDegree = 1e7;
+
+// Whether the first records can have nothing else in the columns of the position: whole numbers,
+// some of them beyond all degrees.
+bool are_scaled_degrees(std::string_view text, const TableLayout& table,
+                        const ColumnChoice& position);
+
+// That such columns, by their names too, are to be taken for metres.
+std::optional<Error> scaled_degrees_as_metres(std::string_view text, const Header& header,
+                                              const ColumnChoice& position);
+
+}  // namespace beespace::io
