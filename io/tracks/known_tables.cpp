@@ -282,8 +282,13 @@ Result<TrackLayout> layout_of_poses(TableLayout table, std::string_view text,
   layout->own_origin = own_origin;
   if (!asked) layout->frame_reason = "trajectories as of TUM are in metres";
   TimeChoice& time = *layout->time;
+  const std::string told = time_note(layout->table, time, true);
   time.by_size = !unit_is_said && time.since_1970;
   time.since_start = !unit_is_said && !time.since_1970;
+  if (!unit_is_said) {
+    std::replace(layout->notes.begin(), layout->notes.end(), told,
+                 time_note(layout->table, time, false));
+  }
   layout->notes.emplace_back("this is taken for a trajectory as of TUM: time [" +
                              std::string(symbol_of(time.unit)) + "], x, y, z [m] and a quaternion");
   return layout;

@@ -31,22 +31,30 @@ std::optional<std::size_t> column_called(std::string_view name,
 
 }  // namespace
 
-void settle_local_origin(const RecordingOptions& options, TrackLayout& layout) {
+std::optional<LocalOrigin> local_origin_of(const TrackLayout& layout) {
   const std::vector<std::string>& names = layout.table.names;
-  ColumnChoice& choice = layout.table.choice;
-  if (options.frame != Frame::kAuto || choice.dimensions != 3) return;
+  const ColumnChoice& choice = layout.table.choice;
   constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (column_called(kAxes[axis], names) != choice.axes[axis]) return;
+  if (choice.dimensions != kAxes.size()) return std::nullopt;
+  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+    if (column_called(kAxes[axis], names) != choice.axes[axis]) return std::nullopt;
   }
   const auto latitude = column_called("ref_lat", names);
   const auto longitude = column_called("ref_lon", names);
   const auto height = column_called("ref_alt", names);
-  if (!latitude || !longitude || !height) return;
+  if (!latitude || !longitude || !height) return std::nullopt;
   LocalOrigin origin{*latitude, *longitude, *height};
   for (const std::string_view name : {"xy_global", "z_global", "xy_valid", "z_valid"}) {
     if (const auto column = column_called(name, names)) origin.known.push_back(*column);
   }
+  return origin;
+}
+
+void settle_local_origin(const RecordingOptions& options, TrackLayout& layout) {
+  if (options.frame != Frame::kAuto) return;
+  auto origin = local_origin_of(layout);
+  if (!origin) return;
+  ColumnChoice& choice = layout.table.choice;
   layout.local_origin = std::move(origin);
   layout.frame = Frame::kWgs84;
   layout.frame_reason = "x, y, z are counted from ref_lat, ref_lon, ref_alt";

@@ -6,9 +6,13 @@
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_record.hpp"
 
+#include <optional>
 #include <string_view>
 
 namespace beespace::io {
+
+// Where it is told; nothing where the table is of another kind.
+std::optional<LocalOrigin> local_origin_of(const TrackLayout& layout);
 
 // Sets `layout.local_origin`, and what follows from it, where the table is one and the caller does
 // not say that all count from one place.

@@ -204,6 +204,7 @@ TEST(Trajectories, ThatEachBeginAtZeroAreAskedAbout) {
   EXPECT_TRUE(several({own, own}, in_frame(Frame::kMetres)));
   const Recording recording = recording_of(several({own, placed}));
   EXPECT_EQ(recording.frame_reason, "trajectories as of TUM are in metres");
+  EXPECT_TRUE(has_note(recording, "in seconds, since 1970, as their size tells"));
 }
 
 // ---- Names of files -----------------------------------------------------------------------------
