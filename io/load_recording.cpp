@@ -137,6 +137,9 @@ std::optional<Error> read_archive(Bytes bytes, const std::string& source,
   const bool are_tables = is_table_name(tables->front());
   count_left_out(std::move(others), are_tables ? "the tables are" : "the logs are", assembly);
   if (tables->size() > 1) assembly.expect_several();
+  std::vector<std::string> places;
+  for (const std::string& table : *tables) places.push_back(archive->place_of(table));
+  assembly.expect_sources(places);
   for (const std::string& table : *tables) {
     const std::string place = archive->place_of(table);
     assembly.begin_source(place);
@@ -277,6 +280,13 @@ Result<Recording> load_recording(const std::vector<std::string>& paths,
   }
   RecordingAssembly assembly(options);
   if (paths.size() > 1) assembly.expect_several();
+  std::vector<std::string> sources;
+  for (const std::string& path : paths) {
+    const auto inside = is_folder(path) ? recordings_in(path) : std::vector<std::string>{path};
+    if (!inside) return inside.error();
+    for (const std::string& file : *inside) sources.push_back(source_name(file));
+  }
+  assembly.expect_sources(sources);
   for (const std::string& path : paths) {
     if (auto error = read_path(path, assembly)) return *std::move(error);
   }

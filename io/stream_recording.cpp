@@ -102,6 +102,9 @@ Result<RecordingStream> RecordingStream::open(const std::vector<std::string>& pa
     }
   }
   if (several) stream.assembly_->expect_several();
+  std::vector<std::string> sources;
+  for (const std::string& file : stream.files_) sources.push_back(source_name(file));
+  stream.assembly_->expect_sources(sources);
   count_left_out(paths, *stream.assembly_);
   return stream;
 }

@@ -153,7 +153,9 @@ struct RecordingFacts {
   std::vector<DeclaredLimit> declared = {};  // of `limits`, where a drone flies at all
   std::vector<LimitExcess> excesses = {};    // the greatest first, of each limit
   std::uint64_t excess_count = 0;            // of all
-  std::optional<FleetFacts> fleet = {};      // what its planner said of it, where that is known
+  std::vector<std::string> not_looked_at =
+      {};                                // names of limits that the show declares beside them
+  std::optional<FleetFacts> fleet = {};  // what its planner said of it, where that is known
 };
 
 }  // namespace beespace::report

@@ -283,7 +283,9 @@ void write_limits(io::JsonWriter& json, const RecordingFacts& facts, double begi
     json.member("ends_s", excess.span.ends_s - begins_s);
     json.member("value", excess.greatest).member("time_s", excess.time_s - begins_s).end();
   }
-  json.end().end();
+  json.end();
+  if (!facts.not_looked_at.empty()) json.member("not_looked_at", facts.not_looked_at);
+  json.end();
 }
 
 // What a drone show says of itself.
@@ -297,7 +299,7 @@ void write_show(io::JsonWriter& json, const RecordingFacts& facts, double begins
     if (limits.height_m) json.member("height_m", *limits.height_m);
     json.end();
   }
-  if (!facts.declared.empty()) write_limits(json, facts, begins_s);
+  if (!facts.declared.empty() || !facts.not_looked_at.empty()) write_limits(json, facts, begins_s);
   if (facts.cues.empty()) return;
   json.begin_array("cues");
   for (const io::ShowCue& cue : facts.cues) {

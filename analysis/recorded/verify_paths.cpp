@@ -37,6 +37,10 @@ class PathVerification {
     std::stable_sort(
         verdict_.breaches.begin(), verdict_.breaches.end(),
         [](const PathBreach& a, const PathBreach& b) { return a.excess.limit < b.excess.limit; });
+    const auto& acceleration = verdict_.peaks[static_cast<std::size_t>(PathLimit::kAcceleration)];
+    if (recording_.show && acceleration) {
+      verdict_.undecided = undecided_limits(*recording_.show, acceleration->peak.value);
+    }
     return std::move(verdict_);
   }
 
@@ -169,6 +173,14 @@ std::optional<double> declared_limit(const io::ShowFacts& show, PathLimit limit)
       break;
   }
   return std::nullopt;
+}
+
+std::vector<std::string> undecided_limits(const io::ShowFacts& show, double greatest_mps2) {
+  std::vector<std::string> names;
+  for (const auto& [name, most_mps2] : show.limits.accelerations_mps2) {
+    if (greatest_mps2 > most_mps2) names.push_back(name);
+  }
+  return names;
 }
 
 bool compares(const io::Recording& recording, const PathVerdict& verdict) {

@@ -13,6 +13,7 @@
 #include <functional>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace beespace::analysis {
@@ -40,10 +41,12 @@ struct PathVerdict {
   std::array<std::optional<BeePeak>, kPathLimits> peaks;  // of all bees
   std::optional<Conflict> closest;  // of all; nothing where no two are there at the same time
   std::vector<Gap> gaps;
+  std::vector<std::string> undecided;  // see undecided_limits()
 
-  [[nodiscard]] bool holds() const {
+  [[nodiscard]] bool found_nothing() const {
     return losses.empty() && clearance_losses.empty() && breaches.empty();
   }
+  [[nodiscard]] bool holds() const { return found_nothing() && undecided.empty(); }
 };
 
 // Whether, of several, some two are there at the same time; drones of a show may fly one after the
@@ -63,6 +66,10 @@ struct PathQuestion {
 
 // What a show declares; nothing where it does not say.
 std::optional<double> declared_limit(const io::ShowFacts& show, PathLimit limit);
+
+// The limits of accelerations in one direction that a show declares and that the greatest one in
+// any direction exceeds, by their names: whether they are kept is not known. The others are kept.
+std::vector<std::string> undecided_limits(const io::ShowFacts& show, double greatest_mps2);
 
 // `progress` hears which share of the bees was looked at. Errors: those of the library, with the
 // bee's id.

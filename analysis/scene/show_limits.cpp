@@ -84,15 +84,22 @@ Status take_show_limits(const io::Recording& recording, report::RecordingFacts& 
     facts.declared.push_back(
         {named.name, *declared, std::numeric_limits<double>::quiet_NaN(), 0, 0.0});
   }
-  if (limits.empty()) return std::monostate{};
+  const io::ShowLimits& all = recording.show->limits;
+  facts.not_looked_at = all.not_looked_at;
+  if (limits.empty() && all.accelerations_mps2.empty()) return std::monostate{};
+  double greatest_mps2 = 0.0;
   const std::vector<Flight> flights = flights_of(recording, false, kNoGaps);
   for (std::size_t bee = 0; bee < flights.size(); ++bee) {
     for (const BezierPath& path : flights[bee]) {
       const auto checked = check_path(path, most);
       if (!checked) return of_bee(checked.error(), recording.bees[bee]);
+      const auto acceleration = static_cast<std::size_t>(PathLimit::kAcceleration);
+      greatest_mps2 = std::max(greatest_mps2, checked->peaks[acceleration].value);
       take(*checked, static_cast<PointId>(bee), limits, facts);
     }
   }
+  const auto undecided = undecided_limits(*recording.show, greatest_mps2);
+  facts.not_looked_at.insert(facts.not_looked_at.begin(), undecided.begin(), undecided.end());
   std::erase_if(facts.declared, [](const auto& limit) { return std::isnan(limit.greatest); });
   // Down is no climb, and up no descent.
   for (auto& limit : facts.declared) {

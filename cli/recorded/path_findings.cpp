@@ -93,10 +93,28 @@ void append_losses(std::string& out, const PathFindings& findings) {
   }
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + printable(name);
+  return text;
+}
+
 std::string verdict_text(const PathFindings& findings) {
   const analysis::PathVerdict& verdict = findings.verdict;
+  if (verdict.found_nothing() && !verdict.undecided.empty()) {
+    return red("not looked at as a whole") + ": nothing else was found, but whether " +
+           listed(verdict.undecided) + (verdict.undecided.size() == 1 ? " is kept" : " are kept") +
+           " is not known: accelerations are looked at in all directions together" +
+           (findings.coverage.may_hide_conflicts()
+                ? "; " + analysis::unknown_text(findings.coverage)
+                : "");
+  }
   if (findings.holds() && !findings.coverage.complete()) {
     return bold("holds in the known time") + "; " + analysis::unknown_text(findings.coverage);
+  }
+  if (findings.holds() && !findings.not_looked_at().empty()) {
+    return bold("holds") + " in what was looked at, which " + listed(findings.not_looked_at()) +
+           (findings.not_looked_at().size() == 1 ? " is" : " are") + " not";
   }
   if (findings.holds()) return bold("holds");
   if (verdict.holds() && !findings.compares()) {
@@ -135,6 +153,15 @@ TimeSpan time_of_all(const io::Recording& recording) {
 }
 
 }  // namespace
+
+std::vector<std::string> PathFindings::not_looked_at() const {
+  std::vector<std::string> names = verdict.undecided;
+  if (recording.show) {
+    const auto& others = recording.show->limits.not_looked_at;
+    names.insert(names.end(), others.begin(), others.end());
+  }
+  return names;
+}
 
 Rows finding_rows(const PathFindings& findings) {
   const io::Recording& recording = findings.recording;
@@ -185,6 +212,9 @@ void write_verdict(io::JsonWriter& json, const PathFindings& findings,
     json.member("declared", findings.limits.declared[which]).end();
   }
   json.end();
+  if (const auto names = findings.not_looked_at(); !names.empty()) {
+    json.member("limits_not_looked_at", names);
+  }
   json.begin_object("greatest", io::JsonLayout::kLines);
   for (const PathLimitWords& words : kPathLimitWords) {
     const auto& peak = verdict.peaks[static_cast<std::size_t>(words.limit)];
@@ -235,6 +265,9 @@ std::string verify_summary(const PathFindings& findings, const MovingRequest& re
             ", clearance " + io::exact(findings.question.clearance_m) + " m");
   }
   append_summary_line(out, "limits", limits_text(findings.limits));
+  if (const auto names = findings.not_looked_at(); !names.empty()) {
+    append_summary_line(out, "", red("declared, but not looked at") + ": " + listed(names));
+  }
   append_summary_line(out, "closest",
                       verdict.closest ? encounter_text(*verdict.closest, recording, {})
                                       : std::string("no two are there at the same time"));

@@ -141,7 +141,7 @@ class JsonLines final : public LineReader {
     }
     auto layout = choose_track_layout(std::move(table), record, options_);
     if (!layout) return of_keys(std::move(layout).error());
-    if (auto problem = live_problem(*layout)) return problem;
+    if (auto problem = live_problem(*layout, options_.frame)) return problem;
     if (chosen_ && !goes_on(*layout)) return std::nullopt;
     layout_ = std::move(layout).value();
     chosen_ = true;

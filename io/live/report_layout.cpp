@@ -2,6 +2,7 @@
 
 #include "io/frames/to_metres.hpp"
 #include "io/problems/skipped_records.hpp"
+#include "io/tracks/local_positions.hpp"
 
 #include <array>
 #include <charconv>
@@ -9,7 +10,22 @@
 
 namespace beespace::io {
 
-std::optional<Error> live_problem(const TrackLayout& layout) {
+std::optional<Error> live_problem(const TrackLayout& layout, Frame asked) {
+  if (asked == Frame::kAuto && layout.frame == Frame::kWgs84 &&
+      layout.table.choice.datum == HeightDatum::kHome) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "heights are counted from where each one took off, or from the ground below it: "
+                 "those of several cannot be compared; take heights above sea level, or, if all "
+                 "took off at one height, say so with --crs wgs84",
+                 {}};
+  }
+  if (asked == Frame::kAuto && local_origin_of(layout)) {
+    return Error{ErrorCode::kUnknownFrame,
+                 "x, y, z are counted from ref_lat, ref_lon, ref_alt, which each drone has of its "
+                 "own; give longitude, latitude and height, or say --crs metres if all have one "
+                 "origin",
+                 {}};
+  }
   if (!layout.table.choice.id) {
     return Error{ErrorCode::kMissingColumn,
                  "there is no id, by which the bees are told apart; name it id, or say which it is "

@@ -15,8 +15,10 @@
 
 namespace beespace::io {
 
-// Errors: kMissingColumn without id or time, kUnknownFrame where the names do not tell the frame.
-std::optional<Error> live_problem(const TrackLayout& layout);
+// `asked`: what the caller says of the frame. Errors: kMissingColumn without id or time,
+// kUnknownFrame where the names do not tell the frame, or each vehicle counts from an origin of its
+// own, kInvalidArgument where each counts heights from a ground of its own.
+std::optional<Error> live_problem(const TrackLayout& layout, Frame asked);
 
 // What a report of an aircraft says; its texts are those of `report`. Errors: those of choose().
 Result<std::optional<ReportLine>> report_line(const AircraftReport& report,

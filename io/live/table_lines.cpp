@@ -118,7 +118,7 @@ class TableLines final : public LineReader {
     text_ = headed ? header_ + "\n" + std::string(line) : std::string(line);
     auto layout = find_track_layout(text_, options_, false);
     if (layout) {
-      if (auto problem = live_problem(*layout)) {
+      if (auto problem = live_problem(*layout, options_.frame)) {
         problem->location.line = first_line_;
         return *std::move(problem);
       }

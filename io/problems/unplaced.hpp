@@ -16,9 +16,13 @@ inline constexpr LeftOutReason kUnknownHeight = {
     "without a height", "--columns with x and y, or lon and lat, only takes all as flat"};
 inline constexpr LeftOutReason kOutlier = {"with visible=false (outliers)", {}, true};
 inline constexpr LeftOutReason kNoFix = {"of receivers that say that they had no fix"};
+inline constexpr LeftOutReason kNoReference = {
+    "that do not know from where on the Earth they count (ref_lat, xy_global)",
+    "--crs metres takes all as counted from one place"};
 // Whether the bee was there, but it is not known where.
 inline bool has_no_place(const LeftOutReason& reason) {
-  return &reason == &kUnknownPlace || &reason == &kOutlier || &reason == &kNoFix;
+  return &reason == &kUnknownPlace || &reason == &kOutlier || &reason == &kNoFix ||
+         &reason == &kNoReference;
 }
 inline constexpr LeftOutReason kNoAnimal = {
     "whose id of an animal is empty (of tags that are on none)",

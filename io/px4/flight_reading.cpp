@@ -1,10 +1,10 @@
 #include "io/px4/flight_reading.hpp"
 
 #include "io/aircraft/aircraft_report.hpp"
+#include "io/frames/map_projection.hpp"
 #include "io/frames/track_domain.hpp"
 #include "io/problems/skipped_records.hpp"
 #include "io/px4/flight_log.hpp"
-#include "io/px4/map_projection.hpp"
 #include "io/recording/recording_sources.hpp"
 
 #include <algorithm>

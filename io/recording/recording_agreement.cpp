@@ -1,10 +1,12 @@
 // What inputs must agree on to be one recording: whether they are in degrees or metres, have a
 // time, what heights are above, axes, zones and units.
 #include "io/bytes/characters.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/recording/recording_assembly.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace beespace::io {
@@ -103,6 +105,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
                                                      ", but those of " + facts_source_ + " are " +
                                                      clock_words(*facts_) + "; read them apart");
   }
+  if (auto error = agree_on_origins(facts)) return error;
   if (facts_->frame == Frame::kAuto) {
     facts_->frame = facts.frame;
     facts_->frame_reason = facts.frame_reason;
@@ -115,6 +118,31 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   agree_on_units(facts);
   if (facts.description != facts_->description) facts_->description = "several formats";
   return std::nullopt;
+}
+
+// Of places, and of the clocks of robots.
+std::optional<Error> RecordingAssembly::agree_on_origins(const SourceFacts& facts) {
+  constexpr double kMostClocksDiffer_s = 0.5;
+  if (facts.own_origin && facts_->own_origin && options_.frame == Frame::kAuto) {
+    return Error{ErrorCode::kUnknownFrame,
+                 "this trajectory and another one before it, as in " + facts_source_ +
+                     ", both begin at 0, 0, 0 without a turn, as if each were counted from where "
+                     "its robot was switched on: if all have one origin and direction, say so with "
+                     "--crs metres; else bring all into one",
+                 {sources_.back()}};
+  }
+  facts_->own_origin = facts_->own_origin || facts.own_origin;
+  if (!facts_->stamps_ahead_s) facts_->stamps_ahead_s = facts.stamps_ahead_s;
+  if (!facts.stamps_ahead_s) return std::nullopt;
+  const double differ_s = *facts.stamps_ahead_s - *facts_->stamps_ahead_s;
+  if (std::abs(differ_s) <= kMostClocksDiffer_s) return std::nullopt;
+  return Error{ErrorCode::kInvalidArgument,
+               "against the times of recording, the stamps of the header here are " +
+                   grouped(std::abs(differ_s), 3) + " s " + (differ_s > 0.0 ? "later" : "earlier") +
+                   " than those of " + facts_source_ +
+                   ": the clocks of the robots differ; take the times of recording, which have one "
+                   "clock, with --columns time=N, where N is their column (1 of bagpy's tables)",
+               {sources_.back()}};
 }
 
 std::optional<Error> RecordingAssembly::agree_on_heights(HeightDatum heights) {

@@ -5,6 +5,7 @@
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/unplaced.hpp"
 #include "io/recording/moment_text.hpp"
+#include "io/recording/names_apart.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,13 +26,18 @@ void RecordingAssembly::note(std::string text) {
 std::string RecordingAssembly::name_of_source(std::string stem) {
   if (named_sources_ == sources_.size()) return source_stem_;
   named_sources_ = sources_.size();
-  source_stem_ = std::move(stem);
+  const auto apart = names_apart_.find(sources_.back());
+  source_stem_ = apart != names_apart_.end() ? apart->second : std::move(stem);
   if (stems_.insert(source_stem_).second) return source_stem_;
   source_stem_ = sources_.back();
   for (std::size_t number = 2; !stems_.insert(source_stem_).second; ++number) {
     source_stem_ = sources_.back() + "#" + std::to_string(number);
   }
   return source_stem_;
+}
+
+void RecordingAssembly::expect_sources(const std::vector<std::string>& sources) {
+  names_apart_.merge(names_apart(sources));
 }
 
 bool RecordingAssembly::goes_back(std::string_view id, double time_s) {

@@ -42,7 +42,9 @@ struct SourceFacts {
   bool has_time = true;
   bool since_1970 = false;
   std::optional<WallClock> clock = {};
-  bool since_start = false;           // times count since the one vehicle was switched on
+  bool own_origin = false;  // places may count from where the vehicle was switched on
+  std::optional<double> stamps_ahead_s = {};  // of ROS, of the times of recording
+  bool since_start = false;                   // times count since the one vehicle was switched on
   Unit named_time = Unit::kUnstated;  // that of the times, where nothing but the header says it
   bool supposed_metres = false;       // positions: nothing says so
   HeightDatum heights = HeightDatum::kUnstated;
@@ -78,6 +80,8 @@ class RecordingAssembly {
   // What to call the source in ids, the same for every call until the next source begins: `stem`,
   // or where another source has it already, all of the source's name, numbered if need be.
   std::string name_of_source(std::string stem);
+  // Of sources that are to be begun: those of one stem are called by what differs in their names.
+  void expect_sources(const std::vector<std::string>& sources);
 
   // What to call a bee whose id is unique within a study, or the like, only.
   std::string_view name_within_set(std::string_view id, std::string_view set) {
@@ -171,10 +175,12 @@ class RecordingAssembly {
   void settle_unplaced(RecordedBee& bee) const;
   [[nodiscard]] MissingRecords missing() const;
   [[nodiscard]] std::optional<Error> doubtful_heights() const;
+  [[nodiscard]] std::optional<Error> own_grounds() const;
   [[nodiscard]] std::optional<Error> doubtful_units() const;
   void note_counts();
   [[nodiscard]] Error nothing_left() const;
   std::optional<Error> agree_on_heights(HeightDatum heights);
+  [[nodiscard]] std::optional<Error> agree_on_origins(const SourceFacts& facts);
   void agree_on_units(const SourceFacts& facts);
 
   const RecordingOptions& options_;
@@ -197,7 +203,8 @@ class RecordingAssembly {
   std::vector<std::string> sources_;
   std::vector<bool> in_records_;           // by source
   std::unordered_set<std::string> stems_;  // those given away by name_of_source()
-  std::string source_stem_;                // the last of them
+  std::unordered_map<std::string, std::string> names_apart_;  // of sources that share a stem
+  std::string source_stem_;                                   // the last of them
   SetNames set_names_;
   AddressNames address_names_;
   std::unordered_map<std::string, double> times_of_day_s_;  // by bee: the last one

@@ -216,6 +216,19 @@ std::optional<Error> RecordingAssembly::doubtful_heights() const {
   return error;
 }
 
+// Heights of several cannot be compared that each count from where it took off.
+std::optional<Error> RecordingAssembly::own_grounds() const {
+  if (!facts_ || facts_->frame != Frame::kWgs84 || stated_heights_ != HeightDatum::kHome ||
+      options_.frame != Frame::kAuto || recording_.bees.size() < 2) {
+    return std::nullopt;
+  }
+  return Error{ErrorCode::kInvalidArgument,
+               "heights are counted from where each one took off, or from the ground below it: "
+               "those of several cannot be compared; take heights above sea level, or, if all took "
+               "off at one height, say so with --crs wgs84",
+               {stated_by_}};
+}
+
 Result<Recording> RecordingAssembly::finish() {
   settle_heard();
   claims_.finish([this](const auto&... of) { settle_claim(of...); });
@@ -244,6 +257,7 @@ Result<Recording> RecordingAssembly::finish() {
   if (!frame_is_settled_) find_doubtful_tracks();
   recording_.missing = missing();
   recording_.bees = tracks_.release();
+  if (auto error = own_grounds()) return *std::move(error);
   for (RecordedBee& bee : recording_.bees) {
     settle_ground(bee);
     settle_unplaced(bee);

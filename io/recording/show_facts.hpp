@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace beespace::io {
@@ -13,6 +14,9 @@ struct ShowLimits {
   std::optional<double> climb_mps;       // and upwards
   std::optional<double> descent_mps;     // and downwards
   std::optional<double> height_m;        // above z = 0
+  // Of one direction each, under their names: "maxAccelerationXY".
+  std::vector<std::pair<std::string, double>> accelerations_mps2 = {};
+  std::vector<std::string> not_looked_at = {};  // names of others: "minNavAltitude"
 
   [[nodiscard]] bool any() const { return horizontal_mps || climb_mps || descent_mps || height_m; }
 };

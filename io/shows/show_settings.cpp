@@ -2,6 +2,8 @@
 
 #include "io/problems/excerpt.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
@@ -46,6 +48,31 @@ Result<std::optional<double>> limit(ShowDocuments& documents, std::string_view k
       if_not_above, path + " is not above zero; correct it, or remove it from the show", {place}};
 }
 
+// Accelerations, and what is no limit that is known here: its name is kept, so that it can be said.
+std::optional<Error> read_other_limits(ShowDocuments& documents, ShowLimits& limits) {
+  constexpr std::array<std::string_view, 5> kElsewhere = {
+      "maxVelocityXY", "maxVelocityZ", "maxVelocityZUp", "maxAltitude", "minDistance"};
+  const auto found = at(documents, {"settings", "validation"});
+  if (!found) return found.error();
+  JsonMap members;
+  if (!*found || !(*found)->element.get(members)) return std::nullopt;
+  for (const auto& [key, value] : members) {
+    const bool limits_something = key.starts_with("max") || key.starts_with("min");
+    if (!limits_something || value.is_null() ||
+        std::find(kElsewhere.begin(), kElsewhere.end(), key) != kElsewhere.end()) {
+      continue;
+    }
+    if (!key.starts_with("maxAcceleration")) {
+      limits.not_looked_at.emplace_back(key);
+      continue;
+    }
+    const auto most = limit(documents, key, ErrorCode::kMalformedRecord);
+    if (!most) return most.error();
+    if (*most) limits.accelerations_mps2.emplace_back(key, **most);
+  }
+  return std::nullopt;
+}
+
 std::optional<Error> read_limits(ShowDocuments& documents, ShowLimits& limits) {
   const struct {
     std::string_view key;
@@ -60,7 +87,7 @@ std::optional<Error> read_limits(ShowDocuments& documents, ShowLimits& limits) {
     taken = *value;
   }
   if (!limits.climb_mps) limits.climb_mps = limits.descent_mps;
-  return std::nullopt;
+  return read_other_limits(documents, limits);
 }
 
 // Names of moments; what is no such is passed over: nothing but a picture depends on them.

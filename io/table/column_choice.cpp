@@ -103,6 +103,17 @@ Result<std::optional<std::size_t>> find_third(const Header& header, bool geograp
   const auto doubtful = [&](std::size_t column) {
     const std::string third(header.schema().name_of(axes[2]));
     const std::string name = excerpt(table.names[column]);
+    if (counts_from_takeoff(table.names[column])) {
+      return missing_column(
+          "column " + name +
+          " counts from where each one took off, or from the ground, so that heights of several "
+          "cannot be compared; take heights above sea level, or, if all took off at one height, "
+          "say " +
+          columns_text(header, {{axes[0], header.columns(axes[0]).front()},
+                                {axes[1], header.columns(axes[1]).front()},
+                                {axes[2], column}}) +
+          (geographic ? " --crs wgs84" : " --crs metres") + " (" + list_columns(table) + ")");
+    }
     if (resembles(header.schema(), table.names[column], axes[2]) ||
         header.meaning(column).role != Role::kNone) {
       return missing_column("column " + name + " may or may not be the " + third + "; " +
@@ -285,6 +296,10 @@ ColumnMeaning Header::meaning_of(std::size_t column) const {
   if (source_ == nullptr) return meaning;
   const KnownColumn* const known = source_->find(table_.names[column]);
   if (known != nullptr) meaning.datum = known->datum;
+  // "altitudeAMSL"
+  if (known != nullptr && known->role == Role::kHeight && meaning.role == Role::kNone) {
+    meaning.role = Role::kHeight;
+  }
   if (known != nullptr && known->role != Role::kHeight && schema_.reads(known->role)) {
     meaning.role = known->role;
     // Of OpenSky; animals are filmed from a zero of their own.

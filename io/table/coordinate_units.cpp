@@ -2,6 +2,7 @@
 
 #include "io/problems/excerpt.hpp"
 #include "io/table/column_names.hpp"
+#include "io/table/position_columns.hpp"
 #include "io/table/table_sources.hpp"
 #include "io/table/unit_choice.hpp"
 
@@ -165,6 +166,7 @@ std::optional<Error> settle_units(const ColumnSchema& schema, const TableLayout&
     if (axis < 2) continue;
     choice.datum = word.datum;
     if (known != nullptr) choice.datum = known->datum;
+    if (named && counts_from_takeoff(table.names[column])) choice.datum = HeightDatum::kHome;
   }
   choice.units_taken = put_together(taken);
   return half_stated(table.names, units);

@@ -1,5 +1,11 @@
 #include "io/table/position_columns.hpp"
 
+#include "io/bytes/characters.hpp"
+#include "io/table/column_names.hpp"
+
+#include <string>
+#include <vector>
+
 namespace beespace::io {
 namespace {
 
@@ -156,7 +162,31 @@ ColumnSchema make_position_columns() {
   return schema;
 }
 
+bool names_height(std::string_view word) {
+  return is_one_of("alt* hei* elev* hgt agl hagl", word);
+}
+
 }  // namespace
+
+bool counts_from_takeoff(std::string_view name) {
+  constexpr std::string_view kFromThere = "rel relative agl hagl takeoff home launch";
+  const std::vector<std::string> words = split_words(name);
+  bool height = false;
+  bool from_there = false;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    const std::string pair = i == 0 ? "" : words[i - 1] + "-" + word;
+    const bool joined = is_one_of(
+        "relalt relaltitude relativealt relativealtitude relativeheight "
+        "altrel altrelative altitudeabovehome altitudeaboveterr "
+        "altituderelative altaboveground heightabovetakeoff",
+        word);
+    height = height || joined || names_height(word);
+    from_there = from_there || joined || is_one_of(kFromThere, word) ||
+                 is_one_of("take-off above-ground above-terrain", pair);
+  }
+  return height && from_there;
+}
 
 const ColumnSchema& position_columns() {
   static const ColumnSchema schema = make_position_columns();

@@ -7,4 +7,8 @@ namespace beespace::io {
 
 const ColumnSchema& position_columns();
 
+// Whether it is a height above where each one took off, or above the ground below it:
+// "relative_alt_m", "altitudeRelative", "alt_agl". Those of several are not comparable.
+bool counts_from_takeoff(std::string_view name);
+
 }  // namespace beespace::io

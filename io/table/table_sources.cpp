@@ -23,9 +23,11 @@ KnownColumn perhaps(std::string_view name, Role role, Unit unit = Unit::kUnstate
 // movebank-attribute-dictionary); packages of R write dots for its hyphens. Times are UTC.
 // TRex: https://trex.run/docs/formats.html; a file an individual. Of several places of a body that
 // of the weighted centroid is taken; where it was not seen they are infinite.
-// PX4: vehicle_global_position as ulog2csv of pyulog writes it. Its times are those of each drone.
-const std::array<TableSource, 8>& known_sources() {
-  static const std::array<TableSource, 8> sources = {
+// PX4: vehicle_global_position, and vehicle_local_position, as ulog2csv of pyulog writes them.
+// Their times are those of each drone. QGroundControl: the table beside each .tlog, in the units of
+// its settings.
+const std::array<TableSource, 10>& known_sources() {
+  static const std::array<TableSource, 10> sources = {
       TableSource{"traffic",
                   "velocity vertrate baroaltitude",
                   {{"icao24"},
@@ -66,6 +68,33 @@ const std::array<TableSource, 8>& known_sources() {
                    {"lon"},
                    {"alt", Role::kHeight, Unit::kMetre, HeightDatum::kMeanSeaLevel},
                    {"alt_ellipsoid", Role::kHeight, Unit::kMetre, HeightDatum::kEllipsoid}},
+                  false,
+                  false,
+                  false,
+                  false,
+                  true},
+      TableSource{"PX4 (ulog2csv)",
+                  "",
+                  {{"timestamp", Role::kTime, Unit::kMicrosecond},
+                   {"x"},
+                   {"y"},
+                   {"z"},
+                   {"ref_lat"},
+                   {"ref_lon"},
+                   {"ref_alt"}},
+                  false,
+                  false,
+                  false,
+                  false,
+                  true},
+      TableSource{"QGroundControl",
+                  "",
+                  {{"timestamp"},
+                   {"altituderelative"},
+                   {"altitudeamsl", Role::kHeight, Unit::kUnstated, HeightDatum::kMeanSeaLevel},
+                   {"gps_lat"},
+                   {"gps_lon"}},
+                  false,
                   false,
                   false,
                   false,
@@ -171,8 +200,8 @@ const KnownColumn* TableSource::find(std::string_view column) const {
   const std::string plain = plain_name(column);
   const auto found =
       std::find_if(columns.begin(), columns.end(), [&plain](const KnownColumn& known) {
-        const bool says_more =
-            known.unit != Unit::kUnstated || known.role == Role::kTrack || known.role == Role::kId;
+        const bool says_more = known.unit != Unit::kUnstated || known.role == Role::kTrack ||
+                               known.role == Role::kId || known.datum != HeightDatum::kUnstated;
         return says_more && known.name == plain;
       });
   return found == columns.end() ? nullptr : &*found;

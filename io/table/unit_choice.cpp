@@ -41,8 +41,9 @@ Error UnitChoice::unknown(UnitRole role, std::size_t column) const {
       ErrorCode::kInvalidArgument,
       "column " + std::to_string(column + 1) + (name.empty() ? "" : " " + excerpt(name)) +
           " holds the " + word + ", but in which unit? " +
-          (aviation_.empty() ? overrides_.spoken_of + " speaks of aviation"
-                             : "The header speaks of aviation (" + aviation_ + ")") +
+          (of_settings()       ? std::string(source_->name) + " writes it as its settings say"
+           : aviation_.empty() ? overrides_.spoken_of + " speaks of aviation"
+                               : "The header speaks of aviation (" + aviation_ + ")") +
           ", where it may be " + unit + " or " + metric + "; say it " +
           (name.empty() ? ""
                         : "in the header, as in " + excerpt(name + " [" + unit + "]") + " or " +
@@ -87,7 +88,7 @@ Result<UnitTaken> UnitChoice::choose(UnitRole role, const std::string& of, std::
   if (convention == UnitConvention::kAviation && role != UnitRole::kPosition) {
     return UnitTaken{of, usual(role), UnitEvidence::kAsked, "asked for with --units aviation"};
   }
-  if (!aviation_.empty() && !name.empty()) {
+  if ((!aviation_.empty() || of_settings()) && !name.empty()) {
     return unknown(role, column);
   }
   if (!overrides_.spoken_of.empty() && role == UnitRole::kHeight) return unknown(role, column);

@@ -31,6 +31,9 @@ class UnitChoice {
 
  private:
   [[nodiscard]] Error unknown(UnitRole role, std::size_t column) const;
+  [[nodiscard]] bool of_settings() const {
+    return source_ != nullptr && source_->in_units_of_settings;
+  }
 
   const std::vector<std::string>& names_;
   const UnitOverrides& overrides_;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace beespace::io {
@@ -48,6 +49,11 @@ bool is_child_name(const Words& words) {
          words[words.size() - 2] == "frame" && words.back() == "id";
 }
 
+// "Time" of bagpy, "%time" of rostopic.
+bool is_time_of_recording(const Words& words) {
+  return words.size() == 1 && words[0] == "time";
+}
+
 // "pose.position" of "pose.position.x"; nothing of other columns.
 std::optional<Words> position_before(Words words, std::string_view axis) {
   if (words.size() < 2 || words.back() != axis) return std::nullopt;
@@ -65,6 +71,7 @@ std::optional<RosTable> by_names(const TableLayout& table) {
   for (std::size_t column = 0; column < table.names.size(); ++column) {
     const Words words = split_words(table.names[column]);
     stamped = stamped || is_header_stamp(words);
+    if (!found.recorded && is_time_of_recording(words)) found.recorded = column;
     if (!found.axes_name && is_axes_name(words)) found.axes_name = column;
     if (!found.child && is_child_name(words)) found.child = column;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -76,6 +83,11 @@ std::optional<RosTable> by_names(const TableLayout& table) {
   }
   const bool one = std::all_of(axes.begin(), axes.end(),
                                [](const auto& columns) { return columns.size() == 1; });
+  // Of tables that pandas wrote: the time is what rows are called by.
+  if (!stamped && found.axes_name && !found.recorded && table.names[0].empty()) {
+    found.names[0] = "header.stamp";
+    stamped = true;
+  }
   if (!stamped || !one || before[0] != before[1] || before[1] != before[2]) return std::nullopt;
   found.columns = columns_text({axes[0][0], axes[1][0], axes[2][0]});
   found.note =
@@ -86,26 +98,33 @@ std::optional<RosTable> by_names(const TableLayout& table) {
 
 // ---- Without ------------------------------------------------------------------------------------
 
-// The messages whose poses are stamped: how many columns, and how many names of frames stand behind
-// the two of the time.
+enum class Content : std::uint8_t { kPose, kPoint, kSatellites };
+
+// The messages whose places are stamped: how many columns, and how many names of frames stand
+// behind the two of the time.
 struct Message {
   std::string_view name;
   std::size_t columns;
   std::size_t frames;
+  Content content = Content::kPose;
 };
 
-constexpr std::array<Message, 4> kMessages = {{
+constexpr std::array<Message, 6> kMessages = {{
     {"geometry_msgs/PoseStamped", 10, 1},
     {"geometry_msgs/TransformStamped", 11, 2},
     {"geometry_msgs/PoseWithCovarianceStamped", 46, 1},
     {"nav_msgs/Odometry", 89, 2},
+    {"geometry_msgs/PointStamped", 6, 1, Content::kPoint},
+    {"sensor_msgs/NavSatFix", 18, 1, Content::kSatellites},
 }};
 
 bool is_whole(double value, double below) {
   return value == std::floor(value) && value >= 0.0 && value < below;
 }
 
-// Whether a record has a time, names of frames, a place, and an orientation of length one.
+// Whether a record has a time, names of frames, a place, and, of poses, an orientation of length
+// one. Points alone say little of themselves: their times count from 1970. Receivers say their
+// status and service, degrees, and how the nine covariances are known.
 bool looks_like(const Message& message, std::string_view line, char delimiter) {
   const auto number = [&](std::size_t column, double& value) {
     const std::string_view text = without_padding(field_at(line, delimiter, column).text);
@@ -118,6 +137,23 @@ bool looks_like(const Message& message, std::string_view line, char delimiter) {
   double ignored = 0.0;
   for (std::size_t i = 0; i < message.frames; ++i) {
     if (number(2 + i, ignored)) return false;
+  }
+  if (message.content == Content::kPoint) {
+    double place = 0.0;
+    return seconds > 5e8 && number(3, place) && number(4, place) && number(5, place);
+  }
+  if (message.content == Content::kSatellites) {
+    double status = 0.0;
+    double service = 0.0;
+    double latitude = 0.0;
+    double longitude = 0.0;
+    double known = 0.0;
+    if (!number(3, status) || !number(4, service) || !number(17, known)) return false;
+    if (!is_whole(status + 2.0, 5.0) || !is_whole(service, 16.0) || !is_whole(known, 4.0)) {
+      return false;
+    }
+    const bool told = number(5, latitude) && number(6, longitude);
+    return !told || (std::abs(latitude) <= 90.0 && std::abs(longitude) <= 180.0);
   }
   double length = 0.0;
   for (std::size_t i = 0; i < 7; ++i) {
@@ -143,14 +179,31 @@ bool all_look_like(const Message& message, std::string_view text, const TableLay
   return seen > 0;
 }
 
+RosTable table_of_satellites(const Message& message) {
+  RosTable found;
+  found.names = {"header.stamp.sec", "header.stamp.nanosec",
+                 "header.frame_id",  "status.status",
+                 "status.service",   "latitude",
+                 "longitude",        "altitude"};
+  while (found.names.size() < message.columns) {
+    found.names.push_back("unread." + std::to_string(found.names.size() + 1));
+  }
+  found.columns = "lon=7,lat=6,height=8";
+  found.note = "without a header, this is taken for " + std::string(message.name) +
+               " as 'ros2 topic echo --csv' writes it: seconds, nanoseconds, frame, status, "
+               "latitude, longitude, altitude";
+  return found;
+}
+
 RosTable table_of(const Message& message) {
+  if (message.content == Content::kSatellites) return table_of_satellites(message);
   RosTable found;
   found.names = {"header.stamp.sec", "header.stamp.nanosec", "header.frame_id"};
   if (message.frames == 2) found.names.emplace_back("child_frame_id");
   const std::size_t first = found.names.size();
   for (const char* const name : {"position.x", "position.y", "position.z", "orientation.x",
                                  "orientation.y", "orientation.z", "orientation.w"}) {
-    found.names.emplace_back(name);
+    if (found.names.size() < message.columns) found.names.emplace_back(name);
   }
   while (found.names.size() < message.columns) {
     found.names.push_back("unread." + std::to_string(found.names.size() + 1));
@@ -160,7 +213,8 @@ RosTable table_of(const Message& message) {
   found.axes_name = 2;
   found.note = "without a header, this is taken for " + std::string(message.name) +
                " as 'ros2 topic echo --csv' writes it: seconds, nanoseconds, frame, position in "
-               "metres, orientation";
+               "metres" +
+               (message.content == Content::kPose ? ", orientation" : "");
   return found;
 }
 

@@ -59,9 +59,20 @@ struct Named {
   std::string whose;  // empty: not said
 };
 
+// "rad s^-1" of "b_w_RS_S_x [rad s^-1]", "m/s" of "x (m/s)".
+bool has_unit_of_no_length(std::string_view name) {
+  const std::size_t begins = name.find_first_of("[(");
+  if (begins == std::string_view::npos) return false;
+  const std::vector<std::string> words = split_words(name.substr(begins));
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return is_one_of("s s2 sec ms h min rad hz mps", word);
+  });
+}
+
 // "follower" of "follower_x", "2" of "x2" and "x_2 [m]"; no axis where the name is no such one.
 Named read(std::string_view name) {
   Named named;
+  if (has_unit_of_no_length(name)) return named;
   for (std::string word : split_words(name)) {
     const std::size_t digits = word.find_last_not_of("0123456789") + 1;
     Axis axis = axis_of(word);

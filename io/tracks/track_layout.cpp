@@ -12,7 +12,7 @@
 #include "io/table/record_walk.hpp"
 #include "io/table/table_sources.hpp"
 #include "io/table/unit_choice.hpp"
-#include "io/tracks/first_fields.hpp"
+#include "io/tracks/known_tables.hpp"
 #include "io/tracks/ros_table.hpp"
 #include "io/tracks/scaled_degrees.hpp"
 #include "io/tracks/several_vehicles.hpp"
@@ -158,153 +158,6 @@ bool names_colours(const TableLayout& table) {
   return has("red") && has("green") && has("blue");
 }
 
-// Whether a table without a header can hardly be anything else: whole times that ascend, three
-// numbers, and three whole ones up to 255.
-bool is_path_with_colours(std::string_view text, const TableLayout& table) {
-  constexpr std::size_t kColumns = 7;
-  constexpr std::uint64_t kRows = 100;
-  if (!table.names.empty() || table.columns != kColumns) return false;
-  RecordWalk walk(text, table.data_offset, table);
-  std::optional<std::uint64_t> before_ms;
-  while (walk.next() && walk.row() < kRows) {
-    FieldCursor cursor(walk.record(), table.delimiter);
-    Field field;
-    for (std::size_t column = 0; column < kColumns; ++column) {
-      if (!cursor.next(field)) return false;
-      if (column >= 1 && column <= 3) continue;
-      const auto whole = parse_whole(field.text);
-      if (!whole || (column == 0 && before_ms && *whole <= *before_ms)) return false;
-      if (column > 3 && *whole > 255) return false;
-      if (column == 0) before_ms = whole;
-    }
-  }
-  return true;
-}
-
-// t [ms], x, y, z, and perhaps red, green and blue.
-Result<TrackLayout> skybrush_layout(TableLayout table, const RecordingOptions& options) {
-  TrackLayout layout;
-  layout.table = std::move(table);
-  const std::size_t columns = layout.table.columns;
-  if (columns != 4 && columns != 7) {
-    return missing(
-        "a Skybrush CSV has the columns t [ms], x, y, z, and perhaps red, green, blue; " +
-        list_columns(layout.table));
-  }
-  ColumnChoice& choice = layout.table.choice;
-  choice.axes = {1, 2, 3};
-  choice.evidence = Frame::kMetres;
-  UnitOverrides others = options.units;
-  const Unit said = std::exchange(others.position, Unit::kUnstated);
-  if (others.any()) {
-    return Error{ErrorCode::kInvalidArgument,
-                 "a Skybrush CSV has positions alone; say their unit with --units position=cm, and "
-                 "leave other units out, or name the columns with --columns",
-                 {}};
-  }
-  layout.supposed_metres = said == Unit::kUnstated;
-  const Unit unit = layout.supposed_metres ? Unit::kMetre : said;
-  choice.units = {unit, unit, unit};
-  choice.units_taken = {
-      {"x, y and z", unit, UnitEvidence::kNamed,
-       layout.supposed_metres ? "a Skybrush CSV is in metres" : "--units says so"}};
-  layout.units = choice.units_taken;
-  const FrameDecision frame =
-      frame_before_values(options.frame, {Frame::kMetres, "a Skybrush CSV is in metres"});
-  layout.frame = frame.frame;
-  layout.frame_reason = frame.reason;
-  layout.show = true;
-  TimeChoice time;
-  time.unit = options.time_unit != Unit::kUnstated ? options.time_unit : Unit::kMillisecond;
-  time.named = options.time_unit == Unit::kUnstated;
-  layout.time = time;
-  layout.notes.push_back("without a header, this is taken for a Skybrush CSV: t in " +
-                         std::string(symbol_of(time.unit)) + ", then x, y, z in " +
-                         (unit == Unit::kMetre ? "metres" : std::string(symbol_of(unit))) +
-                         (columns == 7 ? " and a colour" : ""));
-  return layout;
-}
-
-// Of ROS it is known what the columns are.
-Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::string_view text,
-                               RecordingOptions options, SeenRecords seen) {
-  options.columns = ros.columns;
-  if (ros.child) options.columns += ",id=" + std::to_string(*ros.child + 1);
-  table.names = ros.names;
-  auto layout = choose_track_layout(std::move(table), text, options, seen);
-  if (!layout) return layout;
-  if (options.frame == Frame::kAuto) layout->frame_reason = "positions of ROS are in metres";
-  for (UnitTaken& taken : layout->units) {
-    if (taken.evidence == UnitEvidence::kUsual) {
-      taken.evidence = UnitEvidence::kNamed;
-      taken.reason = "messages of ROS have them so";
-    }
-  }
-  layout->axes_name = ros.axes_name;
-  layout->ids_within_file = ros.child.has_value();
-  layout->notes.push_back(ros.note);
-  if (ros.child) {
-    layout->notes.emplace_back(
-        "each child_frame_id is taken for a bee; of several files, for one of that file");
-  }
-  return layout;
-}
-
-// Trajectories as the TUM RGB-D benchmark has them, and evo and ORB-SLAM write them: no header but
-// perhaps a comment, a time, a place, and the turn as a quaternion, whose length is 1.
-bool is_trajectory_of_poses(std::string_view text, const TableLayout& table) {
-  constexpr std::size_t kColumns = 8;
-  constexpr std::uint64_t kRows = 100;
-  // The comment that it may begin with is one of its own.
-  const bool named = !table.names.empty() && (table.names.size() < 2 || table.names[1] != "tx");
-  if (named || table.columns != kColumns) return false;
-  RecordWalk walk(text, table.data_offset, table);
-  std::optional<double> before_s;
-  while (walk.next() && walk.row() < kRows) {
-    FieldCursor cursor(walk.record(), table.delimiter);
-    double length = 0.0;
-    for (std::size_t column = 0; column < kColumns; ++column) {
-      Field field;
-      if (!cursor.next(field)) return false;
-      double number = 0.0;
-      if (parse_number(without_padding(field.text), number) != NumberKind::kNumber) return false;
-      if (column == 0 && before_s && number <= *before_s) return false;
-      if (column == 0) before_s = number;
-      if (column > 3) length += number * number;
-    }
-    if (!(length > 0.98 && length < 1.02)) return false;
-  }
-  return before_s.has_value();
-}
-
-// Seconds, but for times since 1970 whose size says another unit: as ROS has them, nanoseconds.
-Unit unit_of_stamps(std::string_view text, const TableLayout& table) {
-  double first = 0.0;
-  const FirstFields stamps = first_fields(text, table, 0);
-  if (stamps.empty() ||
-      parse_number(without_padding(stamps.front()), first) != NumberKind::kNumber) {
-    return Unit::kSecond;
-  }
-  const Unit by_size = unit_since_1970(first);
-  return by_size == Unit::kUnstated ? Unit::kSecond : by_size;
-}
-
-Result<TrackLayout> layout_of_poses(TableLayout table, std::string_view text,
-                                    RecordingOptions options, SeenRecords seen) {
-  const bool unit_is_said = options.time_unit != Unit::kUnstated;
-  options.columns = "time=1,x=2,y=3,z=4";
-  if (!unit_is_said) options.time_unit = unit_of_stamps(text, table);
-  if (options.frame == Frame::kAuto) options.frame = Frame::kMetres;
-  auto layout = choose_track_layout(std::move(table), text, options, seen);
-  if (!layout) return layout;
-  TimeChoice& time = *layout->time;
-  time.by_size = !unit_is_said && time.since_1970;
-  time.since_start = !unit_is_said && !time.since_1970;
-  layout->notes.emplace_back("this is taken for a trajectory as of TUM: time [" +
-                             std::string(symbol_of(time.unit)) + "], x, y, z [m] and a quaternion");
-  return layout;
-}
-
 // Of vehicles that count downwards.
 std::optional<Error> downward(const Header& header) {
   const std::vector<std::string>& names = header.table().names;
@@ -378,7 +231,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   if (!time) return time.error();
   layout.time = time.value();
   // Who says the unit knows what is counted.
-  if (layout.time && options.time_unit == Unit::kUnstated) {
+  if (layout.time && options.time_unit == Unit::kUnstated && !layout.time->since_1970) {
     layout.time->since_start =
         header.source() != nullptr
             ? header.source()->since_start && !header.override_of(Role::kTime)
@@ -451,8 +304,8 @@ Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOpti
   const bool free = options.columns.empty();
   const bool skybrush = bare_skybrush || (options.format == RecordingFormat::kAuto &&
                                           is_path_with_colours(text, *table));
-  const auto ros = free ? find_ros_table(text, *table) : std::nullopt;
-  auto chosen = skybrush && table->names.empty() && free ? skybrush_layout(*table, options)
+  const auto ros = free || says_time_alone(options) ? find_ros_table(text, *table) : std::nullopt;
+  auto chosen = skybrush && table->names.empty() && free ? skybrush_layout(*table, text, options)
                 : ros ? ros_layout(*ros, *table, text, options, seen)
                 : free && is_trajectory_of_poses(text, *table)
                     ? layout_of_poses(*table, text, options, seen)

@@ -71,6 +71,15 @@ enum class SeenRecords : std::uint8_t {
   kWhole,      // all: heights that they have none of are empty
 };
 
+// The columns of the place on the Earth from which metres north, east and down are counted, which
+// is another one for each drone; and those that say with 0 that it is not known.
+struct LocalOrigin {
+  std::size_t latitude = 0;
+  std::size_t longitude = 0;
+  std::size_t height = 0;
+  std::vector<std::size_t> known = {};
+};
+
 struct TrackLayout {
   TableLayout table = {};  // the position in table.choice, and the id
   Frame frame = Frame::kAuto;
@@ -94,11 +103,15 @@ struct TrackLayout {
   // contradicts the other one, neither is believed.
   Unit other_height_unit = Unit::kMetre;
   std::optional<std::size_t> other_height = {};
-  std::optional<std::size_t> visible = {};        // who says no there is an outlier
-  const LeftOutReason* no_height = nullptr;       // what to say of such a record
-  std::optional<std::size_t> label = {};          // what each is called beside its id: the flight
-  std::optional<std::size_t> on_ground = {};      // of those that are left out
-  std::optional<std::size_t> axes_name = {};      // of ROS: what x, y, z are counted in ("map")
+  std::optional<std::size_t> visible = {};       // who says no there is an outlier
+  const LeftOutReason* no_height = nullptr;      // what to say of such a record
+  std::optional<std::size_t> label = {};         // what each is called beside its id: the flight
+  std::optional<std::size_t> on_ground = {};     // of those that are left out
+  std::optional<std::size_t> axes_name = {};     // of ROS: what x, y, z are counted in ("map")
+  std::optional<LocalOrigin> local_origin = {};  // of PX4's local positions: brought to degrees
+  bool own_origin = false;  // of poses: they begin at 0, 0, 0, as where a robot was switched on
+  // Of ROS: by how much the stamps of the header are later than the times of recording.
+  std::optional<double> stamps_ahead_s = {};
   std::optional<FixQuality> quality = {};         // whether there was a fix
   std::optional<std::size_t> not_seen = {};       // of TRex: "missing"
   std::optional<std::size_t> zone = {};           // of UTM, in which x and y are counted

@@ -297,7 +297,7 @@ std::optional<Error> TrackRecordReader::read_position(TrackRecord& record) {
                             coordinate_name(layout_, place), " m", choice.axes[place]);
     }
   }
-  if (layout_.frame != Frame::kWgs84) return std::nullopt;
+  if (layout_.frame != Frame::kWgs84 || layout_.local_origin) return std::nullopt;
   const auto problem =
       find_out_of_range(std::span<const Point>(&record.position, 1), 0, Frame::kWgs84);
   if (!problem) return std::nullopt;

@@ -6,6 +6,7 @@
 #include "io/problems/text_check.hpp"
 #include "io/problems/unplaced.hpp"
 #include "io/table/record_walk.hpp"
+#include "io/tracks/local_positions.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_record.hpp"
 #include "io/tracks/utm_zone.hpp"
@@ -86,6 +87,8 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   facts.has_time = layout.time.has_value();
   facts.since_1970 = layout.time && layout.time->since_1970;
   if (layout.time) facts.clock = layout.time->clock;
+  facts.own_origin = layout.own_origin;
+  facts.stamps_ahead_s = layout.stamps_ahead_s;
   facts.since_start = layout.time && layout.time->since_start;
   if (layout.time && layout.time->named && layout.time->form == TimeForm::kNumbers) {
     facts.named_time = layout.time->unit;
@@ -135,6 +138,9 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       record.id = row_id;
     }
     auto problem = reader.read(walk.record(), record);
+    if (layout.local_origin && !problem && record.left_out == nullptr) {
+      bring_to_degrees(walk.record(), layout, record);
+    }
     if (!record.late_height.empty()) {
       Error error = height_after_all(record.late_height, *layout.no_height_yet);
       place(error, line, rows_before + walk.row(), place_of, layout);
@@ -227,6 +233,7 @@ Result<TrackTableReader> TrackTableReader::begin(const TrackTable& beginning,
   auto layout =
       find_track_layout(text, assembly.options(), beginning.bare_skybrush, beginning.seen);
   if (!layout) return std::move(layout).error();
+  settle_local_origin(assembly.options(), *layout);
   if (layout->time && layout->time->clock) {
     layout->time->clock = assembly.common_clock(*layout->time->clock);
   }

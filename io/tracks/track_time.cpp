@@ -115,6 +115,15 @@ bool is_header_stamp(std::string_view name) {
   return words.size() >= 2 && words[words.size() - 2] == "header" && words.back() == "stamp";
 }
 
+// Of which ROS's tables alone have such columns.
+bool is_of_ros(std::string_view name) {
+  const std::vector<std::string> words = split_words(name);
+  const auto has = [&words](std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  return has("header") && has("stamp");
+}
+
 // A time of aircraft, or of ROS, that counts from 1970 tells its unit by its size; elsewhere
 // microseconds since a boot may look the same, but no nanoseconds since one do.
 Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
@@ -128,7 +137,7 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
                      time.column);
   }
   const Unit by_size = common_unit(times);
-  const bool of_ros = time.column < table.names.size() && is_header_stamp(table.names[time.column]);
+  const bool of_ros = std::any_of(table.names.begin(), table.names.end(), is_of_ros);
   const bool tells =
       of_ros || by_size == Unit::kNanosecond || !words_of_aviation(table.names).empty();
   if (time.unit == Unit::kUnstated && tells) {

@@ -248,4 +248,6 @@ class FlightVerdict:
             return "does not hold, " + ", ".join(found)
         if self.coverage.may_hide_conflicts:
             return "not seen as a whole: " + self.coverage.unknown
+        if self.closest is not None:
+            return "not looked at as a whole: the show limits accelerations in one direction"
         return "nothing to compare: no two agents are there at the same time"

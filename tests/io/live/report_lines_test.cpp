@@ -83,6 +83,8 @@ TEST(ReportLines, WhatTheHeaderLeavesOpenIsAnErrorOfItsLine) {
   for (const auto& [header, record, code, message] :
        std::vector<std::tuple<std::string, std::string, ErrorCode, std::string>>{
            {"id,time,x,y,z", "a,0,1,2,3", ErrorCode::kInvalidArgument, "in which unit"},
+           {"id,time_s,x,y,z,ref_lat,ref_lon,ref_alt", "a,0,1,2,3,47,8,400",
+            ErrorCode::kUnknownFrame, "which each drone has of its own"},
            {"time_s,x,y,z", "0,1,2,3", ErrorCode::kMissingColumn, "there is no id"},
            {"id,x,y,z", "a,1,2,3", ErrorCode::kMissingColumn, "neither a time nor a velocity"},
            {"id,x,y,vx,vy", "a,1,2,3,4", ErrorCode::kMissingColumn, "there is no time"},

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -231,8 +232,11 @@ TEST(Telemetry, SeveralLogsTellTheirSystemsApart) {
   EXPECT_EQ(ids_of(recording_of(load_recording({folder.file("")}))), (Ids{"a:1", "b:1"}));
   const TemporaryFolder other;
   const std::string same = other.write("a.tlog", logged(kNoon, frame_v2(1, 33, somewhere())));
+  const auto name = [](const TemporaryFolder& of) {
+    return std::filesystem::path(of.file("a.tlog")).parent_path().filename().string();
+  };
   EXPECT_EQ(ids_of(recording_of(load_recording({folder.file("a.tlog"), same}))),
-            (Ids{"a:1", same + ":1"}));
+            (Ids{name(folder) + ":1", name(other) + ":1"}));
 }
 
 TEST(Telemetry, WhatIsWrongIsBlamedOnTheFrame) {

@@ -136,7 +136,8 @@ TEST(NoGuess, OneBigColumnDoesNotMakeMetres) {
 TEST(NoGuess, AHeightThatBeginsBlankIsNotDropped) {
   for (const char* first : {"", "N/A", "null"}) {
     const std::string row = "\n6,-75," + std::string(first) + "\n6,-75,100\n6,-75,300\n";
-    expect_refused("lat,lon,Rel Alt" + row, ErrorCode::kMissingColumn, "'Rel Alt' may or may not");
+    expect_refused("lat,lon,Rel Alt" + row, ErrorCode::kMissingColumn,
+                   "'Rel Alt' counts from where each one took off");
   }
   expect_refused("lat,lon,foo\n6,-75,\n6,-75,\n", ErrorCode::kMissingColumn, "may or may not");
   expect_frame("lat,lon,remark\n6,-75,\n6,-75,good\n", Frame::kWgs84);

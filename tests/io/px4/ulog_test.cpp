@@ -1,5 +1,5 @@
 // PX4 logs, made here byte by byte: definitions, units and axes, clocks, damage.
-#include "io/px4/map_projection.hpp"
+#include "io/frames/map_projection.hpp"
 #include "io/px4/ulog_format.hpp"
 #include "tests/io/px4/ulog_making.hpp"
 #include "tests/io/tracks/recording_loading.hpp"

@@ -50,17 +50,17 @@ TEST(RecordingFiles, FilesOfTheSameNameAreSeveralBees) {
   const std::string first = folder.write("d1/pose.csv", kOneBee);
   const std::string second = folder.write("d2/pose.csv", "time_s,x,y,z\n0,9,2,3\n1,9,2,4\n");
   const auto recording = recording_of(load_recording({first, second, second}));
-  EXPECT_EQ(ids_of(recording), (Ids{"pose", second, second + "#2"}));
+  EXPECT_EQ(ids_of(recording), (Ids{"d1", "d2", second}));
   const std::string json = R"([{"time_s": 0, "x": 1, "y": 2, "z": 3}])";
   const std::string third = folder.write("d1/pose.json", json);
-  EXPECT_EQ(ids_of(recording_of(load_recording({first, third}))), (Ids{"pose", third}));
+  EXPECT_EQ(ids_of(recording_of(load_recording({first, third}))), (Ids{"pose.csv", "pose.json"}));
 }
 
 TEST(RecordingFiles, TablesOfTheSameNameInAnArchiveAreSeveralBees) {
   const std::string bee(kOneBee);
   const auto recording = recording_of(
       load_recording_from_memory(zipped({{"a/1.csv", bee}, {"b/1.csv", bee}}), "show.zip", {}));
-  EXPECT_EQ(ids_of(recording), (Ids{"1", "show.zip!b/1.csv"}));
+  EXPECT_EQ(ids_of(recording), (Ids{"a", "b"}));
   std::string twice = zipped({{"1.csv", bee}, {"2.csv", bee}});
   for (std::size_t at = 0; (at = twice.find("2.csv", at)) != std::string::npos;) twice[at] = '1';
   expect_error(load_recording_from_memory(twice, "show.zip", {}),

@@ -36,7 +36,9 @@ TEST(SeveralVehicles, WhoSaysWhichColumnsIsBelieved) {
 
 TEST(SeveralVehicles, WhatIsNoVehicleIsNoReason) {
   for (const std::string header :
-       {"time_s,id,x,y,z,vx,vy,vz,ax,ay,az", "time_s,x,y,z,goal_x,goal_y,goal_z",
+       {"time_s,p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],b_w_RS_S_x [rad s^-1],b_w_RS_S_y [rad "
+        "s^-1],b_w_RS_S_z [rad s^-1],b_a_RS_S_x [m s^-2],b_a_RS_S_y [m s^-2]",
+        "time_s,id,x,y,z,vx,vy,vz,ax,ay,az", "time_s,x,y,z,goal_x,goal_y,goal_z",
         "time_s,x,y,z,q_x,q_y,q_z,q_w", "time_s,x,y,z,vel_x,vel_y,vel_z,acc_x,acc_y,acc_z",
         "time_s,pos_x,pos_y,pos_z,orientation_x,orientation_y,orientation_z",
         "time_s,lat,lon,alt_m,home_lat,home_lon", "time_s,x,y,z,raw_x,raw_y,raw_z"}) {

@@ -69,6 +69,8 @@ export interface LimitsKept {
   greatest: { limit: LimitName; most: number; value: number; bee: number; time_s: number }[];
   /** Of `greatest[limit]`, the worst first. */
   excesses: { limit: number; bee: number; begins_s: number; ends_s: number; value: number; time_s: number }[];
+  /** Names of limits that the show declares beside these, if any. */
+  not_looked_at?: string[];
 }
 export type LimitName = 'horizontal' | 'climb' | 'descent' | 'height';
 

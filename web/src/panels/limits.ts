@@ -36,8 +36,9 @@ function beeButton(shown: Shown, bee: number, time_s: number, what: string, acti
   return made;
 }
 
-function greatestTable(shown: Shown, head: RecordingHead, actions: Actions): HTMLElement {
+function greatestTable(shown: Shown, head: RecordingHead, actions: Actions): HTMLElement | null {
   const kept = head.limits_kept ?? { count: 0, greatest: [], excesses: [] };
+  if (kept.greatest.length === 0) return null;
   const rows = kept.greatest.map(({ limit, most, value, bee, time_s }, place) => {
     const { name, unit } = kLimits[limit];
     const broken = kept.excesses.some((excess) => excess.limit === place);
@@ -72,10 +73,13 @@ function excessList(shown: Shown, head: RecordingHead, actions: Actions): HTMLEl
   return element('ul', { class: 'neighbours' }, ...items);
 }
 
+/** Distances are told elsewhere. */
 function headline({ limits_kept }: RecordingHead): HTMLElement {
-  const count = limits_kept?.count ?? 0;
-  const told = count === 0 ? 'Limits that the show declares: all are kept.' : `Beyond what the show declares: ${formatCount(count)} ${count === 1 ? 'stretch' : 'stretches'}.`;
-  return element('p', { class: count > 0 ? 'rule risky' : 'rule' }, told);
+  const { count, greatest, not_looked_at = [] } = limits_kept ?? { count: 0, greatest: [] };
+  const kept = greatest.length > 0 ? ['Greatest speeds and height that the show declares: kept.'] : [];
+  const told = count === 0 ? kept : [`Beyond what the show declares: ${formatCount(count)} ${count === 1 ? 'stretch' : 'stretches'}.`];
+  if (not_looked_at.length > 0) told.push(`Declared, but not looked at: ${not_looked_at.join(', ')}.`);
+  return element('p', { class: count > 0 || not_looked_at.length > 0 ? 'rule risky' : 'rule' }, told.join(' '));
 }
 
 function cueList(head: RecordingHead, shown: Shown, toTime: (shown: Shown, time_s: number) => void): HTMLElement | null {

@@ -1,4 +1,4 @@
-#include "io/px4/map_projection.hpp"
+#include "io/frames/map_projection.hpp"
 
 #include <cmath>
 #include <numbers>

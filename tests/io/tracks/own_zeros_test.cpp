@@ -1,0 +1,242 @@
+// What each vehicle counts from a zero of its own: its clock, its origin, the height of its
+// take-off. Several of them are compared only by what they have in common.
+#include "tests/io/tracks/recording_loading.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace beespace::io {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+RecordingOptions in_frame(Frame frame, RecordingOptions options = {}) {
+  options.frame = frame;
+  return options;
+}
+
+Result<Recording> several(const Texts& texts, const RecordingOptions& options = {}) {
+  const TemporaryFolder folder;
+  std::vector<std::string> paths;
+  for (const std::string& text : texts) {
+    paths.push_back(folder.write(std::to_string(paths.size()) + ".csv", text));
+  }
+  return load_recording(paths, options);
+}
+
+void expect_problem(const Result<Recording>& loaded, std::string_view part) {
+  ASSERT_FALSE(loaded);
+  EXPECT_NE(loaded.error().message.find(part), std::string::npos) << loaded.error().message;
+}
+
+// ---- Heights ------------------------------------------------------------------------------------
+
+std::string relative(const std::string& name, const std::string& latitude) {
+  return "timestamp_s,lat,lon," + name + "\n1700000000," + latitude + ",8.5,1\n1700000001," +
+         latitude + ",8.5,2\n";
+}
+
+TEST(OwnGround, HeightsAboveIt) {
+  for (const std::string name : {"relative_alt_m", "altitudeRelative", "rel_alt",
+                                 "height_above_takeoff_m", "alt_agl_m", "agl"}) {
+    expect_problem(several({relative(name, "47.3"), relative(name, "47.4")}),
+                   "counts from where each one took off, or from the ground, so that heights of "
+                   "several cannot be compared; take heights above sea level, or, if all took off "
+                   "at one height, say --columns lon=3,lat=2,height=4 --crs wgs84");
+    const RecordingOptions named = columns_are("lon=3,lat=2,height=4", Unit::kUnstated);
+    expect_problem(several({relative(name, "47.3"), relative(name, "47.4")}, named),
+                   "those of several cannot be compared");
+    const auto said =
+        several({relative(name, "47.3"), relative(name, "47.4")}, in_frame(Frame::kWgs84, named));
+    EXPECT_EQ(recording_of(said).heights, HeightDatum::kHome);
+    EXPECT_TRUE(several({relative(name, "47.3")}, named));
+  }
+}
+
+TEST(OwnGround, HeightsThatAreNotAboveIt) {
+  for (const std::string name : {"alt_m", "altitude", "reliable_altitude_m", "home_id"}) {
+    const auto loaded = several({relative(name, "47.3"), relative(name, "47.4")},
+                                columns_are("lon=3,lat=2,height=4", Unit::kUnstated));
+    EXPECT_TRUE(loaded) << loaded.error().message;
+  }
+}
+
+// ---- QGroundControl -----------------------------------------------------------------------------
+
+TEST(QGroundControl, AltitudesAreAboveSeaLevelInTheUnitOfItsSettings) {
+  const std::string table =
+      "Timestamp,roll,groundSpeed,altitudeRelative,altitudeAMSL,gps.lat,gps.lon\n"
+      "2024-05-21 14:00:00.000,0.1,2.0,0.0,488.0,47.397742,8.545594\n"
+      "2024-05-21 14:00:00.100,0.1,2.0,0.1,488.1,47.397742,8.545594\n";
+  expect_problem(record(table),
+                 "column 5 'altitudeAMSL' holds the height, but in which unit? QGroundControl "
+                 "writes it as its settings say, where it may be ft or m");
+  RecordingOptions options;
+  options.units.height = Unit::kFoot;
+  const Recording recording = recording_of(record(table, options));
+  EXPECT_EQ(recording.heights, HeightDatum::kMeanSeaLevel);
+  EXPECT_NEAR(recording.bees[0].fixes[0].position.z, 488.0 * 0.3048, 1e-9);
+  EXPECT_EQ(recording.bees[0].fixes[0].position.y, 47.397742);
+}
+
+// ---- PX4's local positions ----------------------------------------------------------------------
+
+std::string local(const std::string& latitude, const std::string& north, const std::string& down,
+                  const std::string& is_global = "1",
+                  const std::string& first = "1700000000000000") {
+  const std::string header =
+      "timestamp,timestamp_sample,ref_timestamp,ref_lat,ref_lon,x,y,z,vx,vy,vz,ref_alt,xy_valid,"
+      "xy_global,z_global\n";
+  const std::string behind = ",0,0," + latitude + ",8.5," + north + ",30," + down +
+                             ",1,2,-3,488.5,1," + is_global + ",1\n";
+  std::string second = first;
+  second[8] = '1';
+  return header + first + behind + second + behind;
+}
+
+TEST(LocalPositions, AreBroughtToDegreesFromTheOriginOfEach) {
+  const Recording recording =
+      recording_of(several({local("47.3", "0", "-10"), local("47.3001", "100", "-20")}));
+  ASSERT_EQ(recording.bees.size(), 2u);
+  EXPECT_EQ(recording.frame, Frame::kWgs84);
+  EXPECT_EQ(recording.heights, HeightDatum::kMeanSeaLevel);
+  EXPECT_TRUE(recording.since_1970);
+  const Point one = recording.bees[0].fixes[0].position;
+  EXPECT_NEAR(one.y, 47.3, 1e-7);
+  EXPECT_NEAR(one.x, 8.5 + 30.0 / 111'194.9 / 0.678160, 1e-7);
+  EXPECT_DOUBLE_EQ(one.z, 498.5);
+  const Point other = recording.bees[1].fixes[0].position;
+  EXPECT_NEAR(other.y, 47.3001 + 100.0 / 111'194.9, 1e-7);
+  EXPECT_DOUBLE_EQ(other.z, 508.5);
+  // To the east, north and up.
+  const Velocity velocity = recording.bees[0].velocities[0];
+  EXPECT_EQ(velocity.x, 2.0);
+  EXPECT_EQ(velocity.y, 1.0);
+  EXPECT_EQ(velocity.z, 3.0);
+}
+
+TEST(LocalPositions, WithoutAnOriginAreNone) {
+  const Recording recording =
+      recording_of(several({local("47.3", "0", "-10"), local("47.3001", "100", "-20", "0")}));
+  EXPECT_EQ(recording.missing.count, 2u);
+  expect_problem(record(local("47.3", "0", "-10", "0")), "--crs metres takes all as counted from");
+  EXPECT_EQ(recording_of(record(local("47.3", "0", "-10"), in_frame(Frame::kMetres))).frame,
+            Frame::kMetres);
+}
+
+TEST(LocalPositions, WithTimesSinceEachWasSwitchedOnAreRefused) {
+  const std::string boot = "0000000050000000";
+  expect_problem(
+      several({local("47.3", "0", "-10", "1", boot), local("47.3001", "100", "-20", "1", boot)}),
+      "may be counted from a zero of each vehicle's own");
+}
+
+// ---- ROS ----------------------------------------------------------------------------------------
+
+std::string odometry(const std::string& recorded, const std::string& stamp,
+                     const std::string& child) {
+  std::string text =
+      "Time,header.seq,header.stamp.secs,header.stamp.nsecs,header.frame_id,child_frame_id,"
+      "pose.pose.position.x,pose.pose.position.y,pose.pose.position.z\n";
+  for (const std::string digit : {"1", "2", "3"}) {
+    text += recorded + digit + ".5,1," + stamp + digit + ",250000000,map," + child + ",1,2,3\n";
+  }
+  return text;
+}
+
+TEST(StampsOfRos, ThatCountFromARobotsOwnZeroAreNotTaken) {
+  const Recording recording =
+      recording_of(several({odometry("170000000", "1", "a"), odometry("170000000", "3", "b")}));
+  ASSERT_EQ(recording.bees.size(), 2u);
+  EXPECT_TRUE(recording.since_1970);
+  EXPECT_EQ(times_of(recording.bees[1])[0], 1700000001.5);
+  EXPECT_TRUE(has_note(recording,
+                       "the stamps of the header do not count from 1970: times are "
+                       "those of recording, column 1 'Time'"));
+}
+
+TEST(StampsOfRos, OfClocksThatDifferAreRefused) {
+  const Texts texts = {odometry("170000000", "170000000", "a"),
+                       odometry("170000000", "170000001", "b")};
+  expect_problem(several(texts), "the stamps of the header here are 10.000 s later than those of ");
+  const Recording recording = recording_of(several(texts, columns_are("time=1", Unit::kUnstated)));
+  EXPECT_EQ(times_of(recording.bees[0]), times_of(recording.bees[1]));
+  EXPECT_EQ(recording.frame, Frame::kMetres);
+  EXPECT_TRUE(several({texts[0], odometry("170000000", "170000000", "b")}));
+}
+
+TEST(StampsOfRos, AreTheRowsOfPandas) {
+  const Recording recording =
+      recording_of(record(",header.frame_id,pose.position.x,pose.position.y,pose.position.z\n"
+                          "1700000000250000000,world,1,2,3\n1700000001250000000,world,4,5,6\n"));
+  ASSERT_EQ(recording.bees.size(), 1u);
+  EXPECT_EQ(times_of(recording.bees[0])[0], 1700000000.25);
+  EXPECT_EQ(recording.frame, Frame::kMetres);
+}
+
+TEST(MessagesOfRos, WithoutAHeaderOfReceiversAndPoints) {
+  const std::string behind = ",0.5,0,0,0,0.5,0,0,0,1.2,2\n";
+  const Recording receivers =
+      recording_of(several({"1700000000,250000000,gps_0,0,1,47.39,8.53,489.4" + behind +
+                                "1700000001,250000000,gps_0,-1,1,47.39,8.53,489.4" + behind,
+                            "1700000000,250000000,gps_1,0,1,47.39,8.54,489.6" + behind}));
+  ASSERT_EQ(receivers.bees.size(), 2u);
+  EXPECT_EQ(receivers.frame, Frame::kWgs84);
+  EXPECT_EQ(receivers.bees[0].fixes.size(), 1u);  // the other one is none
+  EXPECT_EQ(receivers.bees[0].fixes[0].time_s, 1700000000.25);
+  EXPECT_EQ(receivers.bees[1].fixes[0].position, (Point{8.54, 47.39, 489.6}));
+  const std::string point = "1700000000,250000000,world,1,2,3\n";
+  const Recording points = recording_of(several({point, point}));
+  ASSERT_EQ(points.bees.size(), 2u);
+  EXPECT_EQ(points.frame, Frame::kMetres);
+  EXPECT_EQ(points.bees[1].fixes[0].position, (Point{1, 2, 3}));
+}
+
+// ---- Trajectories as of TUM ---------------------------------------------------------------------
+
+TEST(Trajectories, ThatEachBeginAtZeroAreAskedAbout) {
+  const std::string own = "1700000000.0 0 0 0 0 0 0 1\n1700000001.0 1 0 0 0 0 0 1\n";
+  const std::string placed = "1700000000.0 5 0 0 0 0 0 1\n1700000001.0 6 0 0 0 0 0 1\n";
+  expect_problem(several({own, own}), "begin at 0, 0, 0 without a turn");
+  EXPECT_TRUE(several({own, own}, in_frame(Frame::kMetres)));
+  const Recording recording = recording_of(several({own, placed}));
+  EXPECT_EQ(recording.frame_reason, "trajectories as of TUM are in metres");
+  EXPECT_TRUE(has_note(recording, "in seconds, since 1970, as their size tells"));
+}
+
+// ---- Names of files -----------------------------------------------------------------------------
+
+TEST(FilesOfOneName, AreCalledByWhatDiffersInTheirPaths) {
+  const TemporaryFolder folder;
+  std::vector<std::string> paths;
+  const std::string table = "time_s,x_m,y_m,z_m\n0,1,2,3\n1,1,2,3\n";
+  for (const std::string name : {"MAV0", "MAV1"}) {
+    std::filesystem::create_directories(folder.file(name + "/state"));
+    paths.push_back(folder.write(name + "/state/data.csv", table));
+  }
+  paths.push_back(folder.write("other.csv", table));
+  EXPECT_EQ(ids_of(recording_of(load_recording(paths))), (Texts{"MAV0", "MAV1", "other"}));
+  const std::string archive = zipped({{"a/log.csv", table}, {"b/log.csv", table}});
+  EXPECT_EQ(ids_of(recording_of(load_recording_from_memory(archive, "logs.zip"))),
+            (Texts{"a", "b"}));
+}
+
+// ---- Shows --------------------------------------------------------------------------------------
+
+TEST(SkybrushCsv, WhoseTimesMayCountPicturesAreAskedAbout) {
+  const std::string frames = "0,0,0,5,1,2,3\n1,0,1,5,1,2,3\n2,0,2,5,1,2,3\n";
+  expect_problem(record(frames), "say --fps 24 for so many pictures a second");
+  RecordingOptions options;
+  options.frames_per_second = 2.0;
+  EXPECT_EQ(times_of(recording_of(record(frames, options)).bees[0]).back(), 1.0);
+  options.time_unit = Unit::kSecond;
+  expect_problem(record(frames, options), "leave one of them out");
+  options.frames_per_second.reset();
+  EXPECT_EQ(times_of(recording_of(record(frames, options)).bees[0]).back(), 2.0);
+}
+
+}  // namespace
+}  // namespace beespace::io
