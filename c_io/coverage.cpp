@@ -49,6 +49,7 @@ analysis::Coverage in_words_of_analysis(const beespace_io_coverage& given) {
   coverage.missing.jumping = count(given.jumping);
   coverage.missing.swapped = count(given.swapped);
   coverage.missing.untimed = count(given.untimed);
+  coverage.missing.rough = count(given.rough);
   return coverage;
 }
 
@@ -77,6 +78,7 @@ beespace_io_coverage as_struct(const analysis::Coverage& coverage) {
   into.jumping = number(missing.jumping);
   into.swapped = number(missing.swapped);
   into.untimed = number(missing.untimed);
+  into.rough = number(missing.rough);
   into.agents_unplaced = number(coverage.bees_unplaced);
   return into;
 }

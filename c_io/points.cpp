@@ -27,7 +27,8 @@ namespace {
 Result<io::LoadedPoints> load_snapshot(const std::string& path, const io::LoadOptions& options) {
   auto loaded = io::load_points(path, options);
   if (!loaded) return analysis::or_recording(std::move(loaded).error(), path, options);
-  if (auto problem = analysis::recording_problem(*loaded, path)) return *std::move(problem);
+  if (auto problem = analysis::recording_problem(*loaded, path, options))
+    return *std::move(problem);
   return loaded;
 }
 

@@ -381,6 +381,7 @@ typedef struct beespace_io_coverage {
   int64_t swapped;  ///< Of how many agents longitude and latitude seem to be the other way round.
   int64_t agents_unplaced;  ///< Of agents_partly: there then, in records without a place.
   int64_t untimed;          ///< Of how many agents it is not known when they were where they say.
+  int64_t rough;            ///< How many agents have places off by kilometres, as those of Argos.
 } beespace_io_coverage;
 
 /// @brief Says of how much of a recording it is known where its agents were: `known` of `beespace

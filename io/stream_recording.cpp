@@ -15,6 +15,7 @@
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/tracks/pose_table.hpp"
+#include "io/tracks/record_numbers.hpp"
 #include "io/tracks/trackmate_table.hpp"
 #include "io/tracks/wide_table.hpp"
 
@@ -131,6 +132,10 @@ Status RecordingStream::begin_source() {
   stream_.emplace(*std::move(bytes));
   if (progress_ != nullptr) progress_->total += stream_->file().size();
   ended_ = false;
+  fixes_before_ = fixes_;
+  bees_before_ = assembly_->tracks().size();
+  first_s_.reset();
+  several_times_ = false;
   pending_->drop(pending_->size());
   at_ = 0;
   if (auto status = want(kHeadBytes); !status) return placed(std::move(status).error());
@@ -177,11 +182,19 @@ Status RecordingStream::begin_table(const std::string& path) {
   return std::monostate{};
 }
 
-void RecordingStream::end_source() {
+// Errors: kMissingColumn for ids that number the records.
+Status RecordingStream::end_source() {
   const std::uint64_t bytes = std::max(stream_->taken(), stream_->file().size());
   assembly_->add_bytes(bytes);
+  const std::uint64_t fixes = fixes_ - fixes_before_;
+  const std::size_t bees = assembly_->tracks().size() - bees_before_;
+  const auto& numbers = table_->perhaps_numbers();
+  if (numbers && several_times_ && fixes >= kFewestNumbered && bees >= fixes) {
+    return placed(*numbers);
+  }
   stream_.reset();
   table_.reset();
+  return std::monostate{};
 }
 
 // About a block of whole lines.
@@ -231,6 +244,8 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
           if (!follows) places_.push_back({fixes_, origin});
           last_ = origin;
           ++fixes_;
+          several_times_ = several_times_ || (first_s_ && *first_s_ != fix.time_s);
+          first_s_ = fix.time_s;
           look_for_doubt(bee, fix, origin);
           assembly_->reach(fix.position.z);
           if (witness_) witness_->look_at(std::span(&fix.position, 1));
@@ -240,7 +255,7 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
     if (progress_ != nullptr) progress_->done = bytes_before_ + stream_->taken();
     if (!over) continue;
     bytes_before_ += stream_->taken();
-    end_source();
+    if (auto status = end_source(); !status) return status;
   }
   return std::monostate{};
 }

@@ -67,7 +67,7 @@ class RecordingStream {
 
   Status begin_source();
   Status begin_table(const std::string& path);
-  void end_source();
+  Status end_source();
   Status read_lines();
   [[nodiscard]] Error placed(Error error) const;
   // At least so many bytes are pending, unless the input ends before.
@@ -91,6 +91,11 @@ class RecordingStream {
   bool ended_ = false;  // the stream
   std::optional<TrackTableReader> table_;
   std::uint64_t bytes_before_ = 0;
+  // Of that file: what was there before it, and its times.
+  std::uint64_t fixes_before_ = 0;
+  std::size_t bees_before_ = 0;
+  std::optional<double> first_s_;
+  bool several_times_ = false;
 
   // Fixes from `fix` on stand in consecutive lines.
   struct Place {

@@ -99,6 +99,15 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
   return outside;
 }
 
+bool is_of_instants(const io::Recording& recording) {
+  const auto whole = whole_time(recording);
+  return whole.first < whole.second &&
+         std::all_of(recording.bees.begin(), recording.bees.end(), [](const io::RecordedBee& bee) {
+           const auto ends = ends_of(bee);
+           return ends && ends->first.time_s == ends->last.time_s;
+         });
+}
+
 }  // namespace
 
 std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps) {
@@ -135,6 +144,7 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
     if (outside.cut_off) ++coverage.bees_cut_off;
     if (outside.unplaced) ++coverage.bees_unplaced;
   }
+  coverage.instants_only = is_of_instants(recording);
   coverage.missing = recording.missing;
   return coverage;
 }
@@ -150,8 +160,8 @@ std::string unknown_text(const Coverage& coverage) {
            io::time_span(coverage.in_gaps_s) + " in all");
   }
   if (coverage.bees_partly > 0) {
-    append(io::counted(coverage.bees_partly, "bee", "bees") +
-           " known for a part of the recording only");
+    append(io::counted(coverage.bees_partly, "bee", "bees") + " known for " +
+           (coverage.instants_only ? "an instant only, each" : "a part of the recording only"));
     if (coverage.bees_cut_off > 0) {
       text += " (" + io::grouped(std::uint64_t{coverage.bees_cut_off}) +
               " of which begin or end in the air while others fly)";
@@ -190,6 +200,10 @@ std::string missing_text(const io::MissingRecords& missing) {
     if (!text.empty()) text += ", ";
     text += "when " + io::counted(missing.untimed, "vehicle was", "vehicles were") +
             " where they say is not known";
+  }
+  if (missing.rough > 0) {
+    if (!text.empty()) text += ", ";
+    text += io::counted(missing.rough, "bee has", "bees have") + " places off by kilometres";
   }
   if (missing.count == 0) return text;
   if (!text.empty()) text += ", ";

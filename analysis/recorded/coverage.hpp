@@ -39,7 +39,9 @@ struct Coverage {
       0;  // whose first fix is later, or whose last is earlier, than of others
   std::size_t bees_cut_off = 0;   // of these: in the air then
   std::size_t bees_unplaced = 0;  // of these: there then, in records without a place
-  double outside_s = 0.0;         // before the first and after the last fix, summed over the bees
+  // Each bee is known for an instant, while time goes on: that of two bees at one is chance.
+  bool instants_only = false;
+  double outside_s = 0.0;  // before the first and after the last fix, summed over the bees
   io::MissingRecords missing;
 
   static constexpr std::size_t kMostNamed = 3;
@@ -48,7 +50,7 @@ struct Coverage {
   [[nodiscard]] bool complete() const { return !may_hide_conflicts() && bees_partly == 0; }
   // Whether a bee was there, but it is not known where.
   [[nodiscard]] bool may_hide_conflicts() const {
-    return gaps > 0 || !missing.none() || bees_cut_off > 0 || bees_unplaced > 0;
+    return gaps > 0 || !missing.none() || bees_cut_off > 0 || bees_unplaced > 0 || instants_only;
   }
 };
 

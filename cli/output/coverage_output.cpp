@@ -104,6 +104,11 @@ void append_missing(std::string& out, const io::MissingRecords& missing) {
                         red(io::counted(missing.untimed, "vehicle's does", "vehicles' do")) +
                             " not go on as that of the log");
   }
+  if (missing.rough > 0) {
+    append_summary_line(out, "rough",
+                        red(io::counted(missing.rough, "bee has", "bees have")) +
+                            " places by Argos' Doppler shifts, off by kilometres");
+  }
   if (missing.count == 0) return;
   std::string text = red(io::counted(missing.count, "record", "records"));
   if (missing.without_id < missing.count) text += " of " + io::counted(missing.bees, "bee", "bees");
@@ -126,6 +131,7 @@ void write_missing(io::JsonWriter& json, const io::MissingRecords& missing) {
   json.member("left_out_files", missing.files).member("left_out_file_names", missing.file_names);
   json.member("jumping_count", missing.jumping).member("jumping_ids", missing.jumping_ids);
   json.member("swapped_degrees", missing.swapped).member("untimed", missing.untimed);
+  json.member("rough_places", missing.rough);
 }
 
 }  // namespace beespace::cli

@@ -140,6 +140,13 @@ class JsonLines final : public LineReader {
       if (here) record += field_text(value);
     }
     auto layout = choose_track_layout(std::move(table), record, options_);
+    if (!layout && is_look(object)) {
+      return Error{ErrorCode::kUnsupportedFormat,
+                   "this is a look at many aircraft in one line (aircraft.json), and an aircraft a "
+                   "line is taken; make that of it: jq -c --unbuffered '.now as $now | .aircraft[] "
+                   "| .now = $now'; what is recorded is for 'beespace replay'",
+                   {}};
+    }
     if (!layout) return of_keys(std::move(layout).error());
     if (auto problem = live_problem(*layout, options_.frame)) return problem;
     if (chosen_ && !goes_on(*layout)) return std::nullopt;
@@ -156,6 +163,13 @@ class JsonLines final : public LineReader {
     const ColumnChoice& now = layout.table.choice;
     return layout.frame == layout_.frame && now.axes == before.axes && now.units == before.units &&
            now.dimensions == before.dimensions && now.datum == before.datum;
+  }
+
+  // Whether it is all that readsb knows at a moment.
+  static bool is_look(JsonMap object) {
+    JsonElement aircraft;
+    JsonArray list;
+    return object.get("aircraft", aircraft) && aircraft.get(list);
   }
 
   // The layout counts columns; here they are keys.

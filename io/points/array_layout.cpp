@@ -1,6 +1,7 @@
 #include "io/points/array_layout.hpp"
 
 #include "io/problems/excerpt.hpp"
+#include "io/problems/signatures.hpp"
 
 #include <array>
 #include <charconv>
@@ -182,6 +183,7 @@ Result<ArrayLayout> npy_beginning(std::string_view bytes) {
   const auto [text, data_begin] = found.value();
   const auto header = HeaderParser(text).parse();
   if (!header) return damaged_header(text);
+  if (header->descr == "|O") return unsupported("this is " + words_of_signature(bytes));
   if (header->descr != "<f8" && header->descr != "<f4") {
     return unsupported("the .npy array holds " + excerpt(header->descr) +
                        "; only '<f8' and '<f4' are read: " + kHowToSave);

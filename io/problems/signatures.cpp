@@ -1,6 +1,7 @@
 #include "io/problems/signatures.hpp"
 
 #include <array>
+#include <cstddef>
 
 namespace beespace::io {
 namespace {
@@ -44,8 +45,16 @@ constexpr std::string_view kFeather =
     ", which is not read; make CSV of it: pip install pandas pyarrow, then python3 -c \"import "
     "pandas; pandas.read_feather('FILE').to_csv('bees.csv', index=False)\"";
 
+constexpr std::string_view kPickle =
+    ", which is not read; make CSV of it, if it is your own (to open one runs what is in it): pip "
+    "install pandas, then python3 -c \"import pandas; "
+    "pandas.read_pickle('FILE').to_csv('bees.csv', index=False)\"";
+constexpr std::string_view kObjects =
+    "a .npy file with objects of Python, which is not read; of trajectories of idtracker.ai make "
+    "CSV: idtrackerai_csv FOLDER, with the folder of the session";
+
 // Longer ones before those they begin with.
-constexpr std::array<Signature, 31> kSignatures = {{
+constexpr std::array<Signature, 33> kSignatures = {{
     {std::string_view("\xFF\xFE\0\0", 4), "UTF-32 text; save it as UTF-8"},
     {std::string_view("\0\0\xFE\xFF", 4), "UTF-32 text; save it as UTF-8"},
     {"\xFF\xFE", "UTF-16 text; save it as UTF-8"},
@@ -75,6 +84,8 @@ constexpr std::array<Signature, 31> kSignatures = {{
     {"\x89HDF\r\n\x1A\n", "an HDF5 file", kHdf5, Of::kOthers},
     {"PAR1", "a Parquet file", kParquet, Of::kOthers},
     {"ARROW1", "a Feather file (Arrow)", kFeather, Of::kOthers},
+    {"\x80\x04\x95", "a pickle of Python (pandas, traffic)", kPickle, Of::kOthers},
+    {"\x80\x05\x95", "a pickle of Python (pandas, traffic)", kPickle, Of::kOthers},
     {"CDF\x01", "a NetCDF file; export the table as CSV", {}, Of::kOthers},
     {"CDF\x02", "a NetCDF file; export the table as CSV", {}, Of::kOthers},
     {"%PDF", "a PDF document; export the table as CSV", {}, Of::kOthers},
@@ -104,6 +115,10 @@ const Signature* signature_of(std::string_view bytes) {
 }  // namespace
 
 std::string words_of_signature(std::string_view bytes) {
+  constexpr std::size_t kHeader = 128;  // of a .npy file, where it is short
+  if (bytes.starts_with("\x93NUMPY") && bytes.substr(0, kHeader).find("'|O'") < kHeader) {
+    return std::string(kObjects);
+  }
   const Signature* const found = signature_of(bytes);
   if (found == nullptr) return {};
   return std::string(found->what).append(found->advice);

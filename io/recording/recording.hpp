@@ -77,9 +77,13 @@ struct MissingRecords {
   // time before that came. None of them counts above.
   std::uint64_t untimed = 0;
 
+  // Bees with places that are off by kilometres, as those of Argos are. None of them counts above.
+  std::uint64_t rough = 0;
+
   // Whether all that was there is known.
   [[nodiscard]] bool none() const {
-    return count == 0 && shared == 0 && files == 0 && jumping == 0 && swapped == 0 && untimed == 0;
+    return count == 0 && shared == 0 && files == 0 && jumping == 0 && swapped == 0 &&
+           untimed == 0 && rough == 0;
   }
 
   static constexpr std::size_t kMostNamed = 3;

@@ -83,6 +83,11 @@ void RecordingAssembly::leave_out(const LeftOutReason& reason, std::string_view 
   if (!reason.harmless) miss(1, id);
 }
 
+void RecordingAssembly::take_rough(std::string_view id) {
+  ++rough_records_;
+  rough_ids_.emplace(id);
+}
+
 void RecordingAssembly::leave_file_out(std::string_view name) {
   MissingRecords& missing = recording_.missing;
   ++missing.files;

@@ -138,6 +138,8 @@ class RecordingAssembly {
   void leave_file_out(std::string_view name);
   // So many vehicles were where they say at another time: MissingRecords::untimed.
   void doubt_times(std::uint64_t vehicles) { recording_.missing.untimed += vehicles; }
+  // A place of that bee is one of Argos' Doppler shifts, which may be off by kilometres.
+  void take_rough(std::string_view id);
   // A report of an aircraft, in a format in which it may say that it is on the ground: where it is
   // kept, and where it is not since it says so, which is counted once it is known whether it flies.
   void flies_at(std::string_view id, const Fix& fix);
@@ -195,6 +197,8 @@ class RecordingAssembly {
   };
   std::unordered_map<std::string, Times> unplaced_;  // by id
   std::uint64_t kept_in_flight_ = 0;
+  std::uint64_t rough_records_ = 0;
+  std::unordered_set<std::string> rough_ids_;
   std::uint64_t missing_ = 0;  // records
   std::uint64_t missing_without_id_ = 0;
   std::vector<std::string> missing_ids_;  // of the others, each once, in the order of the input

@@ -57,6 +57,7 @@ MissingRecords RecordingAssembly::missing() const {
   missing.count = missing_;
   missing.without_id = missing_without_id_;
   missing.bees = missing_ids_.size();
+  missing.rough = rough_ids_.size();
   for (const std::string& id : missing_ids_) {
     if (tracks_.contains(id)) continue;
     ++missing.nowhere;
@@ -159,6 +160,13 @@ void RecordingAssembly::note_counts() {
     note(counted(kept_in_flight_, "record says", "records say") +
          " that an aircraft is on the ground, but it is higher than any airport, or faster or "
          "steeper than it could be there: taken for flying, and kept");
+  }
+  if (rough_records_ > 0) {
+    note(counted(rough_records_, "place is", "places are") +
+         " by the Doppler shift of Argos (sensor-type), off by hundreds of metres or kilometres, "
+         "and taken as " +
+         (rough_records_ == 1 ? "it stands" : "they stand") +
+         ": who comes how close cannot be told by them; leave them out of the table");
   }
   if (const auto count = tracks_.in_several_sources(); count > 0) {
     note(counted(count, "bee is", "bees are") +

@@ -368,7 +368,14 @@ ColumnMeaning Header::stated(std::size_t column) const {
   return read_column_name(schema_, table_.names[column]);
 }
 
-std::size_t choose_id(const TableLayout& table, const std::vector<std::size_t>& candidates) {
+std::size_t choose_id(const TableLayout& table, const std::vector<std::size_t>& all) {
+  // What is called by a name is also called so by others: "Device Name" beside "Device ID".
+  std::vector<std::size_t> candidates = all;
+  std::erase_if(candidates, [&table](std::size_t column) {
+    const std::vector<std::string> words = split_words(table.names[column]);
+    return !words.empty() && is_one_of("name label nombre nom", words.back());
+  });
+  if (candidates.empty()) candidates = all;
   std::vector<std::size_t> alone;
   for (const std::size_t column : candidates) {
     if (split_words(table.names[column]).size() == 1) alone.push_back(column);

@@ -159,4 +159,28 @@ std::optional<Error> several_vehicles(const TableLayout& table) {
   return std::nullopt;
 }
 
+std::optional<Error> downward(const TableLayout& table) {
+  const std::vector<std::string>& names = table.names;
+  const auto find = [&names](std::string_view words) {
+    const auto found = std::find_if(names.begin(), names.end(), [&words](const std::string& name) {
+      const auto parts = split_words(name);
+      return !parts.empty() && is_one_of(words, parts.front()) && parts.size() <= 2;
+    });
+    return static_cast<std::size_t>(found - names.begin());
+  };
+  const std::size_t north = find("north n");
+  const std::size_t east = find("east e");
+  const std::size_t down = find("down d");
+  if (std::max({north, east, down}) >= names.size()) return std::nullopt;
+  return Error{
+      ErrorCode::kMissingColumn,
+      "columns " + excerpt(names[north]) + ", " + excerpt(names[east]) + ", " +
+          excerpt(names[down]) +
+          " are a place as north, east, down (NED); here x is east, y north and z up: write "
+          "a column z that is the negative of " +
+          excerpt(names[down]) + ", and say --columns x=" + std::to_string(east + 1) +
+          ",y=" + std::to_string(north + 1) + ",z=N with the number of that column",
+      {}};
+}
+
 }  // namespace beespace::io

@@ -15,4 +15,7 @@ namespace beespace::io {
 // goals, velocities and what another filter makes of the same place.
 std::optional<Error> several_vehicles(const TableLayout& table);
 
+// The same of a place as north, east, down, as vehicles that count downwards have it.
+std::optional<Error> downward(const TableLayout& table);
+
 }  // namespace beespace::io

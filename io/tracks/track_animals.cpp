@@ -19,6 +19,7 @@ void settle_animals(const Header& header, TrackLayout& layout) {
   for (std::size_t i = 0; i < header.size(); ++i) {
     const auto words = split_words(header.table().names[i]);
     if (words == std::vector<std::string>{"visible"}) layout.visible = i;
+    if (words == std::vector<std::string>{"sensor", "type"}) layout.sensor = i;
     if (layout.infinite_is_unknown && words == std::vector<std::string>{"missing"}) {
       layout.not_seen = i;
     }

@@ -12,7 +12,9 @@
 #include "io/table/record_walk.hpp"
 #include "io/table/table_sources.hpp"
 #include "io/table/unit_choice.hpp"
+#include "io/tracks/first_fields.hpp"
 #include "io/tracks/known_tables.hpp"
+#include "io/tracks/record_numbers.hpp"
 #include "io/tracks/ros_table.hpp"
 #include "io/tracks/scaled_degrees.hpp"
 #include "io/tracks/several_vehicles.hpp"
@@ -129,17 +131,25 @@ ColumnsByRole columns_read(const TrackLayout& layout) {
   return columns;
 }
 
-// A column that may hold the time is offered only if its name sounds like it.
-std::string no_time(const Header& header) {
-  std::string which = "N";
-  for (std::size_t i = 0; i < header.size() && which == "N"; ++i) {
+// A column that may hold the time is offered only if its name sounds like it; one of days with one
+// of times of day.
+std::string no_time(const Header& header, std::string_view text) {
+  std::vector<std::size_t> like;
+  for (std::size_t i = 0; i < header.size(); ++i) {
     if (header.meaning(i).role < Role::kId &&
         resembles(header.schema(), header.table().names[i], Role::kTime)) {
-      which = std::to_string(i + 1);
+      like.push_back(i);
     }
   }
-  return "there is neither a time nor a velocity; name the column of the time with --columns "
-         "time=" +
+  std::string which = "time=" + (like.empty() ? "N" : std::to_string(like.front() + 1));
+  for (const std::size_t clock : like) {
+    const FirstFields times = first_fields(text, header.table(), clock);
+    const bool is_clock = !times.empty() && times.front().find(':') < 3;
+    if (!is_clock || clock == like.front()) continue;
+    which = "date=" + std::to_string(like.front() + 1) + ",time=" + std::to_string(clock + 1);
+    break;
+  }
+  return "there is neither a time nor a velocity; name the column of the time with --columns " +
          which +
          ", or those of the velocity, with which 'beespace predict' needs no time, with vx=N,vy=N; "
          "where all are at one time, ask 'beespace detect' (" +
@@ -158,28 +168,6 @@ bool names_colours(const TableLayout& table) {
   return has("red") && has("green") && has("blue");
 }
 
-// Of vehicles that count downwards.
-std::optional<Error> downward(const Header& header) {
-  const std::vector<std::string>& names = header.table().names;
-  const auto find = [&names](std::string_view words) {
-    const auto found = std::find_if(names.begin(), names.end(), [&words](const std::string& name) {
-      const auto parts = split_words(name);
-      return !parts.empty() && is_one_of(words, parts.front()) && parts.size() <= 2;
-    });
-    return static_cast<std::size_t>(found - names.begin());
-  };
-  const std::size_t north = find("north n");
-  const std::size_t east = find("east e");
-  const std::size_t down = find("down d");
-  if (std::max({north, east, down}) >= names.size()) return std::nullopt;
-  return missing("columns " + excerpt(names[north]) + ", " + excerpt(names[east]) + ", " +
-                 excerpt(names[down]) +
-                 " are a place as north, east, down (NED); here x is east, y north and z up: write "
-                 "a column z that is the negative of " +
-                 excerpt(names[down]) + ", and say --columns x=" + std::to_string(east + 1) +
-                 ",y=" + std::to_string(north + 1) + ",z=N with the number of that column");
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
@@ -194,6 +182,7 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   if (layout.axes_name) fill(*layout.axes_name, TrackSlot::kAxesName);
   if (layout.quality) fill(layout.quality->column, TrackSlot::kQuality);
   if (layout.not_seen) fill(*layout.not_seen, TrackSlot::kNotSeen);
+  if (layout.sensor) fill(*layout.sensor, TrackSlot::kSensor);
   if (layout.zone) fill(*layout.zone, TrackSlot::kZone);
   if (layout.no_height_yet) fill(*layout.no_height_yet, TrackSlot::kLateHeight);
   for (std::size_t i = 0; layout.velocity && i < layout.velocity->dimensions; ++i) {
@@ -224,7 +213,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   if (!said && header.source() == nullptr) {
     if (auto problem = several_vehicles(layout.table)) return *std::move(problem);
     if (!header.has(Role::kZ) && !header.has(Role::kHeight)) {
-      if (auto problem = downward(header)) return *std::move(problem);
+      if (auto problem = downward(layout.table)) return *std::move(problem);
     }
   }
   auto time = choose_time(text, header, options);
@@ -268,7 +257,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
                                   layout.notes, layout.units);
   if (!velocity) return velocity.error();
   layout.velocity = *velocity;
-  if (!layout.time && !layout.velocity) return missing(no_time(header));
+  if (!layout.time && !layout.velocity) return missing(no_time(header, text));
   if (layout.time) {
     if (auto error = frames_problem(layout.table, *layout.time, choice, options)) {
       return *std::move(error);
@@ -284,8 +273,12 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
                            column_text(layout.table, layout.quality->column));
   }
   if (layout.frame != Frame::kWgs84) layout.zone = find_utm_zone(layout.table);
-  if (!said) {
+  if (!said || choice.id) {
     if (auto problem = unclear_id(text, header, layout)) return *std::move(problem);
+  }
+  if (auto problem = numbered_records(text, header, layout)) {
+    if (seen == SeenRecords::kWhole) return *std::move(problem);
+    layout.perhaps_numbers = std::move(problem);
   }
   layout.show = layout.time && layout.frame != Frame::kWgs84 && names_colours(layout.table);
   if (layout.time) {

@@ -114,10 +114,13 @@ struct TrackLayout {
   std::optional<double> stamps_ahead_s = {};
   std::optional<FixQuality> quality = {};         // whether there was a fix
   std::optional<std::size_t> not_seen = {};       // of TRex: "missing"
+  std::optional<std::size_t> sensor = {};         // of Movebank: which found the place
   std::optional<std::size_t> zone = {};           // of UTM, in which x and y are counted
   std::vector<std::size_t> sets = {};             // within which ids are unique: studies, days
   std::optional<std::size_t> no_height_yet = {};  // of heights that the beginning has none of
   std::vector<UnitTaken> units = {};              // of positions and velocities
+  // Of a beginning whose ids come once each: what is wrong if those of the whole do.
+  std::optional<Error> perhaps_numbers = {};
   std::vector<std::string> notes = {};
 };
 
@@ -143,7 +146,8 @@ struct TrackSlot {
   static constexpr std::size_t kZone = 16;
   static constexpr std::size_t kQuality = 17;
   static constexpr std::size_t kNotSeen = 18;
-  static constexpr std::size_t kSets = 19;  // as many as kMostSets
+  static constexpr std::size_t kSensor = 19;
+  static constexpr std::size_t kSets = 20;  // as many as kMostSets
   static constexpr std::size_t kMostSets = 6;
   static constexpr std::size_t kNothing =
       kSets + kMostSets;  // where columns go that are not asked for

@@ -67,6 +67,10 @@ std::string_view coordinate_name(const TrackLayout& layout, std::size_t axis) {
   return layout.frame == Frame::kWgs84 ? kGeographic[axis] : kMetres[axis];
 }
 
+bool is_of_argos(std::string_view sensor) {
+  return lower_case(without_padding(sensor)).starts_with("argos");
+}
+
 }  // namespace
 
 TrackRecordReader::TrackRecordReader(const TrackLayout& layout)
@@ -358,6 +362,7 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   if (auto problem = record_problem(line, layout_.table, count, cursor.problem())) return problem;
   record.left_out = nullptr;
   record.is_timed = false;
+  record.is_rough = layout_.sensor && is_of_argos(fields_[TrackSlot::kSensor].text);
   read_sets(record);
   if (auto problem = read_id(record)) return problem;
   if (record.left_out != nullptr) return std::nullopt;

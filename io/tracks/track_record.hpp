@@ -27,6 +27,7 @@ struct TrackRecord {
   std::string_view label = {};      // what it is called beside its id; as long as that
   std::string_view id = {};         // as long as the line and the reader live
   double time_s = 0.0;              // 0 where there is no time
+  bool is_rough = false;            // a place of Argos' Doppler shifts
   bool is_timed = false;            // of a record that is left out since it has no place
   Point position = {};              // metres, or degrees and a height in metres
   double stated_height = 0.0;       // or z, as the input has it

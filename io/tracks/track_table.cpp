@@ -195,6 +195,7 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
         return error;
       }
     }
+    if (record.is_rough) assembly.take_rough(record.id);
     if (record.flies_on_ground) assembly.keep_in_flight();
     if (layout.on_ground && layout.time) {
       assembly.flies_at(record.id, {record.time_s, record.position});

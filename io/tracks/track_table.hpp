@@ -51,6 +51,11 @@ class TrackTableReader {
   // How many lines came before those that are read next.
   [[nodiscard]] std::uint64_t lines_before() const { return layout_->table.lines_before; }
 
+  // What is wrong if every id of the table comes once; nothing where that is known to be right.
+  [[nodiscard]] const std::optional<Error>& perhaps_numbers() const {
+    return layout_->perhaps_numbers;
+  }
+
   // The next lines, whole ones. Errors have line and column.
   std::optional<Error> read(std::string_view lines);
 

@@ -10,6 +10,7 @@
 #include "io/table/record_problems.hpp"
 #include "io/table/table_sources.hpp"
 #include "io/tracks/first_fields.hpp"
+#include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/wall_times.hpp"
 
 #include <algorithm>
@@ -146,6 +147,16 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
   }
   time.since_1970 = time.since_1970 || (by_size != Unit::kUnstated && by_size == time.unit);
   time.named = asked == Unit::kUnstated && !time.since_1970;
+  double number = 0.0;
+  if (time.unit == Unit::kUnstated && !times.empty() && !is_unknown(times.front()) &&
+      parse_number(times.front(), number) == NumberKind::kNotANumber) {
+    return at_column(ErrorCode::kNotANumber,
+                     column_text(table, time.column) + " holds the time, but " +
+                         excerpt(times.front()) +
+                         " is neither a number nor a date that is read; write it as "
+                         "2024-05-01T12:00:00Z, with the month as a number",
+                     time.column);
+  }
   if (time.unit == Unit::kUnstated) {
     return at_column(ErrorCode::kInvalidArgument,
                      column_text(table, time.column) +

@@ -31,12 +31,15 @@ constexpr std::array<SpotColumn, 5> kRead = {{{"TRACK_ID", "id"},
                                               {"POSITION_X", "x"},
                                               {"POSITION_Y", "y"},
                                               {"POSITION_Z", "z"}}};
+constexpr std::size_t kTime = 1;
+constexpr std::size_t kX = 2;
 
 struct SpotLayout {
   char delimiter = ',';
   std::size_t columns = 0;
   std::array<std::size_t, kRead.size()> read = {};
   std::array<std::string, kRead.size()> units = {};  // as the row of units has them, or nothing
+  bool in_frames = false;                            // the time
   std::size_t offset = 0;                            // where the spots begin
   std::uint64_t lines_before = 0;
 };
@@ -59,9 +62,13 @@ std::string in_brackets(std::string text) {
   return text.substr(1, text.size() - 2);
 }
 
-// All of the columns that are read, and the label, which no other tool has beside them.
+// All of the columns that are read, and the label ("Label" in Fiji's table of results), which no
+// other tool has beside them.
 bool find_columns(const std::vector<std::string>& names, SpotLayout& spots) {
-  if (std::find(names.begin(), names.end(), "LABEL") == names.end()) return false;
+  if (std::none_of(names.begin(), names.end(),
+                   [](const std::string& name) { return lower_case(name) == "label"; })) {
+    return false;
+  }
   for (std::size_t i = 0; i < kRead.size(); ++i) {
     const auto found = std::find(names.begin(), names.end(), kRead[i].name);
     if (found == names.end()) return false;
@@ -87,7 +94,7 @@ std::optional<SpotLayout> spot_layout(std::string_view text) {
   for (int i = 0; i < kMostRowsOfNames && spots.offset < text.size(); ++i) {
     const Line line = line_at(text, spots.offset, '\n');
     const auto fields = spot_fields(line.text, spots.delimiter);
-    if (fields.size() != spots.columns || is_spot_number(fields[spots.read[2]])) break;
+    if (fields.size() != spots.columns || is_spot_number(fields[spots.read[kX]])) break;
     for (std::size_t k = 0; k < kRead.size(); ++k) {
       if (auto unit = in_brackets(fields[spots.read[k]]); !unit.empty()) {
         spots.units[k] = std::move(unit);
@@ -122,8 +129,9 @@ TableLayout spot_table(const SpotLayout& spots) {
   TableLayout table;
   table.delimiter = kUnitSeparator;
   for (std::size_t i = 0; i < kRead.size(); ++i) {
-    table.names.emplace_back(kRead[i].called);
-    if (!spots.units[i].empty()) table.names.back().append(" [" + spots.units[i] + "]");
+    const bool frames = i == kTime && spots.in_frames;
+    table.names.emplace_back(frames ? "frame" : kRead[i].called);
+    if (!frames && !spots.units[i].empty()) table.names.back().append(" [" + spots.units[i] + "]");
   }
   table.columns = table.names.size();
   table.contents.assign(table.columns, ColumnContent::kNumber);
@@ -131,13 +139,41 @@ TableLayout spot_table(const SpotLayout& spots) {
   return table;
 }
 
+// Where a video is not calibrated, or a table has no row of units, all that is to be said at once.
 std::optional<Error> units_unsaid(const SpotLayout& spots, const RecordingOptions& options) {
-  if (!spots.units[2].empty() || options.pixel) return std::nullopt;
-  if (options.units.position != Unit::kUnstated) return std::nullopt;
-  return Error{ErrorCode::kInvalidArgument,
-               "spots of TrackMate, but there is no row that says their unit: say it, as with "
-               "--units position=um, or how long a pixel is, with --scale",
-               {}};
+  const std::string& length = spots.units[kX];
+  const bool pixels = length.starts_with("pixel");
+  const bool frames = spots.units[kTime].starts_with("frame");
+  const bool places_unsaid =
+      !options.pixel && (pixels || (length.empty() && options.units.position == Unit::kUnstated));
+  const bool times_unsaid =
+      !options.frames_per_second &&
+      (frames || (spots.units[kTime].empty() && options.time_unit == Unit::kUnstated));
+  if (!places_unsaid && !times_unsaid) return std::nullopt;
+  std::string text = "spots of TrackMate, ";
+  if (places_unsaid) {
+    text += pixels ? "in pixels: say how long one is, as in --scale 0.1mm (--scale 1 takes it for "
+                     "a metre)"
+                   : "and no row says the unit of places: say it, as in --units position=um, or "
+                     "how long a pixel is, as in --scale 0.1mm";
+  }
+  if (times_unsaid) {
+    text += places_unsaid ? "; and " : "";
+    text += frames ? "times are numbers of frames: say how many there are in a second, as in "
+                     "--fps 25"
+                   : "no row says the unit of times: say how many frames there are in a second, as "
+                     "in --fps 25, or the unit, as in --time-unit s";
+  }
+  return Error{ErrorCode::kInvalidArgument, std::move(text), {}};
+}
+
+// Who says how many frames there are in a second has them counted.
+void take_frames(std::string_view text, SpotLayout& spots) {
+  const auto names = spot_fields(line_at(text, 0, '\n').text, spots.delimiter);
+  const auto frame = std::find(names.begin(), names.end(), "FRAME");
+  if (frame == names.end() && !spots.units[kTime].starts_with("frame")) return;
+  spots.in_frames = true;
+  if (frame != names.end()) spots.read[kTime] = static_cast<std::size_t>(frame - names.begin());
 }
 
 }  // namespace
@@ -148,10 +184,11 @@ bool is_trackmate_table(std::string_view text) {
 
 std::optional<Error> read_trackmate_table(std::string_view text, RecordingAssembly& assembly) {
   if (auto problem = text_problem(text)) return problem;
-  const auto spots = spot_layout(text);
+  auto spots = spot_layout(text);
   if (!spots) return Error{ErrorCode::kUnsupportedFormat, "this is no table of spots", {}};
   const RecordingOptions& options = assembly.options();
   if (auto error = units_unsaid(*spots, options)) return error;
+  if (options.frames_per_second) take_frames(text, *spots);
   const std::string records = records_of(text, *spots);
   if (records.empty()) {
     return Error{ErrorCode::kNoPoints, "there are rows that name columns and none after them", {}};

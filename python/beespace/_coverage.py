@@ -55,6 +55,8 @@ class Coverage:
     untimed_count : int
         Of how many agents it is not known when they were where they say: their clocks do not go on
         as that of the log.
+    rough_count : int
+        How many agents have places that are off by kilometres, as those of Argos are.
 
     Examples
     --------
@@ -84,6 +86,7 @@ class Coverage:
         "missing_without_id",
         "nowhere_count",
         "outside",
+        "rough_count",
         "shared_id_count",
         "swapped_count",
         "typical_interval",
@@ -116,6 +119,7 @@ class Coverage:
         self.jumping_count = int(found.jumping)
         self.swapped_count = int(found.swapped)
         self.untimed_count = int(found.untimed)
+        self.rough_count = int(found.rough)
         self.agents_unplaced = int(found.agents_unplaced)
         self.unknown = _text_of(found)
         found.gaps = 0

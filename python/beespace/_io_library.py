@@ -90,6 +90,7 @@ class CCoverage(ctypes.Structure):
         ("swapped", c_int64),
         ("agents_unplaced", c_int64),
         ("untimed", c_int64),
+        ("rough", c_int64),
     ]
 
 

@@ -154,6 +154,7 @@ def check_coverage(coverage, known):
         "left_out_bees": "missing_agents", "bees_known_nowhere": "nowhere_count",
         "shared_id_count": "shared_id_count", "left_out_files": "file_count",
         "jumping_count": "jumping_count", "swapped_degrees": "swapped_count",
+        "rough_places": "rough_count",
         "typical_interval_s": "typical_interval",
     }
     assert {name: getattr(coverage, ours) for name, ours in names.items()} == {

@@ -240,6 +240,7 @@ Status LargeInput::read_file(LargeFile& file, const LargeInputSinks& sinks,
     }
     progress.done = bytes_before + stream.bytes_read();
   }
+  if (auto problem = recording_.problem_of_file(file.path)) return *std::move(problem);
   note_ids(odd_ids, {}, request_->form.form, file.facts.notes);
   file.facts.bytes = std::max(stream.file_bytes(), stream.bytes_read());
   return std::monostate{};

@@ -83,7 +83,7 @@ class LargeInput {
 
  private:
   LargeInput(const DetectRequest& request, std::size_t block_bytes)
-      : request_(&request), block_bytes_(block_bytes) {}
+      : request_(&request), block_bytes_(block_bytes), recording_(kBeesToWatch, request.load) {}
 
   Result<LargeFile> open_file(const std::string& path) const;
   [[nodiscard]] std::optional<Error> mix_problem(const LargeFile& file) const;
@@ -99,7 +99,7 @@ class LargeInput {
   std::vector<std::optional<std::uint64_t>> likely_sizes_;  // of each
   std::uint64_t rows_before_ = 0;                           // of files that were read
   io::SkippedRecords skipped_;
-  analysis::RecordingCheck recording_{kBeesToWatch};
+  analysis::RecordingCheck recording_;
 
   // Some megabytes of names.
   static constexpr std::size_t kBeesToWatch = std::size_t{1} << 14U;

@@ -335,5 +335,44 @@ TEST(Animals, AnswersHavePictures) {
   }
 }
 
+// Known for an instant each: who says so has no all-clear.
+TEST(Animals, WhoSaysThatRecordsAreAnimalsHasNoAllClear) {
+  const std::string rows =
+      "id,animal,time_s,x_m,y_m\n1,a,0,0,0\n2,a,9,1,0\n3,b,1,90,0\n4,b,10,0,0.5\n";
+  const Arguments replay = {"replay", "--threshold", "1", "--fail-on-risk"};
+  expect_failure(replay, rows, 3, "say --columns id=2 for 'animal'");
+  const Finished finished = run(replay + Arguments{"--columns", "id=1"}, rows);
+  EXPECT_EQ(finished.exit_code, 1);
+  expect_parts(finished.err, {"4 bees known for an instant only, each"});
+  // Where not all is in memory at once it is known at the end.
+  const TemporaryFolder folder;
+  std::string many = "id,animal,time_s,x_m,y_m\n";
+  for (int row = 0; row < 120'000; ++row) {
+    many += std::to_string(row) + "," + std::to_string(row % 10) + "," + std::to_string(row / 10) +
+            ",0," + std::to_string(row % 10 * 100) + "\n";
+  }
+  expect_failure({"replay", folder.file("many.csv", many), "--memory", "40MB"}, {}, 3,
+                 "say --columns id=2 for 'animal'");
+}
+
+// Of Argos, who may be kilometres away.
+TEST(Animals, PlacesByArgosAreNoAllClear) {
+  const auto storks = [](const std::string& sensor) {
+    return "timestamp,location-long,location-lat,sensor-type,individual-local-identifier\n"
+           "2015-09-10 07:00:00.000,9.17,47.7,gps,x\n2015-09-10 07:05:00.000,9.17,47.7,gps,x\n"
+           "2015-09-10 07:00:00.000,9.18,47.7," +
+           sensor +
+           ",y\n"
+           "2015-09-10 07:05:00.000,9.18,47.7," +
+           sensor + ",y\n";
+  };
+  const Arguments replay = {"replay", "--threshold", "100", "--fail-on-risk"};
+  EXPECT_EQ(run(replay, storks("gps")).exit_code, 0);
+  const Finished finished = run(replay, storks("argos-doppler-shift"));
+  EXPECT_EQ(finished.exit_code, 1);
+  expect_parts(finished.err, {"2 places are by the Doppler shift of Argos (sensor-type)",
+                              "no conflict in the known time; 1 bee has places off by kilometres"});
+}
+
 }  // namespace
 }  // namespace beespace::cli_test

@@ -43,6 +43,39 @@ TEST(RecordingAsSnapshot, ColumnsAreKnownByTheirNamesWhereverTheyAre) {
                  "a,b,c,time,d\n0,0,0,1,e\n0,0,0,2,e\n", kBadInput, "bee 'e'");
 }
 
+// Frames, days and times under names of one's own, and a header in a comment.
+TEST(RecordingAsSnapshot, TimesAreKnownAsReplayKnowsThem) {
+  expect_failure({"detect"}, "id,frame,x,y,z\na,0,0,0,0\na,1,1,0,0\n", kBadInput,
+                 "bee 'a' is in it at more than one time ('0' and '1')");
+  expect_failure({"detect"},
+                 "id,LMT_Date,LMT_Time,x,y,z\na,10.01.2023,01:00:00,0,0,0\n"
+                 "a,10.01.2023,02:00:00,1,0,0\n",
+                 kBadInput, "bee 'a' is in it at more than one time");
+  expect_failure({"detect"}, "# simt, id, lat, lon, alt\n0.0,KL1,52,4,6096\n1.0,KL1,52.1,4,6096\n",
+                 kBadInput, "bee 'KL1' is in it at more than one time ('0.0' and '1.0')");
+}
+
+// One bee, all of whose fixes would be bees.
+TEST(RecordingAsSnapshot, ATableOfSeveralTimesWithoutAnIdIsOne) {
+  expect_failure({"detect"}, "Time [msec],x [m],y [m],z [m]\n0,0,0,0\n250,0,0,1\n500,0,0,2\n",
+                 kBadInput,
+                 "this is a recording: its records are of several times ('0' and '250'); ask "
+                 "'beespace replay' about it");
+  expect_answer("time_s,x,y,z\n7,0,0,0\n7.0,50,0,0\n7,900,0,0\n", "0\n1\n");
+}
+
+TEST(RecordingAsSnapshot, SoIsOneWhoseIdNumbersTheRecords) {
+  const std::string_view spots =
+      "LABEL,TRACK_ID,FRAME,x,y,z\nID0,0,0,0,0,0\nID1,1,0,9,0,0\nID2,0,1,1,0,0\n";
+  expect_failure({"detect"}, spots, kBadInput, "this is a recording: ");
+  const std::string_view rows = "id,time_s,x,y,z\n1,0,0,0,0\n2,1,50,0,0\n3,2,900,0,0\n";
+  expect_failure({"detect"}, rows, kBadInput,
+                 "and column 1 'id' numbers them; ask 'beespace replay' about it, leave one time "
+                 "in it, or, if each is of another bee, say --columns id=1");
+  EXPECT_EQ(run({"detect", "--columns", "id=1"}, rows).out, "1\n2\n");
+  expect_answer("icao24,time_s,x [m],y [m],z [m]\na,0,0,0,0\nb,1,50,0,0\nc,2,900,0,0\n", "a\nb\n");
+}
+
 TEST(RecordingAsSnapshot, ASnapshotMayHaveATimeColumn) {
   expect_answer("id,time_s,x,y,z\na,0,0,0,0\nb,0,50,0,0\n", "a\nb\n");
   // Each heard of at a time of its own.

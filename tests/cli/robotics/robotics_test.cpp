@@ -239,6 +239,8 @@ TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
        "a DataFlash log of ArduPilot (.bin)", "mavlogdump.py --format csv"},
       {"MATLAB 5.0 MAT-file, Platform", "a file of MATLAB (.mat)", "scipy.io.whosmat('FILE')"},
       {"\x89HDF\r\n\x1A\nrest", "an HDF5 file", "h5py.File('FILE').visititems(print)"},
+      {"\x80\x05\x95rest", "a pickle of Python (pandas, traffic)",
+       "pandas.read_pickle('FILE').to_csv('bees.csv', index=False)"},
       {"PAR1rest", "a Parquet file", "pandas.read_parquet('FILE').to_csv('bees.csv', index=False)"},
       {"ULogEncrest", "a PX4 log that is encrypted", "decrypt it first"},
   };

@@ -21,12 +21,15 @@ std::string summary(const Arguments& arguments, std::string_view input) {
 }
 
 const Arguments kTable = {"export", "--format", "csv"};
+const Arguments kIdIsSaid = {"--columns", "id=1"};
 
 TEST(SeenTimes, ABeeAtAnotherTimeMeetsNone) {
-  expect_parts(summary(kTable, kApartInTime),
+  expect_failure(kTable, kApartInTime, 3, "which column is the id? By column 1 'id' each of the 3");
+  expect_parts(summary(kTable + kIdIsSaid, kApartInTime),
                {"bees       3\n", "at risk    none in the known time; ",
                 "each bee is there for a moment only"});
-  EXPECT_EQ(lines_of(run(kTable, kApartInTime).out).size(), 1u);  // no conflict below the header
+  EXPECT_EQ(lines_of(run(kTable + kIdIsSaid, kApartInTime).out).size(),
+            1u);  // no conflict below the header
 }
 
 TEST(SeenTimes, BeesAtTheSameTimeAreASnapshot) {
@@ -62,7 +65,7 @@ TEST(SeenTimes, OfSeveralFilesTheTimesDecideToo) {
 class SeenTimesPage : public PageCommand {};
 
 TEST_F(SeenTimesPage, SaysWhichItIs) {
-  EXPECT_EQ(text_of(reported({}, kApartInTime).swarm()["kind"]), "recording");
+  EXPECT_EQ(text_of(reported(kIdIsSaid, kApartInTime).swarm()["kind"]), "recording");
   EXPECT_EQ(text_of(reported({}, kAtOnce).swarm()["kind"]), "snapshot");
 }
 

@@ -44,6 +44,14 @@ TEST(LiveAircraft, ObjectsThatSayNoPositionAreCounted) {
   EXPECT_EQ(report_of(lines.take(kFlying)).id, "4b1814");
 }
 
+TEST(LiveAircraft, ALookAtManyInOneLineIsToldHowToBeTakenApart) {
+  ReportLines lines;
+  expect_line_error(
+      lines.take(R"({"now":1,"messages":7,"aircraft":[{"hex":"a","lat":1,"lon":2}]})"),
+      {ErrorCode::kUnsupportedFormat, "<stdin>:1",
+       "jq -c --unbuffered '.now as $now | .aircraft[] | .now = $now'"});
+}
+
 TEST(LiveAircraft, ObjectsWithoutNowHaveNoTime) {
   ReportLines lines;
   expect_line_error(lines.take(R"({"hex":"a","lat":1,"lon":2,"alt_geom":3,"seen_pos":1})"),

@@ -76,6 +76,7 @@ TEST(Npy, RefusesOtherTypesAndShapes) {
   unsupported(dictionary("<i8", "(2, 3)"), "the .npy array holds '<i8'");
   unsupported(dictionary(">f8", "(2, 3)"), "array.astype('<f8')");
   unsupported("{'descr': [('x', '<f8')], 'fortran_order': False, 'shape': (6,), }", "('x', '<f8')");
+  unsupported(dictionary("|O", "()"), "of trajectories of idtracker.ai make CSV: idtrackerai_csv");
   unsupported(dictionary("<f8", "(6,)"), "has the shape (6,)");
   unsupported(dictionary("<f8", "(3, 2)"), "has the shape (3, 2)");
   unsupported(dictionary("<f8", "(1, 2, 3)"), "has the shape (1, 2, 3)");

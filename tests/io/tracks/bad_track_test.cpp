@@ -33,6 +33,14 @@ TEST(BadTrack, MissingColumnsAreNamedWithThoseThatAreThere) {
                {ErrorCode::kMissingColumn, "bees.csv:1", "the header names no position"});
   expect_error(record("id,x,y,z\na,1,2,3\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1", "there is neither a time nor a velocity"});
+  expect_error(record("\x93NUMPY\x01 {'descr': '|O', 'shape': ()}"),
+               {ErrorCode::kUnsupportedFormat, "bees.csv", "idtrackerai_csv FOLDER"});
+  // A day and a time of day, under names of a collar's own.
+  expect_error(record("id,LMT_Date,LMT_Time,lon,lat\na,2024-05-01,12:00:00,8,47\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1", "with --columns date=2,time=3, or those"});
+  expect_error(record("id,time,lon,lat\na,10-Jan-2023 00:01:07,8,47\n"),
+               {ErrorCode::kNotANumber, "bees.csv:1:2",
+                "'10-Jan-2023 00:01:07' is neither a number nor a date that is read"});
 }
 
 TEST(BadTrack, WithoutAHeaderTheColumnsMustBeGiven) {
