@@ -236,8 +236,8 @@ Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::stri
   layout->ids_within_file = ros.child.has_value();
   layout->notes.push_back(ros.note);
   if (ros.child) {
-    layout->notes.emplace_back(
-        "each child_frame_id is taken for a bee; of several files, for one of that file");
+    layout->notes.push_back("each " + table.names[*ros.child] +
+                            " is taken for a bee; of several files, for one of that file");
   }
   return layout;
 }

@@ -5,6 +5,7 @@
 #include "io/points/record_reading.hpp"
 #include "io/table/column_names.hpp"
 #include "io/table/fields.hpp"
+#include "io/table/record_walk.hpp"
 
 #include <algorithm>
 #include <array>
@@ -62,7 +63,23 @@ std::optional<Words> position_before(Words words, std::string_view axis) {
   return words;
 }
 
-std::optional<RosTable> by_names(const TableLayout& table) {
+// What tells robots apart whose messages are in one table.
+bool is_name_of_robot(const Words& words) {
+  return words.size() == 1 && is_one_of("topic namespace ns", words[0]);
+}
+
+bool has_several(std::string_view text, const TableLayout& table, std::size_t column) {
+  std::optional<std::string_view> first;
+  RecordWalk walk(text, table.data_offset, table);
+  while (walk.next()) {
+    const auto name = without_padding(field_at(walk.record(), table.delimiter, column).text);
+    if (first && name != *first) return true;
+    first = name;
+  }
+  return false;
+}
+
+std::optional<RosTable> by_names(std::string_view text, const TableLayout& table) {
   RosTable found;
   found.names = table.names;
   std::array<std::vector<std::size_t>, 3> axes;
@@ -89,6 +106,10 @@ std::optional<RosTable> by_names(const TableLayout& table) {
     stamped = true;
   }
   if (!stamped || !one || before[0] != before[1] || before[1] != before[2]) return std::nullopt;
+  for (std::size_t column = 0; column < table.names.size(); ++column) {
+    if (!is_name_of_robot(split_words(table.names[column]))) continue;
+    if (has_several(text, table, column)) found.child = column;
+  }
   found.columns = columns_text({axes[0][0], axes[1][0], axes[2][0]});
   found.note =
       "this is taken for a table of a topic of ROS: positions in metres; orientations, and "
@@ -230,7 +251,7 @@ std::optional<RosTable> by_content(std::string_view text, const TableLayout& tab
 }  // namespace
 
 std::optional<RosTable> find_ros_table(std::string_view text, const TableLayout& table) {
-  return table.names.empty() ? by_content(text, table) : by_names(table);
+  return table.names.empty() ? by_content(text, table) : by_names(text, table);
 }
 
 }  // namespace beespace::io

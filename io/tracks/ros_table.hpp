@@ -16,8 +16,8 @@ struct RosTable {
   std::vector<std::string> names;  // of the columns; those of the header, where there is one
   std::string columns;             // as --columns says them
   std::optional<std::size_t> axes_name = {};  // "frame_id"
-  std::optional<std::size_t> child = {};      // "child_frame_id": whose pose a record is
-  std::optional<std::size_t> recorded = {};   // the time of recording, beside that of the header
+  std::optional<std::size_t> child = {};     // "child_frame_id", or "topic": whose pose a record is
+  std::optional<std::size_t> recorded = {};  // the time of recording, beside that of the header
   std::string note;
 };
 

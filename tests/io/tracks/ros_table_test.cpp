@@ -34,6 +34,22 @@ TEST(RosTable, ThePoseAndTheStampOfTheHeaderAreTaken) {
   EXPECT_TRUE(has_note(recording, "not from column 1 'Time'; --columns time=1 would change that"));
 }
 
+TEST(RosTable, TopicsBesideEachOtherAreBees) {
+  const std::string header =
+      "Time,topic,header.stamp.secs,header.stamp.nsecs,header.frame_id,child_frame_id,"
+      "pose.pose.position.x,pose.pose.position.y,pose.pose.position.z\n";
+  const auto row = [](const std::string& topic, int second, int x) {
+    return "170000000" + std::to_string(second) + "," + topic + ",170000000" +
+           std::to_string(second) + ",0,map,base_link," + std::to_string(x) + ",2,3\n";
+  };
+  const std::string one = row("/uav0/odom", 1, 0) + row("/uav0/odom", 2, 1);
+  const std::string other = row("/uav1/odom", 1, 5) + row("/uav1/odom", 2, 6);
+  const auto both = recording_of(record(header + one + other));
+  EXPECT_EQ(ids_of(both), (Ids{"/uav0/odom", "/uav1/odom"}));
+  EXPECT_TRUE(has_note(both, "each topic is taken for a bee"));
+  EXPECT_EQ(ids_of(recording_of(record(header + one))), Ids{"base_link"});
+}
+
 TEST(RosTable, TheTopicsTimeInOneColumn) {
   const auto recording =
       recording_of(record("%time,field.header.seq,field.header.stamp,field.header.frame_id,"
