@@ -36,4 +36,8 @@ std::optional<Error> lengths_problem(const TableLayout& table, const RecordingOp
 // What was chosen, for the notes.
 std::string time_note(const TableLayout& table, const TimeChoice& time, bool asked);
 
+// What to say where there is neither a time nor a velocity. A column that may hold the time is
+// offered only if its name sounds like it; one of days with one of times of day.
+std::string no_time_text(std::string_view text, const Header& header);
+
 }  // namespace beespace::io
