@@ -172,7 +172,7 @@ constexpr std::string_view kOtherQuantities =
     "speed velocity acceleration heading angle theta orientation direction likelihood confidence "
     "score prob probability temperature temp humidity battery voltage satellites sats hdop vdop "
     "pdop dop accuracy area size width length count missing error mass ecc eccentricity signal ep "
-    "intensity brightness";
+    "intensity brightness year month julianday hour minute fixtime activity numsats 2d";
 
 // What ids are unique within: whole names. Movebank's individuals and tags are so within a study.
 constexpr std::string_view kSets =

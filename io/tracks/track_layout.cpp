@@ -131,31 +131,6 @@ ColumnsByRole columns_read(const TrackLayout& layout) {
   return columns;
 }
 
-// A column that may hold the time is offered only if its name sounds like it; one of days with one
-// of times of day.
-std::string no_time(const Header& header, std::string_view text) {
-  std::vector<std::size_t> like;
-  for (std::size_t i = 0; i < header.size(); ++i) {
-    if (header.meaning(i).role < Role::kId &&
-        resembles(header.schema(), header.table().names[i], Role::kTime)) {
-      like.push_back(i);
-    }
-  }
-  std::string which = "time=" + (like.empty() ? "N" : std::to_string(like.front() + 1));
-  for (const std::size_t clock : like) {
-    const FirstFields times = first_fields(text, header.table(), clock);
-    const bool is_clock = !times.empty() && times.front().find(':') < 3;
-    if (!is_clock || clock == like.front()) continue;
-    which = "date=" + std::to_string(like.front() + 1) + ",time=" + std::to_string(clock + 1);
-    break;
-  }
-  return "there is neither a time nor a velocity; name the column of the time with --columns " +
-         which +
-         ", or those of the velocity, with which 'beespace predict' needs no time, with vx=N,vy=N; "
-         "where all are at one time, ask 'beespace detect' (" +
-         list_columns(header.table()) + ")";
-}
-
 // Whether the columns behind a position are the colours that a drone has there: red, green, blue.
 bool names_colours(const TableLayout& table) {
   const auto has = [&table](std::string_view word) {
@@ -257,7 +232,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
                                   layout.notes, layout.units);
   if (!velocity) return velocity.error();
   layout.velocity = *velocity;
-  if (!layout.time && !layout.velocity) return missing(no_time(header, text));
+  if (!layout.time && !layout.velocity) return missing(no_time_text(text, header));
   if (layout.time) {
     if (auto error = frames_problem(layout.table, *layout.time, choice, options)) {
       return *std::move(error);

@@ -345,4 +345,37 @@ std::string time_note(const TableLayout& table, const TimeChoice& time, bool ask
          "; --columns time=" + std::to_string(*time.other + 1) + " would change that";
 }
 
+std::string no_time_text(std::string_view text, const Header& header) {
+  std::vector<std::size_t> like;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (header.meaning(i).role < Role::kId &&
+        resembles(header.schema(), header.table().names[i], Role::kTime)) {
+      like.push_back(i);
+    }
+  }
+  const auto names = [&header](std::string_view words) {
+    return std::any_of(
+        header.table().names.begin(), header.table().names.end(),
+        [words](const std::string& name) { return is_one_of(words, plain_name(name)); });
+  };
+  if (names("hour hours") && names("minute minutes min")) {
+    return "the time is in several columns, of days, hours and minutes, which are not read; write "
+           "it in one, as 2024-05-01T12:00:00Z (" +
+           list_columns(header.table()) + ")";
+  }
+  std::string which = "time=" + (like.empty() ? "N" : std::to_string(like.front() + 1));
+  for (const std::size_t clock : like) {
+    const FirstFields times = first_fields(text, header.table(), clock);
+    const bool is_clock = !times.empty() && times.front().find(':') < 3;
+    if (!is_clock || clock == like.front()) continue;
+    which = "date=" + std::to_string(like.front() + 1) + ",time=" + std::to_string(clock + 1);
+    break;
+  }
+  return "there is neither a time nor a velocity; name the column of the time with --columns " +
+         which +
+         ", or those of the velocity, with which 'beespace predict' needs no time, with vx=N,vy=N; "
+         "where all are at one time, ask 'beespace detect' (" +
+         list_columns(header.table()) + ")";
+}
+
 }  // namespace beespace::io

@@ -39,4 +39,8 @@ bool counts_from_start(const TableLayout& table, const TimeChoice& time);
 // What was chosen, for the notes.
 std::string time_note(const TableLayout& table, const TimeChoice& time, bool asked);
 
+// What to say where there is neither a time nor a velocity. A column that may hold the time is
+// offered only if its name sounds like it; one of days with one of times of day.
+std::string no_time_text(std::string_view text, const Header& header);
+
 }  // namespace beespace::io

@@ -38,6 +38,11 @@ TEST(BadTrack, MissingColumnsAreNamedWithThoseThatAreThere) {
   // A day and a time of day, under names of a collar's own.
   expect_error(record("id,LMT_Date,LMT_Time,lon,lat\na,2024-05-01,12:00:00,8,47\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1", "with --columns date=2,time=3, or those"});
+  expect_error(record("CollarSerialNumber,Year,Julianday,Hour,Minute,lat,lon,FixTime,2D/3D\n"
+                      "7,23,10,0,1,47,8,77,3\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "the time is in several columns, of days, hours and minutes, which are not read; "
+                "write it in one, as 2024-05-01T12:00:00Z"});
   expect_error(record("id,time,lon,lat\na,10-Jan-2023 00:01:07,8,47\n"),
                {ErrorCode::kNotANumber, "bees.csv:1:2",
                 "'10-Jan-2023 00:01:07' is neither a number nor a date that is read"});
