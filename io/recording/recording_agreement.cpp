@@ -126,7 +126,7 @@ std::optional<Error> RecordingAssembly::agree_on_origins(const SourceFacts& fact
   if (facts.own_origin && facts_->own_origin && options_.frame == Frame::kAuto) {
     return Error{ErrorCode::kUnknownFrame,
                  "this trajectory and another one before it, as in " + facts_source_ +
-                     ", both begin at 0, 0, 0 without a turn, as if each were counted from where "
+                     ", both begin at 0, 0, 0, as if each were counted from where "
                      "its robot was switched on: if all have one origin and direction, say so with "
                      "--crs metres; else bring all into one",
                  {sources_.back()}};

@@ -72,6 +72,18 @@ Unit unit_of_stamps(std::string_view text, const TableLayout& table) {
   return by_size == Unit::kUnstated ? Unit::kSecond : by_size;
 }
 
+// Whether the first place of a table is 0, 0, 0, as where a robot was switched on.
+bool begins_at_zero(std::string_view text, const TableLayout& table) {
+  const auto& axes = table.choice.axes;
+  return std::all_of(axes.begin(), axes.end(), [&](std::size_t column) {
+    const FirstFields fields = first_fields(text, table, column);
+    double number = 0.0;
+    return !fields.empty() &&
+           parse_number(without_padding(fields.front()), number) == NumberKind::kNumber &&
+           number == 0.0;
+  });
+}
+
 // Whether a trajectory begins at 0, 0, 0 without a turn, as where a robot was switched on.
 bool begins_at_its_own_origin(std::string_view text, const TableLayout& table) {
   for (std::size_t column = 1; column < 8; ++column) {
@@ -232,6 +244,8 @@ Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::stri
       taken.reason = "messages of ROS have them so";
     }
   }
+  layout->own_origin = options.frame == Frame::kAuto && layout->frame == Frame::kMetres &&
+                       begins_at_zero(text, layout->table);
   layout->axes_name = ros.axes_name;
   layout->ids_within_file = ros.child.has_value();
   layout->notes.push_back(ros.note);

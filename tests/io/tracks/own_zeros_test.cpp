@@ -200,7 +200,7 @@ TEST(MessagesOfRos, WithoutAHeaderOfReceiversAndPoints) {
 TEST(Trajectories, ThatEachBeginAtZeroAreAskedAbout) {
   const std::string own = "1700000000.0 0 0 0 0 0 0 1\n1700000001.0 1 0 0 0 0 0 1\n";
   const std::string placed = "1700000000.0 5 0 0 0 0 0 1\n1700000001.0 6 0 0 0 0 0 1\n";
-  expect_problem(several({own, own}), "begin at 0, 0, 0 without a turn");
+  expect_problem(several({own, own}), "begin at 0, 0, 0, as if each");
   EXPECT_TRUE(several({own, own}, in_frame(Frame::kMetres)));
   const Recording recording = recording_of(several({own, placed}));
   EXPECT_EQ(recording.frame_reason, "trajectories as of TUM are in metres");

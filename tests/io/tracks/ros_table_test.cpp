@@ -50,6 +50,23 @@ TEST(RosTable, TopicsBesideEachOtherAreBees) {
   EXPECT_EQ(ids_of(recording_of(record(header + one))), Ids{"base_link"});
 }
 
+TEST(RosTable, SeveralThatBeginAtZeroAreAskedAbout) {
+  const TemporaryFolder folder;
+  const std::string header =
+      "header.stamp.secs,header.stamp.nsecs,header.frame_id,pose.position.x,pose.position.y,"
+      "pose.position.z\n";
+  const std::string at_zero = header + "1700000001,0,map,0.0,0,-0.0\n1700000002,0,map,1,0,0\n";
+  const std::string first = folder.write("a.csv", at_zero);
+  const std::string second = folder.write("b.csv", at_zero);
+  const std::string elsewhere = folder.write("c.csv", header + "1700000001,0,map,1,0,0\n");
+  expect_error(load_recording({first, second}),
+               {ErrorCode::kUnknownFrame, second, "both begin at 0, 0, 0, as if each"});
+  EXPECT_TRUE(load_recording({first, elsewhere}));
+  RecordingOptions said;
+  said.frame = Frame::kMetres;
+  EXPECT_TRUE(load_recording({first, second}, said));
+}
+
 TEST(RosTable, TheTopicsTimeInOneColumn) {
   const auto recording =
       recording_of(record("%time,field.header.seq,field.header.stamp,field.header.frame_id,"

@@ -9,7 +9,10 @@ const kFact = async (page: Page, label: string): Promise<string | null> => {
   return (await rows.count()) === 1 ? rows.locator('dd').innerText() : null;
 };
 
-const kMetres = async (page: Page, label: string): Promise<number> => parseFloat((await kFact(page, label)) ?? 'NaN');
+const kMetres = async (page: Page, label: string): Promise<number> => {
+  const text = (await kFact(page, label)) ?? 'NaN';
+  return parseFloat(text) * (text.endsWith('mm') ? 0.001 : 1);
+};
 
 pageTest('who was out of its contract is listed, and shown from when it was', 'fleet', {}, async ({ page }) => {
   const links = page.locator('.contracts .link');
