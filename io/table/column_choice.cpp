@@ -368,19 +368,19 @@ ColumnMeaning Header::stated(std::size_t column) const {
   return read_column_name(schema_, table_.names[column]);
 }
 
-std::size_t choose_id(const TableLayout& table, const std::vector<std::size_t>& all) {
+std::size_t choose_id(const TableLayout& table, const std::vector<std::size_t>& candidates) {
   // What is called by a name is also called so by others: "Device Name" beside "Device ID".
-  std::vector<std::size_t> candidates = all;
-  std::erase_if(candidates, [&table](std::size_t column) {
+  std::vector<std::size_t> unnamed = candidates;
+  std::erase_if(unnamed, [&table](std::size_t column) {
     const std::vector<std::string> words = split_words(table.names[column]);
     return !words.empty() && is_one_of("name label nombre nom", words.back());
   });
-  if (candidates.empty()) candidates = all;
+  if (unnamed.empty()) unnamed = candidates;
   std::vector<std::size_t> alone;
-  for (const std::size_t column : candidates) {
+  for (const std::size_t column : unnamed) {
     if (split_words(table.names[column]).size() == 1) alone.push_back(column);
   }
-  if (alone.empty()) return candidates.front();
+  if (alone.empty()) return unnamed.front();
   // An aircraft has one address and flies as many.
   const auto lasting = std::find_if(alone.begin(), alone.end(), [&table](std::size_t column) {
     return lower_case(without_padding(table.names[column])) != "callsign";
