@@ -22,8 +22,8 @@
 namespace beespace::io {
 namespace {
 
-// Milliseconds, if nobody says otherwise. One that goes on by a few of them from row to row counts
-// pictures or seconds.
+// Milliseconds, if nobody says otherwise. One that goes on by a few of them from record to record
+// counts pictures or seconds.
 Result<TimeChoice> time_of_skybrush(const TableLayout& table, std::string_view text,
                                     const RecordingOptions& options) {
   constexpr double kShortestStep_ms = 5.0;
