@@ -90,49 +90,6 @@ class CollectAsked {
 };
 
 template <class Lanes>
-class CollectRows {
- public:
-  explicit CollectRows(RowSink& rows) : rows_(rows) {}
-
-  bool start(const Sweep& sweep, std::uint32_t i) {
-    asked_ = sweep.asked.id[i];
-    others_ = sweep.others.id;
-    same_set_ = sweep.same_set;
-    length_ = 0;
-    return true;
-  }
-  bool take(const typename Lanes::Seen& seen, std::uint32_t from) {
-    unsigned near = seen.near;
-    if (rows_.above_only) {
-      near &= Lanes::above(others_ + from, asked_);
-    } else if (same_set_) {
-      near &= ~Lanes::equal(others_ + from, asked_);
-    }
-    Lanes::store(others_ + from, near, rows_.ids + rows_.size);
-    const auto count = static_cast<std::uint32_t>(__builtin_popcount(near));
-    rows_.size += count;
-    length_ += count;
-    if (rows_.capacity - rows_.size >= PairSink::kMostAtOnce) [[likely]] {
-      return true;
-    }
-    go_on_ = rows_.make_room(rows_.context);
-    return go_on_;
-  }
-  bool finish(std::uint32_t i) {
-    rows_.lengths[i] = length_;
-    return go_on_;
-  }
-
- private:
-  RowSink& rows_;
-  const PointId* others_ = nullptr;
-  PointId asked_ = 0;
-  std::uint32_t length_ = 0;
-  bool same_set_ = false;
-  bool go_on_ = true;
-};
-
-template <class Lanes>
 class KeepNearestOfAsked {
  public:
   explicit KeepNearestOfAsked(const NearestTable& table) : table_(table) {}
@@ -162,15 +119,6 @@ class KeepNearestOfAsked {
   const PointId* others_ = nullptr;
   PointId self_ = kNone;
 };
-
-template <class Lanes>
-[[gnu::noinline]] void decide_unsure(const Unsure& unsure, std::uint32_t i, std::uint32_t from,
-                                     typename Lanes::Seen& seen) {
-  for (unsigned open = seen.within & ~seen.near; open != 0; open &= open - 1) {
-    const auto lane = static_cast<unsigned>(__builtin_ctz(open));
-    if (unsure.decide(unsure.context, i, from + lane)) Lanes::add_near(seen, lane);
-  }
-}
 
 // Compares the selected point i with the points [from, end) that lie within its reach along x.
 // Returns how many of those it has seen lie before that.

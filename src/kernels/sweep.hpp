@@ -99,15 +99,30 @@ struct PairSink {
   void* context;
 };
 
-// The near points of each query point, one row behind the other. `make_room` as in PairSink.
-struct RowSink {
-  PointId* ids;
-  std::uint32_t size;
-  std::uint32_t capacity;
-  std::uint32_t* lengths;  // by sorted point
-  bool above_only;         // leave out ids below that of the query point
-  bool (*make_room)(void* context);
-  void* context;
+// A box of positions, faces included.
+struct PositionBox {
+  std::int32_t low[3];
+  std::int32_t high[3];
+};
+
+// Where positions and ids are written to; may be written for kPadding elements behind the last.
+struct PositionsOut {
+  std::int32_t* x;
+  std::int32_t* y;
+  std::int32_t* z;
+  PointId* id;
+};
+
+// A query point and the others that it is compared with, which stand in any order.
+struct RowQuery {
+  std::int32_t x;
+  std::int32_t y;
+  std::int32_t z;
+  std::uint32_t asked;  // the query point, for `unsure`
+  Positions others;
+  Range range;  // of the others
+  Limits limits;
+  Unsure unsure;
 };
 
 // Pairs of sorted places whose balls meet: squared distances in units at most the square of the sum
@@ -140,10 +155,18 @@ struct Kernels {
   void (*count_asked)(const Sweep& sweep, const Counts& counts);
   bool (*collect)(const Sweep& sweep, PairSink& pairs);  // false when make_room said stop
   bool (*collect_asked)(const Sweep& sweep, PairSink& pairs);
-  bool (*collect_rows)(const Sweep& sweep, RowSink& rows);  // for query points against others only
   bool (*collect_meeting)(const Sweep& sweep, const MeetingSink& meeting);  // of a set by itself
   void (*nearest)(const Sweep& sweep, const NearestTable& nearest);  // all rows around are targets
   void (*nearest_asked)(const Sweep& sweep, const NearestTable& nearest);
+
+  // One row at a time, without a sweep. These say how many they have found.
+  // Those of the first `size` positions that may be within the far limit of a point of the box, in
+  // their order.
+  std::uint32_t (*pick_around)(const Positions& from, std::uint32_t size, const PositionBox& box,
+                               const Limits& limits, const PositionsOut& to);
+  // The near ones of a query point, in the order of the others; kPadding ids more may be written.
+  std::uint32_t (*count_row)(const RowQuery& query);
+  std::uint32_t (*write_row)(const RowQuery& query, PointId* ids);
 };
 
 const char* name_of(InstructionSet set);

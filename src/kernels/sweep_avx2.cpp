@@ -75,6 +75,18 @@ class Lanes {
     if ((sides & kHighZ) != 0) chosen &= bits(_mm256_cmpgt_epi32(in_z, high));
     return chosen;
   }
+  static unsigned around(const std::int32_t* x, const std::int32_t* y, const std::int32_t* z,
+                         const PositionBox& box, float far) {
+    const auto beside = [&box](__m256i at, unsigned axis) {
+      const __m256i below = _mm256_sub_epi32(_mm256_set1_epi32(box.low[axis]), at);
+      const __m256i above = _mm256_sub_epi32(at, _mm256_set1_epi32(box.high[axis]));
+      return _mm256_max_epi32(_mm256_max_epi32(below, above), _mm256_setzero_si256());
+    };
+    const __m256 squared =
+        sum_of_squares(beside(load(x), 0), beside(load(y), 1), beside(load(z), 2));
+    return static_cast<unsigned>(
+        _mm256_movemask_ps(_mm256_cmp_ps(squared, _mm256_set1_ps(far), _CMP_LE_OQ)));
+  }
   static void pack(const std::int32_t* from, unsigned chosen, std::int32_t* to) {
     store(to, _mm256_permutevar8x32_epi32(load(from), chosen_first(chosen)));
   }
@@ -96,16 +108,6 @@ class Lanes {
     _mm_storel_epi64(place, _mm_or_si128(_mm_loadl_epi64(place), chosen));
   }
 
-  static unsigned above(const PointId* ids, PointId id) {
-    // Without the highest bit, which would be a sign here.
-    const __m256i sign = _mm256_set1_epi32(INT32_MIN);
-    const __m256i own = _mm256_set1_epi32(static_cast<std::int32_t>(id));
-    return bits(_mm256_cmpgt_epi32(_mm256_xor_si256(load(ids), sign), _mm256_xor_si256(own, sign)));
-  }
-  static unsigned equal(const PointId* ids, PointId id) {
-    const __m256i own = _mm256_set1_epi32(static_cast<std::int32_t>(id));
-    return bits(_mm256_cmpeq_epi32(load(ids), own));
-  }
   static void store(const PointId* ids, unsigned near, PointId* to) {
     store(to, _mm256_permutevar8x32_epi32(load(ids), chosen_first(near)));
   }
@@ -231,9 +233,13 @@ class Lanes {
   }();
 
   [[nodiscard]] Squared squared(__m256i x, __m256i y, __m256i z) const {
-    const __m256 dx = _mm256_cvtepi32_ps(_mm256_sub_epi32(x, x_));
-    const __m256 dy = _mm256_cvtepi32_ps(_mm256_sub_epi32(y, y_));
-    const __m256 dz = _mm256_cvtepi32_ps(_mm256_sub_epi32(z, z_));
+    return sum_of_squares(_mm256_sub_epi32(x, x_), _mm256_sub_epi32(y, y_),
+                          _mm256_sub_epi32(z, z_));
+  }
+  static Squared sum_of_squares(__m256i x, __m256i y, __m256i z) {
+    const __m256 dx = _mm256_cvtepi32_ps(x);
+    const __m256 dy = _mm256_cvtepi32_ps(y);
+    const __m256 dz = _mm256_cvtepi32_ps(z);
     return _mm256_add_ps(_mm256_mul_ps(dz, dz),
                          _mm256_add_ps(_mm256_mul_ps(dy, dy), _mm256_mul_ps(dx, dx)));
   }

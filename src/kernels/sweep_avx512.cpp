@@ -73,6 +73,17 @@ class Lanes {
     if ((sides & kHighZ) != 0) chosen &= _mm512_cmpge_epi32_mask(in_z, high);
     return chosen;
   }
+  static unsigned around(const std::int32_t* x, const std::int32_t* y, const std::int32_t* z,
+                         const PositionBox& box, float far) {
+    const auto beside = [&box](const std::int32_t* from, unsigned axis) {
+      const __m512i at = _mm512_loadu_si512(from);
+      const __m512i below = _mm512_sub_epi32(_mm512_set1_epi32(box.low[axis]), at);
+      const __m512i above = _mm512_sub_epi32(at, _mm512_set1_epi32(box.high[axis]));
+      return _mm512_max_epi32(_mm512_max_epi32(below, above), _mm512_setzero_si512());
+    };
+    return _mm512_cmp_ps_mask(sum_of_squares(beside(x, 0), beside(y, 1), beside(z, 2)),
+                              _mm512_set1_ps(far), _CMP_LE_OQ);
+  }
   static void pack(const std::int32_t* from, unsigned chosen, std::int32_t* to) {
     _mm512_storeu_si512(
         to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(chosen), _mm512_loadu_si512(from)));
@@ -89,14 +100,6 @@ class Lanes {
     _mm_mask_storeu_epi8(marks, static_cast<__mmask16>(near), _mm_set1_epi8(-1));
   }
 
-  static unsigned above(const PointId* ids, PointId id) {
-    return _mm512_cmpgt_epu32_mask(_mm512_loadu_si512(ids),
-                                   _mm512_set1_epi32(static_cast<std::int32_t>(id)));
-  }
-  static unsigned equal(const PointId* ids, PointId id) {
-    return _mm512_cmpeq_epi32_mask(_mm512_loadu_si512(ids),
-                                   _mm512_set1_epi32(static_cast<std::int32_t>(id)));
-  }
   static void store(const PointId* ids, unsigned near, PointId* to) {
     _mm512_storeu_si512(
         to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(near), _mm512_loadu_si512(ids)));
@@ -189,9 +192,13 @@ class Lanes {
   }
 
   [[nodiscard]] Squared squared(__m512i x, __m512i y, __m512i z) const {
-    const __m512 dx = _mm512_cvtepi32_ps(_mm512_sub_epi32(x, x_));
-    const __m512 dy = _mm512_cvtepi32_ps(_mm512_sub_epi32(y, y_));
-    const __m512 dz = _mm512_cvtepi32_ps(_mm512_sub_epi32(z, z_));
+    return sum_of_squares(_mm512_sub_epi32(x, x_), _mm512_sub_epi32(y, y_),
+                          _mm512_sub_epi32(z, z_));
+  }
+  static Squared sum_of_squares(__m512i x, __m512i y, __m512i z) {
+    const __m512 dx = _mm512_cvtepi32_ps(x);
+    const __m512 dy = _mm512_cvtepi32_ps(y);
+    const __m512 dz = _mm512_cvtepi32_ps(z);
     return _mm512_fmadd_ps(dz, dz, _mm512_fmadd_ps(dy, dy, _mm512_mul_ps(dx, dx)));
   }
   [[nodiscard]] Seen compare(__m512i x, __m512i y, __m512i z, __mmask16 valid) const {

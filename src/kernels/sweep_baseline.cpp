@@ -12,7 +12,6 @@ namespace {
 
 class Lanes {
   using Ints [[gnu::vector_size(16)]] = std::int32_t;
-  using Ids [[gnu::vector_size(16)]] = PointId;
   using Floats [[gnu::vector_size(16)]] = float;
 
  public:
@@ -73,6 +72,16 @@ class Lanes {
     if ((sides & kHighZ) != 0) chosen &= in_z >= row - reach;
     return bits(chosen);
   }
+  static unsigned around(const std::int32_t* x, const std::int32_t* y, const std::int32_t* z,
+                         const PositionBox& box, float far) {
+    const auto beside = [&box](const Ints& at, unsigned axis) {
+      const Ints below = box.low[axis] - at;
+      const Ints above = at - box.high[axis];
+      return (below & (below > 0)) | (above & (above > 0));
+    };
+    return bits(sum_of_squares(beside(load<Ints>(x), 0), beside(load<Ints>(y), 1),
+                               beside(load<Ints>(z), 2)) <= far);
+  }
   static void pack(const std::int32_t* from, unsigned chosen, std::int32_t* to) {
     for (unsigned lane = 0; lane < kLanes; ++lane) {
       *to = from[lane];
@@ -100,8 +109,6 @@ class Lanes {
     store(marks, old);
   }
 
-  static unsigned above(const PointId* ids, PointId id) { return bits(load<Ids>(ids) > id); }
-  static unsigned equal(const PointId* ids, PointId id) { return bits(load<Ids>(ids) == id); }
   static void store(const PointId* ids, unsigned near, PointId* to) {
     for (; near != 0; near &= near - 1) {
       *to++ = ids[__builtin_ctz(near)];
@@ -212,9 +219,12 @@ class Lanes {
   }
 
   [[nodiscard]] Squared squared(const Ints& x, const Ints& y, const Ints& z) const {
-    const Floats dx = __builtin_convertvector(x - x_, Floats);
-    const Floats dy = __builtin_convertvector(y - y_, Floats);
-    const Floats dz = __builtin_convertvector(z - z_, Floats);
+    return sum_of_squares(x - x_, y - y_, z - z_);
+  }
+  static Squared sum_of_squares(const Ints& x, const Ints& y, const Ints& z) {
+    const Floats dx = __builtin_convertvector(x, Floats);
+    const Floats dy = __builtin_convertvector(y, Floats);
+    const Floats dz = __builtin_convertvector(z, Floats);
     return dx * dx + dy * dy + dz * dz;
   }
   [[nodiscard]] Seen compare(const Ints& x, const Ints& y, const Ints& z, const Ints& valid) const {

@@ -3,6 +3,7 @@
 
 #include "kernels/block_sweep_kernel.hpp"
 #include "kernels/point_sweep_kernel.hpp"
+#include "kernels/row_kernel.hpp"
 #include "kernels/sweep.hpp"
 
 namespace beespace::cpu {
@@ -29,9 +30,6 @@ constexpr Kernels kernels_over() {
       [](const Sweep& sweep, PairSink& pairs) {
         return sweep_points<Lanes>(sweep, CollectAsked<Lanes>(pairs));
       },
-      [](const Sweep& sweep, RowSink& rows) {
-        return sweep_points<Lanes>(sweep, CollectRows<Lanes>(rows));
-      },
       [](const Sweep& sweep, const MeetingSink& meeting) {
         return sweep_blocks<Lanes>(sweep, CollectMeeting<Lanes>(meeting));
       },
@@ -41,6 +39,9 @@ constexpr Kernels kernels_over() {
       [](const Sweep& sweep, const NearestTable& nearest) {
         (void)sweep_points<Lanes>(sweep, KeepNearestOfAsked<Lanes>(nearest));
       },
+      pick_around<Lanes>,
+      count_row<Lanes>,
+      write_row<Lanes>,
   };
 }
 

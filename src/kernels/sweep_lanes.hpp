@@ -23,12 +23,14 @@
 //                                   others' are a lane each, or one for all
 //   leave_out(seen, ids, id)        the lane whose id is this one no longer counts
 //   mark(marks, near)               marks[lane] = nonzero for every near lane
-//   above(ids, id), equal(ids, id)  the lanes whose ids are
 //   store(ids, near, to)            writes the ids of the near lanes one after the other; kLanes
 //                                   places may be written
 //   fill(to, id)                    writes an id kLanes times
 //   at_sides(y, z, sides, reach, row, count)   which of the next points lie within the reach of all
 //                                   these sides of their row, of which the first `count` count
+//   around(x, y, z, box, far)       which of the next points are at most so far from a box, by the
+//                                   same arithmetic as squared, so that none is farther from the
+//                                   box than from a point in it
 //   pack(from, chosen, to)          writes the chosen ones of kLanes words, as store does
 //   pack_numbers(first, chosen, to) the same of the numbers from `first` on
 //   clear(words)                    writes kLanes zeros
@@ -61,6 +63,15 @@ struct Reach {
   std::int32_t units;
   std::int32_t slice;
 };
+
+template <class Lanes>
+[[gnu::noinline]] void decide_unsure(const Unsure& unsure, std::uint32_t i, std::uint32_t from,
+                                     typename Lanes::Seen& seen) {
+  for (unsigned open = seen.within & ~seen.near; open != 0; open &= open - 1) {
+    const auto lane = static_cast<unsigned>(__builtin_ctz(open));
+    if (unsure.decide(unsure.context, i, from + lane)) Lanes::add_near(seen, lane);
+  }
+}
 
 // The first point of a range whose slice is not before `first_x`.
 inline std::uint32_t window_start(const std::int32_t* x, Range range, std::int32_t first_x) {

@@ -8,10 +8,11 @@
 #include "search/crowded.hpp"
 #include "search/query_grids.hpp"
 #include "sweep/collect_pairs.hpp"
-#include "sweep/collect_rows.hpp"
+#include "sweep/ordered_rows.hpp"
 #include "sweep/sweep_all.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace beespace::search {
@@ -22,9 +23,9 @@ namespace {
 // than pairs.
 constexpr double kCrowdedForCounts = 260.0;
 
-// From about this many others in a cube of the threshold on, rows that are sorted one by one are
+// From about this many others in a cube of the threshold on, rows that are found in order are
 // faster than pairs that are brought into order. Measured.
-constexpr double kLongRows = 20.0;
+constexpr double kLongRows = 16.0;
 
 core::Vector<core::FoundPairs> collect(const SearchDomain& domain, const PairOptions& options,
                                        const core::Resources& with, const TuningOverrides& tuning,
@@ -33,56 +34,39 @@ core::Vector<core::FoundPairs> collect(const SearchDomain& domain, const PairOpt
   return cpu::collect_pairs(grids.question(), with, most);
 }
 
-// The rows of a domain: where each begins by the id of its point, and how they are written.
-class LongRows {
- public:
-  LongRows(const SearchDomain& domain, const PairOptions& options, cpu::Which which,
-           const core::Resources& with, const TuningOverrides& tuning)
-      : with_(with),
-        grids_(domain, options, with, tuning),
-        ids_(grids_.question().asked.grid.id),
-        found_(cpu::collect_rows(grids_.question(), which, with, options.max_results, size_)) {}
-
-  [[nodiscard]] std::uint64_t size() const { return size_; }
-
-  // offsets[id] for every id, and one behind the last.
-  void write_offsets(std::uint64_t* offsets) const {
-    with_.crew.split(found_.size, [&](std::size_t begin, std::size_t end, unsigned) {
-      for (std::size_t i = begin; i < end; ++i) offsets[ids_[i]] = found_.lengths[i];
-    });
-    std::uint64_t sum = 0;
-    for (std::size_t id = 0; id < found_.size; ++id) sum += std::exchange(offsets[id], sum);
-    offsets[found_.size] = sum;
-  }
-
-  // Calls write(id, row, length), several at once.
-  template <class Write>
-  void for_each(const Write& write) const {
-    core::for_each_row(found_, with_,
-                       [&](std::size_t point, const PointId* row, std::size_t length) {
-                         write(ids_[point], row, length);
-                       });
-  }
-
- private:
-  const core::Resources& with_;
-  QueryGrids grids_;
-  const PointId* ids_;
-  std::uint64_t size_ = 0;
-  core::AllFoundRows found_;
-};
+// Where the row of each sorted point begins, if rows stand in the order of ids.
+core::Buffer<std::uint64_t> row_begins(const core::SortedGrid& grid,
+                                       const core::Buffer<std::uint32_t>& lengths,
+                                       const core::Resources& with) {
+  core::Buffer<std::uint64_t> by_id(with.memory, grid.size);
+  for (std::size_t i = 0; i < grid.size; ++i) by_id[grid.id[i]] = lengths[i];
+  std::uint64_t sum = 0;
+  for (std::size_t id = 0; id < grid.size; ++id) sum += std::exchange(by_id[id], sum);
+  core::Buffer<std::uint64_t> begins(with.memory, grid.size);
+  for (std::size_t i = 0; i < grid.size; ++i) begins[i] = by_id[grid.id[i]];
+  return begins;
+}
 
 Status find_crowded(const SearchDomain& domain, const PairOptions& options, cpu::Which which,
                     const core::Resources& with, const TuningOverrides& tuning,
                     PairAnswer& answer) {
-  const LongRows rows(domain, options, which, with, tuning);
-  if (rows.size() > options.max_results) return core::too_many_results(options.max_results);
-  core::Buffer<std::uint64_t> offsets(with.memory, domain.points().size() + 1);
-  rows.write_offsets(offsets.data());
-  answer.open(rows.size(), with);
-  rows.for_each([&](PointId id, const PointId* row, std::size_t length) {
-    answer.take_row(offsets[id], id, row, length);
-  });
+  const QueryGrids grids(domain, options, with, tuning);
+  const cpu::SweepQuery question = grids.question();
+  const std::size_t points = domain.points().size();
+  core::Buffer<std::uint32_t> lengths(with.memory, points);
+  const std::uint64_t size =
+      cpu::count_rows(question, which, with, options.max_results, lengths.data());
+  if (size > options.max_results) return core::too_many_results(options.max_results);
+  answer.open(size, with);
+  const core::Buffer<std::uint64_t> begins = row_begins(question.asked.grid, lengths, with);
+  const PointId* const ids = question.asked.grid.id;
+  for (std::size_t i = 0; i < points; ++i) {
+    if (lengths[i] == 0) answer.take_row(begins[i], ids[i], nullptr, 0);
+  }
+  const auto take = [&](std::uint32_t asked, const PointId* row, std::size_t length) {
+    answer.take_row(begins[asked], ids[asked], row, length);
+  };
+  cpu::visit_rows(question, which, with, lengths.data(), std::cref(take));  // allocates nothing
   return std::monostate{};
 }
 
