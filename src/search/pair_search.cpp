@@ -25,7 +25,7 @@ constexpr double kCrowdedForCounts = 260.0;
 
 // From about this many others in a cube of the threshold on, rows that are found in order are
 // faster than pairs that are brought into order. Measured.
-constexpr double kLongRows = 16.0;
+constexpr double kLongRows = 20.0;
 
 core::Vector<core::FoundPairs> collect(const SearchDomain& domain, const PairOptions& options,
                                        const core::Resources& with, const TuningOverrides& tuning,

@@ -22,11 +22,13 @@ constexpr std::uint32_t kMostInTile = 512;
 // Query points that share the others around them. Measured.
 constexpr std::uint32_t kMostInGroup = 32;
 
-// Room for so many at first, and then for powers of two: so frames that are much the same find the
-// memory of the one before.
+// In few steps: so frames that are much the same find the memory of the one before.
 std::size_t room_for(std::size_t size) {
   constexpr std::size_t kLeast = 4096;
-  return std::bit_ceil(std::max(size + core::kPadding, kLeast));
+  constexpr std::size_t kGrowth = 8;
+  std::size_t room = kLeast;
+  while (room < size + core::kPadding) room *= kGrowth;
+  return room;
 }
 
 // Positions and ids in memory that grows.
