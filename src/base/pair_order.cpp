@@ -20,7 +20,7 @@ constexpr std::size_t kFewPairs = 24;  // below this, a comparison sort is the f
 constexpr std::size_t kSparse = 8;
 
 // With this many pairs an id, rows are too long for comparison sorts.
-constexpr std::size_t kLong = 32;
+constexpr std::size_t kLong = 4;
 
 constexpr unsigned kDigitBits = 10;
 constexpr std::size_t kDigitValues = std::size_t{1} << kDigitBits;
