@@ -230,6 +230,13 @@ void RecordingAssembly::declare_show(ShowFacts facts) {
     note("the shows are at different places, or not all say theirs; none is taken");
     show->place.reset();
   }
+  const auto keep = [](auto& ours, const auto& theirs) {
+    for (const auto& limit : theirs) {
+      if (std::find(ours.begin(), ours.end(), limit) == ours.end()) ours.push_back(limit);
+    }
+  };
+  keep(show->limits.accelerations_mps2, facts.limits.accelerations_mps2);
+  keep(show->limits.not_looked_at, facts.limits.not_looked_at);
   show->cues.insert(show->cues.end(), facts.cues.begin(), facts.cues.end());
 }
 
