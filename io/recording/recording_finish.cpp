@@ -230,11 +230,7 @@ std::optional<Error> RecordingAssembly::own_grounds() const {
       options_.frame != Frame::kAuto || recording_.bees.size() < 2) {
     return std::nullopt;
   }
-  return Error{ErrorCode::kInvalidArgument,
-               "heights are counted from where each one took off, or from the ground below it: "
-               "those of several cannot be compared; take heights above sea level, or, if all took "
-               "off at one height, say so with --crs wgs84",
-               {stated_by_}};
+  return Error{ErrorCode::kInvalidArgument, std::string(kOwnGrounds), {stated_by_}};
 }
 
 Result<Recording> RecordingAssembly::finish() {
