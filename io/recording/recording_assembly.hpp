@@ -169,6 +169,7 @@ class RecordingAssembly {
   [[nodiscard]] std::optional<Error> settle_files() const;
   std::optional<Error> settle_frame();
   void leave_out_zeros();
+  void leave_out_zero_runs();
   void find_doubtful_tracks();
   void settle_heard();
   void settle_claim(const std::string& id, const GroundClaims::Run& run);
