@@ -216,6 +216,7 @@ class RecordingAssembly {
   // The same of dates and times, and how many records came in order.
   struct ClockTime {
     double last_s = 0.0;
+    double step_s = 0.0;  // by which the last one came after the one before
     std::uint64_t in_order = 0;
   };
   std::map<std::string, ClockTime, std::less<>> clock_times_;
