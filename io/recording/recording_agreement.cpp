@@ -37,6 +37,20 @@ std::string clock_words(const SourceFacts& facts) {
   return facts.clock->dated ? "dates without a time zone" : "times of day without a date";
 }
 
+// As --time-unit says it.
+std::string_view option_of(Unit time) {
+  if (time == Unit::kMillisecond) return "ms";
+  if (time == Unit::kMicrosecond) return "us";
+  return time == Unit::kNanosecond ? "ns" : "s";
+}
+
+// Whether it means itself within quotes, in whatever program.
+bool is_plain(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == ' ';
+  });
+}
+
 // REP 105: an odometry frame is fixed, but begins anywhere. One with the name of a robot before it,
 // as "uav1/odom", is that robot's.
 bool is_odometry(std::string_view axes) {
@@ -54,6 +68,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   if (!facts_) {
     facts_ = facts;
     facts_source_ = sources_.back();
+    if (facts.begins_at_zero) zero_source_ = facts_source_;
     recording_.units = facts.units;
     return agree_on_heights(facts.heights);
   }
@@ -91,14 +106,18 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
                              : "; read them apart, or name the column unix_time_s if it counts "
                                "from 1970"));
   }
-  if (facts.since_start || facts_->since_start) {
+  if (facts.since_start || facts_->since_start || (facts.begins_at_zero && zero_source_)) {
+    const std::string other = zero_source_ && facts.begins_at_zero ? *zero_source_ : facts_source_;
     return disagree(
         ErrorCode::kInvalidArgument,
-        "times here and in " + facts_source_ +
+        "times here and in " + other +
+            (facts.begins_at_zero && zero_source_ ? " both begin at 0, and" : "") +
             " may be counted from a zero of each vehicle's own, as when it was switched "
             "on: then they cannot be compared; give times since 1970 (of PX4 the logs "
-            "themselves, .ulg), or say their unit with --time-unit if all have one clock");
+            "themselves, .ulg), or, if all have one clock, say so with their unit, --time-unit " +
+            std::string(option_of(facts.time_unit)));
   }
+  if (facts.begins_at_zero) zero_source_ = sources_.back();
   if (facts.clock.has_value() != facts_->clock.has_value() ||
       (facts.clock && facts.clock->dated != facts_->clock->dated)) {
     return disagree(ErrorCode::kInvalidArgument, "times here are " + clock_words(facts) +

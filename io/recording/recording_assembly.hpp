@@ -45,6 +45,8 @@ struct SourceFacts {
   bool own_origin = false;  // places may count from where the vehicle was switched on
   std::optional<double> stamps_ahead_s = {};  // of ROS, of the times of recording
   bool since_start = false;                   // times count since the one vehicle was switched on
+  bool begins_at_zero = false;                // those of the one bee that is in it
+  Unit time_unit = Unit::kUnstated;           // in which times are numbers
   Unit named_time = Unit::kUnstated;  // that of the times, where nothing but the header says it
   bool supposed_metres = false;       // positions: nothing says so
   HeightDatum heights = HeightDatum::kUnstated;
@@ -225,6 +227,7 @@ class RecordingAssembly {
   bool frame_is_settled_ = false;
   std::optional<SourceFacts> facts_;                     // of all inputs so far
   std::string facts_source_;                             // who said so first
+  std::optional<std::string> zero_source_;               // whose times begin at 0
   HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by the source that states it
   std::string stated_by_;
   std::uint64_t nameless_ = 0;

@@ -37,11 +37,13 @@ struct TimeChoice {
   TimeForm form = TimeForm::kNumbers;
   Unit unit = Unit::kSecond;
   bool since_1970 = false;
-  bool by_size = false;        // the unit was told by the size of the numbers
-  bool named = false;          // the header alone, or the format, says the unit
-  bool of_position = false;    // when it was measured: records in between say the position again
-  bool since_start = false;    // of the vehicle whose table it is: those of others have other zeros
-  bool to_the_minute = false;  // the first time has no seconds
+  bool by_size = false;      // the unit was told by the size of the numbers
+  bool named = false;        // the header alone, or the format, says the unit
+  bool of_position = false;  // when it was measured: records in between say the position again
+  bool since_start = false;  // of the vehicle whose table it is: those of others have other zeros
+  bool begins_at_zero = false;  // the first one is 0, of the one bee of a table, and nobody says
+                                // that others have the same zero
+  bool to_the_minute = false;   // the first time has no seconds
   DateOrder dates = DateOrder::kUnsaid;  // where the year is last
   std::string dates_reason = {};         // why it is that one
   std::optional<std::size_t> date = {};  // the column of the day

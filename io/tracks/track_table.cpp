@@ -90,6 +90,8 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   facts.own_origin = layout.own_origin;
   facts.stamps_ahead_s = layout.stamps_ahead_s;
   facts.since_start = layout.time && layout.time->since_start;
+  facts.begins_at_zero = layout.time && layout.time->begins_at_zero;
+  if (layout.time && layout.time->form == TimeForm::kNumbers) facts.time_unit = layout.time->unit;
   if (layout.time && layout.time->named && layout.time->form == TimeForm::kNumbers) {
     facts.named_time = layout.time->unit;
   }
