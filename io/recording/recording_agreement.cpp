@@ -6,6 +6,7 @@
 #include "io/recording/recording_assembly.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -134,6 +135,8 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   // The least that any of them says.
   facts_->naming = std::min(facts_->naming, facts.naming);
   if (auto error = agree_on_heights(facts.heights)) return error;
+  if (facts_->trials.column.empty()) facts_->trials = facts.trials;
+  if (facts_->tags.column.empty()) facts_->tags = facts.tags;
   agree_on_units(facts);
   if (facts.description != facts_->description) facts_->description = "several formats";
   return std::nullopt;
@@ -162,6 +165,34 @@ std::optional<Error> RecordingAssembly::agree_on_origins(const SourceFacts& fact
                    ": the clocks of the robots differ; take the times of recording, which have one "
                    "clock, with --columns time=N, where N is their column (1 of bagpy's tables)",
                {sources_.back()}};
+}
+
+// What happened in one trial did not happen beside another one.
+std::optional<Error> RecordingAssembly::overlapping_trials() const {
+  const auto both = trials_.overlapping();
+  if (!both || !facts_) return std::nullopt;
+  const auto& [first, second] = *both;
+  std::string message = "the times of " + excerpt(first.part) + " and " + excerpt(second.part) +
+                        ", which " + facts_->trials.column +
+                        " tells apart, begin again or overlap: trials are not compared with each "
+                        "other; read one at a time";
+  if (!facts_->trials.advice.empty() && is_plain(second.part)) {
+    message += ", as by " + facts_->trials.advice + second.part + "\"' FILE > one.csv";
+  }
+  return Error{ErrorCode::kTimeOrder, message + "; if all have one clock, take that column out",
+               location_of(second.begins)};
+}
+
+// Places by two tags would be mixed.
+std::optional<Error> RecordingAssembly::overlapping_tags() const {
+  const auto both = tags_.overlapping();
+  if (!both || !facts_) return std::nullopt;
+  const auto& [first, second] = *both;
+  return Error{ErrorCode::kMissingColumn,
+               "bee " + excerpt(first.group) + " has two tags at once, " + excerpt(first.part) +
+                   " and " + excerpt(second.part) + " (" + facts_->tags.column +
+                   "), whose places would be mixed; " + facts_->tags.advice,
+               location_of(second.begins)};
 }
 
 std::optional<Error> RecordingAssembly::agree_on_heights(HeightDatum heights) {

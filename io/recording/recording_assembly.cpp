@@ -230,10 +230,6 @@ void RecordingAssembly::declare_show(ShowFacts facts) {
   stricter(show->limits.climb_mps, facts.limits.climb_mps);
   stricter(show->limits.descent_mps, facts.limits.descent_mps);
   stricter(show->limits.height_m, facts.limits.height_m);
-  if (show->place != facts.place) {
-    note("the shows are at different places, or not all say theirs; none is taken");
-    show->place.reset();
-  }
   const auto keep = [](auto& ours, const auto& theirs) {
     for (const auto& limit : theirs) {
       if (std::find(ours.begin(), ours.end(), limit) == ours.end()) ours.push_back(limit);
@@ -241,6 +237,10 @@ void RecordingAssembly::declare_show(ShowFacts facts) {
   };
   keep(show->limits.accelerations_mps2, facts.limits.accelerations_mps2);
   keep(show->limits.not_looked_at, facts.limits.not_looked_at);
+  if (show->place != facts.place) {
+    note("the shows are at different places, or not all say theirs; none is taken");
+    show->place.reset();
+  }
   show->cues.insert(show->cues.end(), facts.cues.begin(), facts.cues.end());
 }
 

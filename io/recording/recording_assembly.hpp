@@ -9,6 +9,7 @@
 #include "io/problems/left_out.hpp"
 #include "io/recording/address_names.hpp"
 #include "io/recording/ground_claims.hpp"
+#include "io/recording/part_spans.hpp"
 #include "io/recording/recording.hpp"
 #include "io/recording/recording_options.hpp"
 #include "io/recording/set_names.hpp"
@@ -53,6 +54,14 @@ struct SourceFacts {
   Unit height_unit = Unit::kMetre;  // in which TrackGathering is told them as they are stated
   std::vector<UnitTaken> units = {};
   std::string description = {};  // "text, comma-separated"
+  // Where times may begin again with each trial, and where an animal may have several tags at
+  // once: which column tells, and what to do then.
+  struct Parts {
+    std::string column = {};
+    std::string advice = {};
+  };
+  Parts trials = {};
+  Parts tags = {};
 };
 
 class RecordingAssembly {
@@ -140,6 +149,13 @@ class RecordingAssembly {
   void leave_file_out(std::string_view name);
   // So many vehicles were where they say at another time: MissingRecords::untimed.
   void doubt_times(std::uint64_t vehicles) { recording_.missing.untimed += vehicles; }
+  // A record of that trial, whose times may begin again in another one; of an animal, by that tag.
+  void take_trial(std::string_view trial, double time_s, Origin origin) {
+    trials_.take({}, trial, time_s, origin);
+  }
+  void take_tag(std::string_view id, std::string_view tag, double time_s, Origin origin) {
+    tags_.take(id, tag, time_s, origin);
+  }
   // A place of that bee is one of Argos' Doppler shifts, which may be off by kilometres.
   void take_rough(std::string_view id);
   // A report of an aircraft, in a format in which it may say that it is on the ground: where it is
@@ -186,6 +202,8 @@ class RecordingAssembly {
   [[nodiscard]] Error nothing_left() const;
   std::optional<Error> agree_on_heights(HeightDatum heights);
   [[nodiscard]] std::optional<Error> agree_on_origins(const SourceFacts& facts);
+  [[nodiscard]] std::optional<Error> overlapping_trials() const;
+  [[nodiscard]] std::optional<Error> overlapping_tags() const;
   void agree_on_units(const SourceFacts& facts);
 
   const RecordingOptions& options_;
@@ -213,6 +231,8 @@ class RecordingAssembly {
   std::unordered_map<std::string, std::string> names_apart_;  // of sources that share a stem
   std::string source_stem_;                                   // the last of them
   SetNames set_names_;
+  PartSpans trials_;
+  PartSpans tags_;  // within each animal
   AddressNames address_names_;
   std::unordered_map<std::string, double> times_of_day_s_;  // by bee: the last one
   // The same of dates and times, and how many records came in order.

@@ -253,6 +253,8 @@ Result<Recording> RecordingAssembly::finish() {
   settle_heard();
   claims_.finish([this](const auto&... of) { settle_claim(of...); });
   if (tracks_.empty()) return nothing_left();
+  if (auto error = overlapping_trials()) return *std::move(error);
+  if (auto error = overlapping_tags()) return *std::move(error);
   if (auto error = settle_frame()) return *std::move(error);
   leave_out_zeros();
   if (tracks_.empty()) return nothing_left();

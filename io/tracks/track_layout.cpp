@@ -168,6 +168,11 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   }
   for (std::size_t i = 0; i < layout.sets.size(); ++i) fill(layout.sets[i], TrackSlot::kSets + i);
   if (layout.visible) fill(*layout.visible, TrackSlot::kVisible);
+  for (std::size_t i = 0; i < layout.marked.size(); ++i) {
+    fill(layout.marked[i], TrackSlot::kMarked + i);
+  }
+  if (layout.marked_valid) fill(*layout.marked_valid, TrackSlot::kValid);
+  if (layout.tag) fill(*layout.tag, TrackSlot::kTag);
   if (layout.time && layout.time->date) fill(*layout.time->date, TrackSlot::kDate);
   if (layout.time) fill(layout.time->column, TrackSlot::kTime);
   if (layout.time && layout.time->nanoseconds) {

@@ -261,5 +261,15 @@ TEST(UnknownPlaces, AreSaidInManyWays) {
   }
 }
 
+TEST(UnknownPlaces, HalfAPlaceIsNone) {
+  for (const std::string place : {"1,NA,3", "NA,2,3", "1,2,NA", "1,,"}) {
+    const auto recording =
+        recording_of(record("id,time_s,x_m,y_m,z_m\na,0,1,2,3\na,1," + place + "\na,2,1,2,3\n"));
+    EXPECT_EQ(times_of(recording.bees[0]), (std::vector<double>{0, 2})) << place;
+    EXPECT_TRUE(has_note(recording, "1 record with half a place")) << place;
+    EXPECT_EQ(recording.missing.count, 1u) << place;
+  }
+}
+
 }  // namespace
 }  // namespace beespace::io
