@@ -126,8 +126,8 @@ _beespace() {
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
         --obstacles | -o | --output) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --threshold | --max-speed | --max-acceleration | --max-horizontal | --max-climb | --max-descent | --max-height | --clearance | --threads) return ;;
-        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --threshold --max-speed --max-acceleration --max-horizontal --max-climb --max-descent --max-height --obstacles --clearance --max-gap --straight --threads --output --csv --json --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --threshold | --max-speed | --max-acceleration | --max-horizontal | --max-climb | --max-descent | --max-height | --skip-limits | --clearance | --threads) return ;;
+        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --threshold --max-speed --max-acceleration --max-horizontal --max-climb --max-descent --max-height --skip-limits --obstacles --clearance --max-gap --straight --threads --output --csv --json --quiet --help --version' files=yes ;;
       esac
       ;;
     fleet)

@@ -254,6 +254,7 @@ complete -c beespace -n '__fish_seen_subcommand_from verify' -x -l max-horizonta
 complete -c beespace -n '__fish_seen_subcommand_from verify' -x -l max-climb -d 'Of the speed upwards (default: as above)'
 complete -c beespace -n '__fish_seen_subcommand_from verify' -x -l max-descent -d 'Of the speed downwards (default: as above)'
 complete -c beespace -n '__fish_seen_subcommand_from verify' -x -l max-height -d 'Of z (default: as above)'
+complete -c beespace -n '__fish_seen_subcommand_from verify' -x -l skip-limits -d 'Limits that the show declares and that need not be looked at, where that is not done: minNavAltitude'
 complete -c beespace -n '__fish_seen_subcommand_from verify' -r -l obstacles -d 'What stands in the way: JSON, as of \'beespace simulate\'; of flights in metres'
 complete -c beespace -n '__fish_seen_subcommand_from verify' -x -l clearance -d 'Closer than this to an obstacle is too close (default: 1)'
 complete -c beespace -n '__fish_seen_subcommand_from verify' -x -l max-gap -a 'never' -d 'Unknown between fixes farther apart in time (default: 5 times the typical interval)'

@@ -2,6 +2,7 @@
 #include "io/bytes/characters.hpp"
 #include "io/bytes/progress.hpp"
 #include "io/frames/coordinate_frame.hpp"
+#include "io/units/heights.hpp"
 #include "io/units/unit_taken.hpp"
 
 #include "io/bytes/byte_source.hpp"
@@ -192,6 +193,10 @@ std::optional<Error> read_records(LoadedPoints& loaded, RecordSource& source,
   loaded.units = units_in(loaded.frame, choice);
   loaded.height_unit = choice.height_unit();
   loaded.heights = choice.datum;
+  if (options.frame == Frame::kAuto && loaded.frame == Frame::kWgs84 &&
+      choice.datum == HeightDatum::kHome && loaded.points.size() > 1) {
+    return Error{ErrorCode::kInvalidArgument, std::string(kOwnGrounds), {}};
+  }
   if (options.frame == Frame::kAuto && choice.naming == Naming::kBareAxes) {
     auto error = contradiction_to_metres(loaded.points, content->extent, choice.dimensions);
     if (error) return error;

@@ -4,6 +4,7 @@
 #include "io/aircraft/base_station_reading.hpp"
 #include "io/bytes/byte_source.hpp"
 #include "io/bytes/gzip.hpp"
+#include "io/bytes/windows_1252.hpp"
 #include "io/bytes/zip_archive.hpp"
 #include "io/encounters/bluesky_scenario.hpp"
 #include "io/encounters/daidalus_encounter.hpp"
@@ -93,6 +94,12 @@ Result<std::vector<std::string>> tables_of(const ZipArchive& archive, const std:
 // names are a drone of a show.
 std::optional<Error> read_text_table(Bytes content, const std::string& path, bool bare_skybrush,
                                      RecordingAssembly& assembly) {
+  if (auto utf8 = text_problem(content.view) ? std::nullopt : from_windows_1252(content.view)) {
+    content = *std::move(utf8);
+    assembly.note(
+        "some text is no UTF-8: it is taken for Windows-1252; if names look wrong, save the table "
+        "as UTF-8");
+  }
   if (auto points = with_decimal_points(without_byte_order_mark(content.view))) {
     content = *std::move(points);
     assembly.note("numbers have decimal commas");
@@ -107,9 +114,14 @@ std::optional<Error> read_text_table(Bytes content, const std::string& path, boo
   return read_table(content, path, bare_skybrush, assembly);
 }
 
+Error stream_without_times() {
+  return {ErrorCode::kUnsupportedFormat, "this is " + std::string(kStreamWithoutTimes), {}};
+}
+
 std::optional<Error> read_member(Bytes bytes, const std::string& name, bool bare_skybrush,
                                  RecordingAssembly& assembly) {
   if (is_ulog(bytes.view)) return read_flight(bytes.view, name, assembly);
+  if (is_stream_without_times(bytes.view)) return stream_without_times();
   if (is_telemetry_log(bytes.view)) return read_telemetry(bytes.view, name, assembly);
   return read_text_table(std::move(bytes), name, bare_skybrush, assembly);
 }
@@ -230,6 +242,7 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
   if (!tables && object) return read_json_file(*content, source, path, assembly);
   if (format == RecordingFormat::kAuto) {
     if (is_ulog(content->view)) return read_flight(content->view, path, assembly);
+    if (is_stream_without_times(content->view)) return stream_without_times();
     if (is_telemetry_log(content->view)) return read_telemetry(content->view, path, assembly);
     if (is_base_station(content->view)) return read_base_station(content->view, assembly);
     const std::string_view text = without_byte_order_mark(content->view);

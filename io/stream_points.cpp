@@ -6,10 +6,12 @@
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/tracks/utm_zone.hpp"
+#include "io/units/heights.hpp"
 
 #include <algorithm>
 #include <cstring>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace beespace::io {
@@ -129,6 +131,10 @@ Status PointStream::settle_frame(const FrameEvidence& evidence, bool names_are_e
         "degrees or metres? Only all values together could tell, and they are not in memory "
         "together; say --crs metres or --crs wgs84",
         {}};
+  }
+  if (options_.frame == Frame::kAuto && known.frame == Frame::kWgs84 && table_ &&
+      table_->choice.datum == HeightDatum::kHome) {
+    return Error{ErrorCode::kInvalidArgument, std::string(kOwnGrounds), {}};
   }
   if (options_.frame == Frame::kAuto && table_ && table_->choice.naming == Naming::kBareAxes) {
     witness_.emplace();

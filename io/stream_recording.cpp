@@ -60,6 +60,9 @@ std::optional<Error> format_problem(std::string_view beginning, const RecordingO
   if (json && !table) return not_as_it_comes("JSON");
   if (format != RecordingFormat::kAuto) return std::nullopt;
   if (is_ulog(beginning)) return not_as_it_comes("a PX4 log");
+  if (is_stream_without_times(beginning)) {
+    return Error{ErrorCode::kUnsupportedFormat, "this is " + std::string(kStreamWithoutTimes), {}};
+  }
   if (is_telemetry_log(beginning)) return not_as_it_comes("a MAVLink telemetry log");
   if (is_base_station(beginning)) return not_as_it_comes("a list of BaseStation messages");
   if (is_daidalus_encounter(text)) return not_as_it_comes("an encounter of DAIDALUS");

@@ -6,6 +6,7 @@
 #include "analysis/recorded/tracks.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -38,8 +39,14 @@ class PathVerification {
         verdict_.breaches.begin(), verdict_.breaches.end(),
         [](const PathBreach& a, const PathBreach& b) { return a.excess.limit < b.excess.limit; });
     const auto& acceleration = verdict_.peaks[static_cast<std::size_t>(PathLimit::kAcceleration)];
-    if (recording_.show && acceleration) {
-      verdict_.undecided = undecided_limits(*recording_.show, acceleration->peak.value);
+    if (recording_.show) {
+      verdict_.not_looked_at =
+          limits_not_looked_at(*recording_.show, acceleration ? acceleration->peak.value : 0.0);
+      const auto& skipped = question_.skipped_limits;
+      std::copy_if(verdict_.not_looked_at.begin(), verdict_.not_looked_at.end(),
+                   std::back_inserter(verdict_.undecided), [&skipped](const std::string& name) {
+                     return std::find(skipped.begin(), skipped.end(), name) == skipped.end();
+                   });
     }
     return std::move(verdict_);
   }
@@ -175,11 +182,13 @@ std::optional<double> declared_limit(const io::ShowFacts& show, PathLimit limit)
   return std::nullopt;
 }
 
-std::vector<std::string> undecided_limits(const io::ShowFacts& show, double greatest_mps2) {
+std::vector<std::string> limits_not_looked_at(const io::ShowFacts& show, double greatest_mps2) {
   std::vector<std::string> names;
   for (const auto& [name, most_mps2] : show.limits.accelerations_mps2) {
     if (greatest_mps2 > most_mps2) names.push_back(name);
   }
+  const auto& others = show.limits.not_looked_at;
+  names.insert(names.end(), others.begin(), others.end());
   return names;
 }
 

@@ -41,7 +41,8 @@ struct PathVerdict {
   std::array<std::optional<BeePeak>, kPathLimits> peaks;  // of all bees
   std::optional<Conflict> closest;  // of all; nothing where no two are there at the same time
   std::vector<Gap> gaps;
-  std::vector<std::string> undecided;  // see undecided_limits()
+  std::vector<std::string> not_looked_at;  // see limits_not_looked_at()
+  std::vector<std::string> undecided;      // those of them that the question does not skip
 
   [[nodiscard]] bool found_nothing() const {
     return losses.empty() && clearance_losses.empty() && breaches.empty();
@@ -60,6 +61,7 @@ struct PathQuestion {
   const ObstacleMap* obstacles = nullptr;
   double clearance_m = 0.0;
   PathLimits limits = {};
+  std::vector<std::string> skipped_limits = {};  // that need not be looked at, by their names
   unsigned threads = 0;
   std::stop_token stop = {};
 };
@@ -67,9 +69,10 @@ struct PathQuestion {
 // What a show declares; nothing where it does not say.
 std::optional<double> declared_limit(const io::ShowFacts& show, PathLimit limit);
 
-// The limits of accelerations in one direction that a show declares and that the greatest one in
-// any direction exceeds, by their names: whether they are kept is not known. The others are kept.
-std::vector<std::string> undecided_limits(const io::ShowFacts& show, double greatest_mps2);
+// The limits that a show declares and of which it is not known whether they are kept, by their
+// names: those of accelerations in one direction that the greatest one in any direction exceeds
+// (the others are kept), and those of which nothing is looked at.
+std::vector<std::string> limits_not_looked_at(const io::ShowFacts& show, double greatest_mps2);
 
 // `progress` hears which share of the bees was looked at. Errors: those of the library, with the
 // bee's id.

@@ -85,8 +85,10 @@ Status take_show_limits(const io::Recording& recording, report::RecordingFacts& 
         {named.name, *declared, std::numeric_limits<double>::quiet_NaN(), 0, 0.0});
   }
   const io::ShowLimits& all = recording.show->limits;
-  facts.not_looked_at = all.not_looked_at;
-  if (limits.empty() && all.accelerations_mps2.empty()) return std::monostate{};
+  if (limits.empty() && all.accelerations_mps2.empty()) {
+    facts.not_looked_at = all.not_looked_at;
+    return std::monostate{};
+  }
   double greatest_mps2 = 0.0;
   const std::vector<Flight> flights = flights_of(recording, false, kNoGaps);
   for (std::size_t bee = 0; bee < flights.size(); ++bee) {
@@ -98,8 +100,7 @@ Status take_show_limits(const io::Recording& recording, report::RecordingFacts& 
       take(*checked, static_cast<PointId>(bee), limits, facts);
     }
   }
-  const auto undecided = undecided_limits(*recording.show, greatest_mps2);
-  facts.not_looked_at.insert(facts.not_looked_at.begin(), undecided.begin(), undecided.end());
+  facts.not_looked_at = limits_not_looked_at(*recording.show, greatest_mps2);
   std::erase_if(facts.declared, [](const auto& limit) { return std::isnan(limit.greatest); });
   // Down is no climb, and up no descent.
   for (auto& limit : facts.declared) {

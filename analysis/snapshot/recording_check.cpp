@@ -44,6 +44,7 @@ bool has_clock_times(const io::RecordSource& source, std::size_t column) {
 struct Columns {
   std::vector<std::size_t> times = {};
   std::optional<std::size_t> id = {};
+  std::vector<std::size_t> other_ids = {};  // that may be the id as well
 };
 
 Columns columns_of(const io::LoadedPoints& loaded) {
@@ -66,6 +67,9 @@ Columns columns_of(const io::LoadedPoints& loaded) {
   // "drone" names no column of ids to a snapshot.
   columns.id = source.table->choice.id;
   if (!columns.id && header.has(io::Role::kId)) columns.id = header.columns(io::Role::kId).front();
+  for (const std::size_t other : header.columns(io::Role::kId)) {
+    if (other != columns.id) columns.other_ids.push_back(other);
+  }
   return columns;
 }
 
@@ -186,6 +190,31 @@ void RecordingCheck::add(const io::LoadedPoints& loaded) {
       add(own_ids ? std::string(record.id) : text_at(record, delimiter, *columns.id), time);
     }
   });
+  if (id_is_said_) look_at_others(loaded, columns.times, columns.other_ids);
+}
+
+// Whether one value of a column that may be the id, too, comes at several times.
+void RecordingCheck::look_at_others(const io::LoadedPoints& loaded,
+                                    const std::vector<std::size_t>& times,
+                                    const std::vector<std::size_t>& ids) {
+  const char delimiter = io::delimiter(loaded);
+  std::vector<PointId> all(loaded.points.size());
+  std::iota(all.begin(), all.end(), PointId{0});
+  for (const std::size_t id : ids) {
+    std::unordered_map<std::string, std::string> first_times;
+    io::for_each_record(loaded, all, [&](const io::Record& record) {
+      const std::string value = text_at(record, delimiter, id);
+      const std::string time = time_of(record, delimiter, times);
+      if (value.empty() || time.empty() || !file_.other_id.empty()) return;
+      const bool full = first_times.size() >= most_bees_;
+      auto known = first_times.find(value);
+      if (known == first_times.end() && full) return;
+      if (known == first_times.end()) known = first_times.emplace(value, time).first;
+      if (!differing(known->second, time)) return;
+      file_.other_id = "column " + std::to_string(id + 1) + " " +
+                       io::excerpt(loaded.records->table->names[id]) + " has " + io::excerpt(value);
+    });
+  }
 }
 
 std::optional<Error> RecordingCheck::problem(const std::string& path) const {
@@ -202,8 +231,15 @@ std::optional<Error> RecordingCheck::problem_of_file(const std::string& path) {
     return blamed_on(path, "this is a recording: its records are of several times " + times +
                                "; ask 'beespace replay' about it, or leave one time in it");
   }
-  if (id_is_said_ || io::speaks_of_aviation(file.id_name)) return std::nullopt;
+  if (io::speaks_of_aviation(file.id_name)) return std::nullopt;
   const std::string number = std::to_string(file.id_number);
+  if (id_is_said_ && file.other_id.empty()) return std::nullopt;
+  if (id_is_said_) {
+    return blamed_on(path, "this is a recording: column " + number + " " +
+                               io::excerpt(file.id_name) + " numbers its records, and " +
+                               file.other_id + " at more than one time " + times +
+                               "; ask 'beespace replay' about it, or leave one time in it");
+  }
   return blamed_on(
       path, "this is a recording: its records are of several times " + times + ", and column " +
                 number + " " + io::excerpt(file.id_name) +

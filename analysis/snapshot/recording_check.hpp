@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 namespace beespace::analysis {
 
@@ -34,7 +35,8 @@ class RecordingCheck {
 
   // The same once all of a file was added, after which the next one begins; and where three records
   // or more are not all of one time and there is no id, or each comes once and is no address of an
-  // aircraft, nor said by the caller to be the id: then it may number the records.
+  // aircraft, nor said by the caller to be the id, which no other column contradicts: then it may
+  // number the records.
   std::optional<Error> problem_of_file(const std::string& path);
 
  private:
@@ -46,10 +48,13 @@ class RecordingCheck {
     std::string first_time = {};
     std::string other_time = {};
     bool repeats_ids = false;
+    std::string other_id = {};  // a column that has one value at several times, and which
   };
 
   void add(const std::string& id, const std::string& time);
   void count(const std::string& time);
+  void look_at_others(const io::LoadedPoints& loaded, const std::vector<std::size_t>& times,
+                      const std::vector<std::size_t>& ids);
 
   std::size_t most_bees_;
   bool id_is_said_;

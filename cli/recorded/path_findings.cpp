@@ -1,6 +1,7 @@
 #include "cli/recorded/path_findings.hpp"
 
 #include "analysis/text/bee_name.hpp"
+#include "cli/command_line/command.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
 #include "cli/output/coverage_output.hpp"
@@ -104,7 +105,8 @@ std::string verdict_text(const PathFindings& findings) {
   if (verdict.found_nothing() && !verdict.undecided.empty()) {
     return red("not looked at as a whole") + ": nothing else was found, but whether " +
            listed(verdict.undecided) + (verdict.undecided.size() == 1 ? " is kept" : " are kept") +
-           " is not known: accelerations are looked at in all directions together" +
+           " is not known; where that need not be looked at, say --skip-limits " +
+           joined(verdict.undecided, ",") +
            (findings.coverage.may_hide_conflicts()
                 ? "; " + analysis::unknown_text(findings.coverage)
                 : "");
@@ -112,9 +114,9 @@ std::string verdict_text(const PathFindings& findings) {
   if (findings.holds() && !findings.coverage.complete()) {
     return bold("holds in the known time") + "; " + analysis::unknown_text(findings.coverage);
   }
-  if (findings.holds() && !findings.not_looked_at().empty()) {
-    return bold("holds") + " in what was looked at, which " + listed(findings.not_looked_at()) +
-           (findings.not_looked_at().size() == 1 ? " is" : " are") + " not";
+  if (findings.holds() && !verdict.not_looked_at.empty()) {
+    return bold("holds") + " in what was looked at, which " + listed(verdict.not_looked_at) +
+           (verdict.not_looked_at.size() == 1 ? " is" : " are") + " not (--skip-limits)";
   }
   if (findings.holds()) return bold("holds");
   if (verdict.holds() && !findings.compares()) {
@@ -153,15 +155,6 @@ TimeSpan time_of_all(const io::Recording& recording) {
 }
 
 }  // namespace
-
-std::vector<std::string> PathFindings::not_looked_at() const {
-  std::vector<std::string> names = verdict.undecided;
-  if (recording.show) {
-    const auto& others = recording.show->limits.not_looked_at;
-    names.insert(names.end(), others.begin(), others.end());
-  }
-  return names;
-}
 
 Rows finding_rows(const PathFindings& findings) {
   const io::Recording& recording = findings.recording;
@@ -212,7 +205,7 @@ void write_verdict(io::JsonWriter& json, const PathFindings& findings,
     json.member("declared", findings.limits.declared[which]).end();
   }
   json.end();
-  if (const auto names = findings.not_looked_at(); !names.empty()) {
+  if (const auto& names = findings.verdict.not_looked_at; !names.empty()) {
     json.member("limits_not_looked_at", names);
   }
   json.begin_object("greatest", io::JsonLayout::kLines);
@@ -265,7 +258,7 @@ std::string verify_summary(const PathFindings& findings, const MovingRequest& re
             ", clearance " + io::exact(findings.question.clearance_m) + " m");
   }
   append_summary_line(out, "limits", limits_text(findings.limits));
-  if (const auto names = findings.not_looked_at(); !names.empty()) {
+  if (const auto& names = findings.verdict.not_looked_at; !names.empty()) {
     append_summary_line(out, "", red("declared, but not looked at") + ": " + listed(names));
   }
   append_summary_line(out, "closest",

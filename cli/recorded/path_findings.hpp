@@ -24,8 +24,6 @@ struct PathFindings {
   double read_s = 0.0;
   double check_s = 0.0;
 
-  // Limits that the show declares and of which nothing is said.
-  [[nodiscard]] std::vector<std::string> not_looked_at() const;
   [[nodiscard]] bool compares() const { return analysis::compares(recording, verdict); }
   // What was not seen is not certified.
   [[nodiscard]] bool holds() const {

@@ -4,6 +4,7 @@
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/gaps.hpp"
 #include "analysis/recorded/verify_paths.hpp"
+#include "cli/command_line/option_values.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
@@ -116,6 +117,25 @@ Status check_curves(const io::Recording& recording, const VerifyOptions& check) 
   return std::monostate{};
 }
 
+// Of limits that need not be looked at: they must be those of this show, so that a mistyped one is
+// none.
+Status check_skipped(const io::Recording& recording, const std::vector<std::string>& skipped) {
+  std::vector<std::string> known;
+  if (recording.show) {
+    known = recording.show->limits.not_looked_at;
+    for (const auto& [name, most] : recording.show->limits.accelerations_mps2) {
+      known.push_back(name);
+    }
+  }
+  for (const std::string& name : skipped) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    return usage_error(kVerify, "--skip-limits names '" + name +
+                                    "', but of limits that are not looked at the input declares " +
+                                    (known.empty() ? "none" : joined(known, ", ") + " alone"));
+  }
+  return std::monostate{};
+}
+
 // Between fixes in straight lines nothing is known of accelerations. A show that is one is flown
 // so.
 bool needs_velocities(const VerifyRequest& request) {
@@ -144,6 +164,7 @@ Result<ExitCode> verify_along_curves(const VerifyRequest& request, const io::Rec
   if (!request.obstacles.empty()) question.obstacles = &obstacles;
   question.clearance_m = check.clearance_m;
   question.limits = limits.limits;
+  question.skipped_limits = request.skipped_limits;
   question.threads = moving.threads;
   const double read_s = watch.lap();
 
@@ -181,6 +202,7 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
     return flight.error();
   }
   if (Status good = check_frame(*recording, request.obstacles); !good) return good.error();
+  if (Status good = check_skipped(*recording, request.skipped_limits); !good) return good.error();
   const bool asked = has_curves(*recording) || recording->show || asks_of_curves(request.limits);
   const auto times_s = asked ? Result<std::vector<double>>(std::vector<double>())
                              : analysis::common_times(*recording);

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace beespace::cli {
 
@@ -18,6 +19,7 @@ struct VerifyRequest {
   std::string obstacles;                    // a file; empty for none
   std::optional<double> max_gap_s;          // absent: from the data
   AskedLimits limits;                       // those of `check` are among them
+  std::vector<std::string> skipped_limits;  // that a show declares and that need not be looked at
 };
 
 Command verify_command();

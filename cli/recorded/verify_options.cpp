@@ -1,7 +1,11 @@
 #include "cli/command_line/option_values.hpp"
 #include "cli/recorded/verify_command.hpp"
 
+#include <cstddef>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace beespace::cli {
 namespace {
@@ -44,10 +48,23 @@ constexpr const char* kVerifyDetails =
     "  beespace verify flight.csv --threshold 2 --obstacles city.json --clearance 3\n"
     "  beespace verify log.csv --quiet --output /dev/null && echo safe\n"
     "\n"
-    "Exit status: 0 it holds, 1 there is a loss, a breach or a gap, 2 wrong usage, 3 bad input, or "
-    "fixes\n"
-    "at different times, 4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed "
-    "pipe.";
+    "Exit status: 0 it holds, 1 there is a loss, a breach, a gap, or a limit of a show that is not "
+    "looked\n"
+    "at, 2 wrong usage, 3 bad input, or fixes at different times, 4 cannot open, read or write, "
+    "130\n"
+    "interrupted, 143 terminated, 141 closed pipe.";
+
+// With commas between them.
+Result<std::vector<std::string>> read_names(const Typed& typed) {
+  std::vector<std::string> names;
+  std::string_view text = typed.text;
+  for (std::size_t end = 0; end != std::string_view::npos;) {
+    end = text.find(',');
+    names.emplace_back(text.substr(0, end));
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return names;
+}
 
 void add_check_options(Command& verify, VerifyRequest& request) {
   verify.group("Check");
@@ -72,6 +89,9 @@ void add_check_options(Command& verify, VerifyRequest& request) {
                 "Of the speed downwards (default: as above)");
   verify.option("--max-height", "LENGTH", limit(PathLimit::kHeight), amount("metres", kFromZero),
                 "Of z (default: as above)");
+  verify.option("--skip-limits", "NAMES", request.skipped_limits, read_names,
+                "Limits that the show declares and that need not be\nlooked at, where that is not "
+                "done: minNavAltitude");
   verify.option("--obstacles", "FILE", request.obstacles,
                 "What stands in the way: JSON, as of 'beespace\nsimulate'; of flights in metres");
   verify.option("--clearance", "LENGTH", request.check.clearance_m, amount("metres", kAboveZero),

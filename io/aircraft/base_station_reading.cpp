@@ -16,6 +16,8 @@ namespace beespace::io {
 namespace {
 
 constexpr LeftOutReason kNoPositionEver = {"of aircraft that never tell a position (one each)"};
+// As a recording that was stopped ends.
+constexpr LeftOutReason kCutShort = {"cut short at the end of the input"};
 
 }  // namespace
 
@@ -36,7 +38,8 @@ std::optional<Error> read_base_station(std::string_view bytes, RecordingAssembly
   assembly.note(std::string(BaseStation::note()));
   BaseStation station;
   std::unordered_map<std::string, bool> heard;  // whether it tells positions
-  RecordWalk walk(without_byte_order_mark(bytes), 0, '\n');
+  const std::string_view text = without_byte_order_mark(bytes);
+  RecordWalk walk(text, 0, '\n');
   while (walk.next()) {
     const AircraftReport* report = nullptr;
     auto error = station.take(walk.record(), report);
@@ -46,6 +49,12 @@ std::optional<Error> read_base_station(std::string_view bytes, RecordingAssembly
       tells_positions = tells_positions || report != nullptr;
     }
     if (!error) continue;
+    // Without the end of its line it is the last one.
+    if (!text.ends_with('\n') &&
+        walk.record().data() + walk.record().size() == text.data() + text.size()) {
+      assembly.leave_out(kCutShort, station.address());
+      continue;
+    }
     error->location.line = walk.line() + 1;
     error->location.record = walk.row();
     if (auto fatal = assembly.bad(*std::move(error), station.address())) return fatal;

@@ -3,21 +3,19 @@
 #include "io/frames/to_metres.hpp"
 #include "io/problems/skipped_records.hpp"
 #include "io/tracks/local_positions.hpp"
+#include "io/units/heights.hpp"
 
 #include <array>
 #include <charconv>
 #include <span>
+#include <string>
 
 namespace beespace::io {
 
 std::optional<Error> live_problem(const TrackLayout& layout, Frame asked) {
   if (asked == Frame::kAuto && layout.frame == Frame::kWgs84 &&
       layout.table.choice.datum == HeightDatum::kHome) {
-    return Error{ErrorCode::kInvalidArgument,
-                 "heights are counted from where each one took off, or from the ground below it: "
-                 "those of several cannot be compared; take heights above sea level, or, if all "
-                 "took off at one height, say so with --crs wgs84",
-                 {}};
+    return Error{ErrorCode::kInvalidArgument, std::string(kOwnGrounds), {}};
   }
   if (asked == Frame::kAuto && local_origin_of(layout)) {
     return Error{ErrorCode::kUnknownFrame,

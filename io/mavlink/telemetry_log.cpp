@@ -52,6 +52,20 @@ bool is_telemetry_log(std::string_view bytes) {
   return false;
 }
 
+bool is_stream_without_times(std::string_view bytes) {
+  constexpr std::size_t kLookedAt = 65'536;
+  for (std::size_t at = 0; at < std::min(bytes.size(), kLookedAt); ++at) {
+    if (!is_mavlink_magic(bytes[at])) continue;
+    const auto frame = read_mavlink_frame(bytes.substr(at));
+    if (!frame || frame->checksum != Checksum::kRight) continue;
+    const auto next = read_mavlink_frame(bytes.substr(at + frame->size));
+    if (!next || next->checksum == Checksum::kWrong) continue;
+    const std::size_t behind = at + frame->size + next->size;
+    if (behind == bytes.size() || is_mavlink_magic(bytes[behind])) return true;
+  }
+  return false;
+}
+
 bool begins_as_telemetry_log(std::string_view bytes) {
   constexpr std::uint64_t kEarliestMicros = 1'000'000'000'000'000;  // the year 2001
   constexpr std::uint64_t kLatestMicros = 5'000'000'000'000'000;    // 2128

@@ -13,6 +13,15 @@ namespace beespace::io {
 // Whether it is one, by the first frames; what lies before them may be damaged.
 bool is_telemetry_log(std::string_view bytes);
 
+// Whether it is a stream as it comes over the air, without these times: in a log a frame is
+// followed by 0, the first byte of one.
+bool is_stream_without_times(std::string_view bytes);
+// What to say of one.
+inline constexpr std::string_view kStreamWithoutTimes =
+    "a stream of MAVLink without the times of a log, as MAVProxy writes it to .tlog.raw; name the "
+    ".tlog beside it, which has them; where there is none, play the stream into MAVProxy or "
+    "QGroundControl, which write one";
+
 // Whether what comes may be a log, by its first nine bytes: a time of these decades, and how a
 // frame begins. No text begins so.
 inline constexpr std::size_t kTelemetryFront = 9;

@@ -11,18 +11,22 @@ inline constexpr LeftOutReason kUnknownPlace = {
     "without a place (empty, NA or NaN)",
     "the track is unknown there as if there were no record: for longer than --max-gap it has a gap",
     true};
+// The other half may contradict what is said of the others.
+inline constexpr LeftOutReason kHalfPlace = {"with half a place (the rest is empty, NA or NaN)",
+                                             "the bee may have been elsewhere then"};
 inline constexpr LeftOutReason kNeverPlaced = {"of an animal that is known nowhere"};
 inline constexpr LeftOutReason kUnknownHeight = {
     "without a height", "--columns with x and y, or lon and lat, only takes all as flat"};
-inline constexpr LeftOutReason kOutlier = {"with visible=false (outliers)", {}, true};
+inline constexpr LeftOutReason kOutlier = {
+    "marked as outliers (visible=false, ...-marked-outlier=true)", {}, true};
 inline constexpr LeftOutReason kNoFix = {"of receivers that say that they had no fix"};
 inline constexpr LeftOutReason kNoReference = {
     "that do not know from where on the Earth they count (ref_lat, xy_global)",
     "--crs metres takes all as counted from one place"};
 // Whether the bee was there, but it is not known where.
 inline bool has_no_place(const LeftOutReason& reason) {
-  return &reason == &kUnknownPlace || &reason == &kOutlier || &reason == &kNoFix ||
-         &reason == &kNoReference;
+  return &reason == &kUnknownPlace || &reason == &kHalfPlace || &reason == &kOutlier ||
+         &reason == &kNoFix || &reason == &kNoReference;
 }
 inline constexpr LeftOutReason kNoAnimal = {
     "whose id of an animal is empty (of tags that are on none)",

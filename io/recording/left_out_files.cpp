@@ -16,7 +16,7 @@ constexpr std::string_view kForPeople =
     "md rst pdf rtf doc docx odt ppt pptx odp html htm png jpg jpeg gif bmp svg tif tiff webp heic "
     "eps mp3 wav ogg flac m4a aac mp4 m4v mov avi mkv webm blend blend1 py ipynb r m sh bat yaml "
     "yml "
-    "toml ini cfg czml";
+    "toml ini cfg parm czml";
 constexpr std::string_view kOfSystems =
     "__macosx thumbs.db desktop.ini $recycle.bin lost+found icon\r";
 constexpr std::string_view kOfRecordings =

@@ -6,6 +6,7 @@
 #include "io/recording/recording_assembly.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -37,6 +38,20 @@ std::string clock_words(const SourceFacts& facts) {
   return facts.clock->dated ? "dates without a time zone" : "times of day without a date";
 }
 
+// As --time-unit says it.
+std::string_view option_of(Unit time) {
+  if (time == Unit::kMillisecond) return "ms";
+  if (time == Unit::kMicrosecond) return "us";
+  return time == Unit::kNanosecond ? "ns" : "s";
+}
+
+// Whether it means itself within quotes, in whatever program.
+bool is_plain(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == ' ';
+  });
+}
+
 // REP 105: an odometry frame is fixed, but begins anywhere. One with the name of a robot before it,
 // as "uav1/odom", is that robot's.
 bool is_odometry(std::string_view axes) {
@@ -54,6 +69,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   if (!facts_) {
     facts_ = facts;
     facts_source_ = sources_.back();
+    if (facts.begins_at_zero) zero_source_ = facts_source_;
     recording_.units = facts.units;
     return agree_on_heights(facts.heights);
   }
@@ -91,14 +107,18 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
                              : "; read them apart, or name the column unix_time_s if it counts "
                                "from 1970"));
   }
-  if (facts.since_start || facts_->since_start) {
+  if (facts.since_start || facts_->since_start || (facts.begins_at_zero && zero_source_)) {
+    const std::string other = zero_source_ && facts.begins_at_zero ? *zero_source_ : facts_source_;
     return disagree(
         ErrorCode::kInvalidArgument,
-        "times here and in " + facts_source_ +
+        "times here and in " + other +
+            (facts.begins_at_zero && zero_source_ ? " both begin at 0, and" : "") +
             " may be counted from a zero of each vehicle's own, as when it was switched "
             "on: then they cannot be compared; give times since 1970 (of PX4 the logs "
-            "themselves, .ulg), or say their unit with --time-unit if all have one clock");
+            "themselves, .ulg), or, if all have one clock, say so with their unit, --time-unit " +
+            std::string(option_of(facts.time_unit)));
   }
+  if (facts.begins_at_zero) zero_source_ = sources_.back();
   if (facts.clock.has_value() != facts_->clock.has_value() ||
       (facts.clock && facts.clock->dated != facts_->clock->dated)) {
     return disagree(ErrorCode::kInvalidArgument, "times here are " + clock_words(facts) +
@@ -115,6 +135,8 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   // The least that any of them says.
   facts_->naming = std::min(facts_->naming, facts.naming);
   if (auto error = agree_on_heights(facts.heights)) return error;
+  if (facts_->trials.column.empty()) facts_->trials = facts.trials;
+  if (facts_->tags.column.empty()) facts_->tags = facts.tags;
   agree_on_units(facts);
   if (facts.description != facts_->description) facts_->description = "several formats";
   return std::nullopt;
@@ -143,6 +165,34 @@ std::optional<Error> RecordingAssembly::agree_on_origins(const SourceFacts& fact
                    ": the clocks of the robots differ; take the times of recording, which have one "
                    "clock, with --columns time=N, where N is their column (1 of bagpy's tables)",
                {sources_.back()}};
+}
+
+// What happened in one trial did not happen beside another one.
+std::optional<Error> RecordingAssembly::overlapping_trials() const {
+  const auto both = trials_.overlapping();
+  if (!both || !facts_) return std::nullopt;
+  const auto& [first, second] = *both;
+  std::string message = "the times of " + excerpt(first.part) + " and " + excerpt(second.part) +
+                        ", which " + facts_->trials.column +
+                        " tells apart, begin again or overlap: trials are not compared with each "
+                        "other; read one at a time";
+  if (!facts_->trials.advice.empty() && is_plain(second.part)) {
+    message += ", as by " + facts_->trials.advice + second.part + "\"' FILE > one.csv";
+  }
+  return Error{ErrorCode::kTimeOrder, message + "; if all have one clock, take that column out",
+               location_of(second.begins)};
+}
+
+// Places by two tags would be mixed.
+std::optional<Error> RecordingAssembly::overlapping_tags() const {
+  const auto both = tags_.overlapping();
+  if (!both || !facts_) return std::nullopt;
+  const auto& [first, second] = *both;
+  return Error{ErrorCode::kMissingColumn,
+               "bee " + excerpt(first.group) + " has two tags at once, " + excerpt(first.part) +
+                   " and " + excerpt(second.part) + " (" + facts_->tags.column +
+                   "), whose places would be mixed; " + facts_->tags.advice,
+               location_of(second.begins)};
 }
 
 std::optional<Error> RecordingAssembly::agree_on_heights(HeightDatum heights) {

@@ -51,17 +51,21 @@ std::optional<double> RecordingAssembly::set_back_by(std::string_view id, double
   constexpr double kDay_s = 86'400.0;
   constexpr double kHour_s = 3'600.0;
   constexpr double kLatest_s = 4.0 * kHour_s;  // no zone sets its clocks back later in the night
-  constexpr std::uint64_t kInOrder = 3;        // so that a table in no order is none
+  constexpr double kStepsDiffer_s = 120.0;
+  constexpr std::uint64_t kInOrder = 3;  // so that a table in no order is none
   auto at = clock_times_.find(id);
   if (at == clock_times_.end()) at = clock_times_.try_emplace(std::string(id)).first;
   ClockTime& clock = at->second;
   const double back_s = clock.last_s - time_s;
   if (clock.in_order == 0 || back_s <= 0.0) {
+    clock.step_s = clock.in_order == 0 ? 0.0 : -back_s;
     clock.last_s = time_s;
     ++clock.in_order;
     return std::nullopt;
   }
-  const bool is_long = back_s >= 0.5 * kHour_s && back_s < kHour_s;
+  // Where it goes on at the same pace, an hour was set back; or else it is most of one.
+  const bool goes_on = std::abs(back_s + clock.step_s - kHour_s) <= kStepsDiffer_s;
+  const bool is_long = (back_s >= 0.5 * kHour_s && back_s < kHour_s) || goes_on;
   const bool at_night = time_s - std::floor(time_s / kDay_s) * kDay_s < kLatest_s;
   if (is_long && at_night && clock.in_order >= kInOrder) return back_s;
   clock.last_s = time_s;
@@ -226,6 +230,13 @@ void RecordingAssembly::declare_show(ShowFacts facts) {
   stricter(show->limits.climb_mps, facts.limits.climb_mps);
   stricter(show->limits.descent_mps, facts.limits.descent_mps);
   stricter(show->limits.height_m, facts.limits.height_m);
+  const auto keep = [](auto& ours, const auto& theirs) {
+    for (const auto& limit : theirs) {
+      if (std::find(ours.begin(), ours.end(), limit) == ours.end()) ours.push_back(limit);
+    }
+  };
+  keep(show->limits.accelerations_mps2, facts.limits.accelerations_mps2);
+  keep(show->limits.not_looked_at, facts.limits.not_looked_at);
   if (show->place != facts.place) {
     note("the shows are at different places, or not all say theirs; none is taken");
     show->place.reset();

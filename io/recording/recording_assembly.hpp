@@ -9,6 +9,7 @@
 #include "io/problems/left_out.hpp"
 #include "io/recording/address_names.hpp"
 #include "io/recording/ground_claims.hpp"
+#include "io/recording/part_spans.hpp"
 #include "io/recording/recording.hpp"
 #include "io/recording/recording_options.hpp"
 #include "io/recording/set_names.hpp"
@@ -45,12 +46,22 @@ struct SourceFacts {
   bool own_origin = false;  // places may count from where the vehicle was switched on
   std::optional<double> stamps_ahead_s = {};  // of ROS, of the times of recording
   bool since_start = false;                   // times count since the one vehicle was switched on
+  bool begins_at_zero = false;                // those of the one bee that is in it
+  Unit time_unit = Unit::kUnstated;           // in which times are numbers
   Unit named_time = Unit::kUnstated;  // that of the times, where nothing but the header says it
   bool supposed_metres = false;       // positions: nothing says so
   HeightDatum heights = HeightDatum::kUnstated;
   Unit height_unit = Unit::kMetre;  // in which TrackGathering is told them as they are stated
   std::vector<UnitTaken> units = {};
   std::string description = {};  // "text, comma-separated"
+  // Where times may begin again with each trial, and where an animal may have several tags at
+  // once: which column tells, and what to do then.
+  struct Parts {
+    std::string column = {};
+    std::string advice = {};
+  };
+  Parts trials = {};
+  Parts tags = {};
 };
 
 class RecordingAssembly {
@@ -138,6 +149,13 @@ class RecordingAssembly {
   void leave_file_out(std::string_view name);
   // So many vehicles were where they say at another time: MissingRecords::untimed.
   void doubt_times(std::uint64_t vehicles) { recording_.missing.untimed += vehicles; }
+  // A record of that trial, whose times may begin again in another one; of an animal, by that tag.
+  void take_trial(std::string_view trial, double time_s, Origin origin) {
+    trials_.take({}, trial, time_s, origin);
+  }
+  void take_tag(std::string_view id, std::string_view tag, double time_s, Origin origin) {
+    tags_.take(id, tag, time_s, origin);
+  }
   // A place of that bee is one of Argos' Doppler shifts, which may be off by kilometres.
   void take_rough(std::string_view id);
   // A report of an aircraft, in a format in which it may say that it is on the ground: where it is
@@ -169,6 +187,7 @@ class RecordingAssembly {
   [[nodiscard]] std::optional<Error> settle_files() const;
   std::optional<Error> settle_frame();
   void leave_out_zeros();
+  void leave_out_zero_runs();
   void find_doubtful_tracks();
   void settle_heard();
   void settle_claim(const std::string& id, const GroundClaims::Run& run);
@@ -183,6 +202,8 @@ class RecordingAssembly {
   [[nodiscard]] Error nothing_left() const;
   std::optional<Error> agree_on_heights(HeightDatum heights);
   [[nodiscard]] std::optional<Error> agree_on_origins(const SourceFacts& facts);
+  [[nodiscard]] std::optional<Error> overlapping_trials() const;
+  [[nodiscard]] std::optional<Error> overlapping_tags() const;
   void agree_on_units(const SourceFacts& facts);
 
   const RecordingOptions& options_;
@@ -210,11 +231,14 @@ class RecordingAssembly {
   std::unordered_map<std::string, std::string> names_apart_;  // of sources that share a stem
   std::string source_stem_;                                   // the last of them
   SetNames set_names_;
+  PartSpans trials_;
+  PartSpans tags_;  // within each animal
   AddressNames address_names_;
   std::unordered_map<std::string, double> times_of_day_s_;  // by bee: the last one
   // The same of dates and times, and how many records came in order.
   struct ClockTime {
     double last_s = 0.0;
+    double step_s = 0.0;  // by which the last one came after the one before
     std::uint64_t in_order = 0;
   };
   std::map<std::string, ClockTime, std::less<>> clock_times_;
@@ -223,6 +247,7 @@ class RecordingAssembly {
   bool frame_is_settled_ = false;
   std::optional<SourceFacts> facts_;                     // of all inputs so far
   std::string facts_source_;                             // who said so first
+  std::optional<std::string> zero_source_;               // whose times begin at 0
   HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by the source that states it
   std::string stated_by_;
   std::uint64_t nameless_ = 0;

@@ -8,8 +8,10 @@
 #include "io/recording/swapped_degrees.hpp"
 #include "io/recording/unit_doubts.hpp"
 #include "io/recording/zero_places.hpp"
+#include "io/recording/zero_runs.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -30,8 +32,22 @@ void RecordingAssembly::leave_out_zeros() {
   if (!facts_ || facts_->frame != Frame::kWgs84 || frame_is_settled_) return;
   ZeroPlaces zeros;
   for (const Point& at : tracks_.positions()) zeros.look_at(at);
-  tracks_.leave_out([&zeros](const Fix& fix) { return zeros.is_none(fix.position); },
-                    [this](const std::string& id) { leave_out(kZeroPlace, id); });
+  const auto which = [&zeros](const std::vector<Fix>& fixes) {
+    std::vector<bool> none(fixes.size());
+    bool any = false;
+    for (std::size_t i = 0; i < fixes.size(); ++i) {
+      none[i] = zeros.is_none(fixes[i].position);
+      any = any || none[i];
+    }
+    return any ? none : std::vector<bool>();
+  };
+  tracks_.leave_out(which, [this](const std::string& id) { leave_out(kZeroPlace, id); });
+}
+
+// The same in metres, once all are in order; plans are no measurements.
+void RecordingAssembly::leave_out_zero_runs() {
+  if (!facts_ || facts_->frame != Frame::kMetres || frame_is_settled_ || is_show()) return;
+  tracks_.leave_out(zero_runs, [this](const std::string& id) { leave_out(kZeroRun, id); });
 }
 
 // Once all is settled.
@@ -230,22 +246,21 @@ std::optional<Error> RecordingAssembly::own_grounds() const {
       options_.frame != Frame::kAuto || recording_.bees.size() < 2) {
     return std::nullopt;
   }
-  return Error{ErrorCode::kInvalidArgument,
-               "heights are counted from where each one took off, or from the ground below it: "
-               "those of several cannot be compared; take heights above sea level, or, if all took "
-               "off at one height, say so with --crs wgs84",
-               {stated_by_}};
+  return Error{ErrorCode::kInvalidArgument, std::string(kOwnGrounds), {stated_by_}};
 }
 
 Result<Recording> RecordingAssembly::finish() {
   settle_heard();
   claims_.finish([this](const auto&... of) { settle_claim(of...); });
   if (tracks_.empty()) return nothing_left();
+  if (auto error = overlapping_trials()) return *std::move(error);
+  if (auto error = overlapping_tags()) return *std::move(error);
   if (auto error = settle_frame()) return *std::move(error);
   leave_out_zeros();
   if (tracks_.empty()) return nothing_left();
   if (auto error = settle_times()) return *std::move(error);
   if (auto error = settle_files()) return *std::move(error);
+  leave_out_zero_runs();
   if (auto doubled = doubled_drone(tracks_)) {
     return Error{ErrorCode::kInvalidArgument, std::move(doubled->problem),
                  location_of(tracks_.origin(doubled->fix))};

@@ -213,7 +213,8 @@ std::vector<std::string> recordings_left_in(const std::string& folder) {
   }
   std::erase_if(left, [&](const std::string& path) {
     return std::any_of(chosen->begin(), chosen->end(), [&](const std::string& read) {
-      return is_other_form_of(path, read.substr(0, read.rfind('.')));
+      // MAVProxy writes the same without times beside a log.
+      return path == read + ".raw" || is_other_form_of(path, read.substr(0, read.rfind('.')));
     });
   });
   return left;

@@ -286,15 +286,15 @@ std::vector<SharedTrack> TrackGathering::jumping(Frame frame) const {
   return jumping;
 }
 
-void TrackGathering::leave_out(const std::function<bool(const Fix&)>& is_none,
+void TrackGathering::leave_out(const Which& which,
                                const std::function<void(const std::string& id)>& told) {
   const auto empties = [&](Bee& bee) {
     RecordedBee& recorded = bee.recorded;
-    const auto first = std::find_if(recorded.fixes.begin(), recorded.fixes.end(), is_none);
-    if (first == recorded.fixes.end()) return false;
+    const std::vector<bool> none = which(recorded.fixes);
+    if (none.empty()) return false;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < recorded.fixes.size(); ++i) {
-      if (is_none(recorded.fixes[i])) {
+      if (none[i]) {
         told(recorded.id);
         continue;
       }

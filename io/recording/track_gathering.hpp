@@ -98,9 +98,9 @@ class TrackGathering {
   [[nodiscard]] std::uint64_t renamed() const { return renamed_; }
 
   // Leaves out all fixes that are at no place, each of which `told` hears of by its bee; of who has
-  // no other fix nothing is left.
-  void leave_out(const std::function<bool(const Fix&)>& is_none,
-                 const std::function<void(const std::string& id)>& told);
+  // no other fix nothing is left. `which` says it of all those of a bee; empty where none is.
+  using Which = std::function<std::vector<bool>(const std::vector<Fix>&)>;
+  void leave_out(const Which& which, const std::function<void(const std::string& id)>& told);
 
   // Once all is settled; of each bee the first jump.
   [[nodiscard]] std::vector<SharedTrack> shared(Frame frame) const;

@@ -140,7 +140,7 @@ Result<std::optional<std::size_t>> find_third(const Header& header, bool geograp
   for (const std::size_t column : header.columns(Role::kNone)) {
     if (header.source() != nullptr && header.source()->of_animals) break;
     const std::string& name = table.names[column];
-    if (names_other_quantity(name) || names_set(name)) continue;
+    if (names_other_quantity(name) || names_set(name) || names_session(name)) continue;
     const bool nameless = table.names[column].empty() && column + 1 == table.columns;
     // Rows are numbered there, as R and pandas write tables.
     if (table.names[column].empty() && column == 0) continue;

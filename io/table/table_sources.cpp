@@ -179,6 +179,12 @@ constexpr std::string_view kSets =
     "study study_name study_id experiment experiment_name experiment_id trial trial_name trial_id "
     "trial_number trial_no replicate arena arena_id video video_name video_id video_file";
 
+// Where times are no dates, they begin again with each of these, too.
+constexpr std::string_view kSessions =
+    "session session_name session_id session_number session_no run run_name run_id run_number "
+    "run_no rep rep_id rep_no replicate_id replicate_no replication repetition recording "
+    "recording_id episode episode_id rollout seed";
+
 bool has_name(const std::vector<std::string>& names, std::string_view wanted) {
   return std::any_of(names.begin(), names.end(),
                      [wanted](const std::string& name) { return plain_name(name) == wanted; });
@@ -220,6 +226,14 @@ std::optional<std::size_t> TableSource::first(Role role,
 
 bool names_set(std::string_view column) {
   return is_one_of(kSets, plain_name(column));
+}
+
+bool names_session(std::string_view column) {
+  return is_one_of(kSessions, plain_name(column));
+}
+
+bool names_arena(std::string_view column) {
+  return is_one_of("arena arena_id", plain_name(column));
 }
 
 bool names_other_quantity(std::string_view name) {

@@ -54,6 +54,10 @@ std::string words_of_aviation(const std::vector<std::string>& names);
 
 // Whether it says which study, trial or video a record is of, within which ids are unique.
 bool names_set(std::string_view column);
+// Whether it says which session or run a record is of, as numbers of time begin again with each.
+bool names_session(std::string_view column);
+// Of sets: places beside each other, which have one clock.
+bool names_arena(std::string_view column);
 
 // Whether a name speaks of something that is measured beside places and is none: "speed",
 // "likelihood", "temperature".

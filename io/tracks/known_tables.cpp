@@ -206,17 +206,36 @@ Result<TrackLayout> skybrush_layout(TableLayout table, std::string_view text,
   return layout;
 }
 
-bool says_time_alone(const RecordingOptions& options) {
+namespace {
+
+bool names_role(const RecordingOptions& options, Role role) {
   const auto said = read_column_overrides(track_columns(), options.columns, options.frame);
-  return said && std::all_of(said->begin(), said->end(),
-                             [](const ColumnOverride& one) { return one.role == Role::kTime; });
+  return said && std::any_of(said->begin(), said->end(),
+                             [role](const ColumnOverride& one) { return one.role == role; });
+}
+
+}  // namespace
+
+bool names_columns_of_ros(const RecordingOptions& options) {
+  const auto said = read_column_overrides(track_columns(), options.columns, options.frame);
+  return said && std::all_of(said->begin(), said->end(), [](const ColumnOverride& one) {
+           return one.role == Role::kTime || one.role == Role::kId || one.role == Role::kX ||
+                  one.role == Role::kY || one.role == Role::kZ;
+         });
+}
+
+bool names_position(const RecordingOptions& options) {
+  return names_role(options, Role::kX);
 }
 
 Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::string_view text,
                                RecordingOptions options, SeenRecords seen) {
-  const bool time_is_said = !options.columns.empty();
-  options.columns.insert(0, ros.columns + (time_is_said ? "," : ""));
-  if (ros.child) options.columns += ",id=" + std::to_string(*ros.child + 1);
+  const bool time_is_said = names_role(options, Role::kTime);
+  const bool each_child = ros.child && !names_role(options, Role::kId);
+  if (!names_position(options)) {
+    options.columns.insert(0, ros.columns + (options.columns.empty() ? "" : ","));
+  }
+  if (each_child) options.columns += ",id=" + std::to_string(*ros.child + 1);
   table.names = ros.names;
   auto layout = choose_track_layout(table, text, options, seen);
   // Stamps that count from where a robot was switched on are not those of another one.
@@ -235,6 +254,9 @@ Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::stri
   if (!layout) return layout;
   if (layout->time && ros.recorded)
     layout->stamps_ahead_s = stamps_ahead(text, *layout, *ros.recorded);
+  if (layout->time && layout->time->form == TimeForm::kNumbers && !layout->time->since_1970) {
+    layout->time->since_start = options.time_unit == Unit::kUnstated;
+  }
   if (options.frame == Frame::kAuto && layout->frame == Frame::kMetres) {
     layout->frame_reason = "positions of ROS are in metres";
   }
@@ -247,9 +269,9 @@ Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::stri
   layout->own_origin = options.frame == Frame::kAuto && layout->frame == Frame::kMetres &&
                        begins_at_zero(text, layout->table);
   layout->axes_name = ros.axes_name;
-  layout->ids_within_file = ros.child.has_value();
+  layout->ids_within_file = each_child;
   layout->notes.push_back(ros.note);
-  if (ros.child) {
+  if (each_child) {
     layout->notes.push_back("each " + table.names[*ros.child] +
                             " is taken for a bee; of several files, for one of that file");
   }

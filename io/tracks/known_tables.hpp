@@ -20,8 +20,11 @@ bool is_path_with_colours(std::string_view text, const TableLayout& table);
 Result<TrackLayout> skybrush_layout(TableLayout table, std::string_view text,
                                     const RecordingOptions& options);
 
-// Whether --columns names nothing, or the column of the time alone.
-bool says_time_alone(const RecordingOptions& options);
+// Whether --columns names nothing but what a table of ROS has: the time, x, y, z, or the id. What
+// it does not name is told by the table.
+bool names_columns_of_ros(const RecordingOptions& options);
+// Whether it names x.
+bool names_position(const RecordingOptions& options);
 
 Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::string_view text,
                                RecordingOptions options, SeenRecords seen);

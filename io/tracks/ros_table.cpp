@@ -79,7 +79,7 @@ bool has_several(std::string_view text, const TableLayout& table, std::size_t co
   return false;
 }
 
-std::optional<RosTable> by_names(std::string_view text, const TableLayout& table) {
+std::optional<RosTable> by_names(std::string_view text, const TableLayout& table, bool free) {
   RosTable found;
   found.names = table.names;
   std::array<std::vector<std::size_t>, 3> axes;
@@ -105,12 +105,13 @@ std::optional<RosTable> by_names(std::string_view text, const TableLayout& table
     found.names[0] = "header.stamp";
     stamped = true;
   }
-  if (!stamped || !one || before[0] != before[1] || before[1] != before[2]) return std::nullopt;
+  const bool clear = one && before[0] == before[1] && before[1] == before[2];
+  if (!stamped || (free && !clear)) return std::nullopt;
   for (std::size_t column = 0; column < table.names.size(); ++column) {
     if (!is_name_of_robot(split_words(table.names[column]))) continue;
     if (has_several(text, table, column)) found.child = column;
   }
-  found.columns = columns_text({axes[0][0], axes[1][0], axes[2][0]});
+  if (clear) found.columns = columns_text({axes[0][0], axes[1][0], axes[2][0]});
   found.note =
       "this is taken for a table of a topic of ROS: positions in metres; orientations, and "
       "velocities, which are along the robot's own axes, are not read";
@@ -250,8 +251,8 @@ std::optional<RosTable> by_content(std::string_view text, const TableLayout& tab
 
 }  // namespace
 
-std::optional<RosTable> find_ros_table(std::string_view text, const TableLayout& table) {
-  return table.names.empty() ? by_content(text, table) : by_names(text, table);
+std::optional<RosTable> find_ros_table(std::string_view text, const TableLayout& table, bool free) {
+  return table.names.empty() ? by_content(text, table) : by_names(text, table, free);
 }
 
 }  // namespace beespace::io

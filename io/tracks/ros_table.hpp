@@ -21,7 +21,8 @@ struct RosTable {
   std::string note;
 };
 
-// `text` are records of the table. Nothing where it is of another kind.
-std::optional<RosTable> find_ros_table(std::string_view text, const TableLayout& table);
+// `text` are records of the table. Nothing where it is of another kind, or, where the position is
+// not said (`free`), where it has several.
+std::optional<RosTable> find_ros_table(std::string_view text, const TableLayout& table, bool free);
 
 }  // namespace beespace::io

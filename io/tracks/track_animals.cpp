@@ -20,6 +20,14 @@ void settle_animals(const Header& header, TrackLayout& layout) {
     const auto words = split_words(header.table().names[i]);
     if (words == std::vector<std::string>{"visible"}) layout.visible = i;
     if (words == std::vector<std::string>{"sensor", "type"}) layout.sensor = i;
+    if (words.size() == 3 && words[1] == "marked" && words[2] == "outlier" &&
+        layout.marked.size() < TrackSlot::kMostMarked) {
+      layout.marked.push_back(i);
+    }
+    if (words == std::vector<std::string>{"manually", "marked", "valid"}) layout.marked_valid = i;
+    const auto& id = layout.table.choice.id;
+    const bool is_tag = words == std::vector<std::string>{"tag", "local", "identifier"};
+    if (is_tag && id && id != i && !header.override_of(Role::kId)) layout.tag = i;
     if (layout.infinite_is_unknown && words == std::vector<std::string>{"missing"}) {
       layout.not_seen = i;
     }

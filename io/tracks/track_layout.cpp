@@ -168,6 +168,11 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   }
   for (std::size_t i = 0; i < layout.sets.size(); ++i) fill(layout.sets[i], TrackSlot::kSets + i);
   if (layout.visible) fill(*layout.visible, TrackSlot::kVisible);
+  for (std::size_t i = 0; i < layout.marked.size(); ++i) {
+    fill(layout.marked[i], TrackSlot::kMarked + i);
+  }
+  if (layout.marked_valid) fill(*layout.marked_valid, TrackSlot::kValid);
+  if (layout.tag) fill(*layout.tag, TrackSlot::kTag);
   if (layout.time && layout.time->date) fill(*layout.time->date, TrackSlot::kDate);
   if (layout.time) fill(layout.time->column, TrackSlot::kTime);
   if (layout.time && layout.time->nanoseconds) {
@@ -257,6 +262,9 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   }
   layout.show = layout.time && layout.frame != Frame::kWgs84 && names_colours(layout.table);
   if (layout.time) {
+    layout.time->begins_at_zero = options.time_unit == Unit::kUnstated && !choice.id &&
+                                  header.source() == nullptr && !layout.show &&
+                                  times_begin_at_zero(text, layout.table, *layout.time);
     layout.notes.push_back(
         time_note(layout.table, *layout.time, options.time_unit != Unit::kUnstated));
   }
@@ -272,7 +280,9 @@ Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOpti
   const bool free = options.columns.empty();
   const bool skybrush = bare_skybrush || (options.format == RecordingFormat::kAuto &&
                                           is_path_with_colours(text, *table));
-  const auto ros = free || says_time_alone(options) ? find_ros_table(text, *table) : std::nullopt;
+  const auto ros = names_columns_of_ros(options)
+                       ? find_ros_table(text, *table, !names_position(options))
+                       : std::nullopt;
   auto chosen = skybrush && table->names.empty() && free ? skybrush_layout(*table, text, options)
                 : ros ? ros_layout(*ros, *table, text, options, seen)
                 : free && is_trajectory_of_poses(text, *table)

@@ -37,11 +37,13 @@ struct TimeChoice {
   TimeForm form = TimeForm::kNumbers;
   Unit unit = Unit::kSecond;
   bool since_1970 = false;
-  bool by_size = false;        // the unit was told by the size of the numbers
-  bool named = false;          // the header alone, or the format, says the unit
-  bool of_position = false;    // when it was measured: records in between say the position again
-  bool since_start = false;    // of the vehicle whose table it is: those of others have other zeros
-  bool to_the_minute = false;  // the first time has no seconds
+  bool by_size = false;      // the unit was told by the size of the numbers
+  bool named = false;        // the header alone, or the format, says the unit
+  bool of_position = false;  // when it was measured: records in between say the position again
+  bool since_start = false;  // of the vehicle whose table it is: those of others have other zeros
+  bool begins_at_zero = false;  // the first one is 0, of the one bee of a table, and nobody says
+                                // that others have the same zero
+  bool to_the_minute = false;   // the first time has no seconds
   DateOrder dates = DateOrder::kUnsaid;  // where the year is last
   std::string dates_reason = {};         // why it is that one
   std::optional<std::size_t> date = {};  // the column of the day
@@ -104,6 +106,9 @@ struct TrackLayout {
   Unit other_height_unit = Unit::kMetre;
   std::optional<std::size_t> other_height = {};
   std::optional<std::size_t> visible = {};       // who says no there is an outlier
+  std::vector<std::size_t> marked = {};          // who says yes there is one, too,
+  std::optional<std::size_t> marked_valid = {};  // unless here
+  std::optional<std::size_t> tag = {};           // of animals, of which each should have one
   const LeftOutReason* no_height = nullptr;      // what to say of such a record
   std::optional<std::size_t> label = {};         // what each is called beside its id: the flight
   std::optional<std::size_t> on_ground = {};     // of those that are left out
@@ -117,6 +122,7 @@ struct TrackLayout {
   std::optional<std::size_t> sensor = {};         // of Movebank: which found the place
   std::optional<std::size_t> zone = {};           // of UTM, in which x and y are counted
   std::vector<std::size_t> sets = {};             // within which ids are unique: studies, days
+  std::vector<std::size_t> trials = {};           // which of `sets` times may begin again with
   std::optional<std::size_t> no_height_yet = {};  // of heights that the beginning has none of
   std::vector<UnitTaken> units = {};              // of positions and velocities
   // Of a beginning whose ids come once each: what is wrong if those of the whole do.
@@ -147,7 +153,11 @@ struct TrackSlot {
   static constexpr std::size_t kQuality = 17;
   static constexpr std::size_t kNotSeen = 18;
   static constexpr std::size_t kSensor = 19;
-  static constexpr std::size_t kSets = 20;  // as many as kMostSets
+  static constexpr std::size_t kTag = 20;
+  static constexpr std::size_t kValid = 21;
+  static constexpr std::size_t kMarked = 22;  // as many as kMostMarked
+  static constexpr std::size_t kMostMarked = 3;
+  static constexpr std::size_t kSets = kMarked + kMostMarked;  // as many as kMostSets
   static constexpr std::size_t kMostSets = 6;
   static constexpr std::size_t kNothing =
       kSets + kMostSets;  // where columns go that are not asked for

@@ -17,7 +17,9 @@
 #include "io/tracks/wall_times.hpp"
 
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <ranges>
 #include <span>
 #include <utility>
 
@@ -119,19 +121,35 @@ void TrackRecordReader::read_label(TrackRecord& record) {
 
 void TrackRecordReader::read_sets(TrackRecord& record) {
   record.set = {};
+  record.trial = {};
   if (layout_.sets.empty()) return;
-  record.set = without_padding(fields_[TrackSlot::kSets].text);
-  if (layout_.sets.size() == 1) return;
-  joined_sets_ = record.set;
-  for (std::size_t i = 1; i < layout_.sets.size(); ++i) {
-    joined_sets_.append(", ").append(without_padding(fields_[TrackSlot::kSets + i].text));
+  const auto joined = [this](const auto& sets, std::string& text) {
+    text.clear();
+    for (const std::size_t i : sets) {
+      if (i != *std::begin(sets)) text += ", ";
+      text.append(without_padding(fields_[TrackSlot::kSets + i].text));
+    }
+    return std::string_view(text);
+  };
+  record.set = joined(std::views::iota(std::size_t{0}, layout_.sets.size()), joined_sets_);
+  record.trial = layout_.trials.size() == layout_.sets.size()
+                     ? record.set
+                     : joined(layout_.trials, joined_trials_);
+}
+
+// As the owner of the data has marked it.
+bool TrackRecordReader::is_outlier() const {
+  if (layout_.visible && says_no(fields_[TrackSlot::kVisible].text)) return true;
+  if (layout_.marked_valid && says_yes(fields_[TrackSlot::kValid].text)) return false;
+  for (std::size_t i = 0; i < layout_.marked.size(); ++i) {
+    if (says_yes(fields_[TrackSlot::kMarked + i].text)) return true;
   }
-  record.set = joined_sets_;
+  return false;
 }
 
 // Of what aircraft say of themselves: what is not known is no mistake.
 const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
-  if (layout_.visible && says_no(fields_[TrackSlot::kVisible].text)) return &kOutlier;
+  if (is_outlier()) return &kOutlier;
   if (layout_.quality && says_no_fix(*layout_.quality, fields_[TrackSlot::kQuality].text)) {
     return &kNoFix;
   }
@@ -147,12 +165,13 @@ const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
   const bool no_first = unknown(TrackSlot::kPosition);
   const bool no_second = unknown(TrackSlot::kPosition + 1);
   if (layout_.of_aircraft && (no_first || no_second)) return &kNoPosition;
-  // Half a place is a mistake: it may hide what is near.
   if (!layout_.of_aircraft && no_first && no_second) return &kUnknownPlace;
+  if (!layout_.of_aircraft && (no_first || no_second)) return &kHalfPlace;
   // Of others a bad time is a mistake.
   if (!layout_.of_aircraft) {
     const bool has_height = layout_.table.choice.dimensions == 3;
-    return has_height && unknown(TrackSlot::kPosition + 2) ? layout_.no_height : nullptr;
+    if (!has_height || !unknown(TrackSlot::kPosition + 2)) return nullptr;
+    return layout_.no_height != nullptr ? layout_.no_height : &kHalfPlace;
   }
   if (layout_.time && unknown(TrackSlot::kTime)) return &kNoTime;
   const bool height = layout_.table.choice.dimensions == 3;
@@ -367,6 +386,8 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   if (auto problem = read_id(record)) return problem;
   if (record.left_out != nullptr) return std::nullopt;
   read_label(record);
+  record.tag = {};
+  if (layout_.tag) record.tag = without_padding(fields_[TrackSlot::kTag].text);
   if (layout_.zone) record.zone = without_padding(fields_[TrackSlot::kZone].text);
   if (layout_.axes_name) record.axes_name = without_padding(fields_[TrackSlot::kAxesName].text);
   record.left_out = reason_to_leave_out();

@@ -33,6 +33,8 @@ struct TrackRecord {
   double stated_height = 0.0;       // or z, as the input has it
   Velocity velocity = {};           // not-a-number where it is unknown
   std::string_view set = {};        // study, trial: within which the id is unique; as the line
+  std::string_view trial = {};      // what of that times may begin again with; as the line
+  std::string_view tag = {};        // by which the place of an animal is known; as the line
   std::string_view axes_name = {};  // of ROS: what the position is counted in; as long as the line
   std::string_view zone = {};       // of UTM; as long as the line
   std::string_view late_height = {};  // where there were none before (TrackLayout::no_height_yet)
@@ -52,6 +54,7 @@ class TrackRecordReader {
   void read_label(TrackRecord& record);
   void read_sets(TrackRecord& record);
   [[nodiscard]] const LeftOutReason* reason_to_leave_out() const;
+  [[nodiscard]] bool is_outlier() const;
   [[nodiscard]] bool flies() const;
   [[nodiscard]] bool heights_contradict() const;
   std::optional<Error> read_time(TrackRecord& record);
@@ -66,6 +69,7 @@ class TrackRecordReader {
   std::string unquoted_id_;
   std::string unquoted_label_;
   std::string joined_sets_;
+  std::string joined_trials_;
 };
 
 }  // namespace beespace::io

@@ -5,10 +5,13 @@
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/problems/unplaced.hpp"
+#include "io/table/column_overrides.hpp"
+#include "io/table/fields.hpp"
 #include "io/table/record_walk.hpp"
 #include "io/tracks/local_positions.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_record.hpp"
+#include "io/tracks/track_sets.hpp"
 #include "io/tracks/utm_zone.hpp"
 
 #include <algorithm>
@@ -90,6 +93,17 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   facts.own_origin = layout.own_origin;
   facts.stamps_ahead_s = layout.stamps_ahead_s;
   facts.since_start = layout.time && layout.time->since_start;
+  facts.begins_at_zero = layout.time && layout.time->begins_at_zero;
+  if (layout.time && layout.time->form == TimeForm::kNumbers) facts.time_unit = layout.time->unit;
+  facts.trials.column = columns_of_trials(layout);
+  if (layout.tag && choice.id) {
+    facts.tags = {
+        column_text(layout.table, *layout.tag),
+        "of two on one animal leave the records of one out; to take each tag for one, say "
+        "--columns id=" +
+            std::to_string(*layout.tag + 1) +
+            ", or to mix them all the same, --columns id=" + std::to_string(*choice.id + 1)};
+  }
   if (layout.time && layout.time->named && layout.time->form == TimeForm::kNumbers) {
     facts.named_time = layout.time->unit;
   }
@@ -165,7 +179,8 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     if (record.left_out != nullptr) {
       assembly.leave_out(*record.left_out, record.id);
       // Who is nowhere else is known nowhere.
-      if (has_no_place(*record.left_out)) assembly.heard_of(kNeverPlaced, record.id);
+      const bool counts = !record.left_out->harmless;
+      if (has_no_place(*record.left_out) && !counts) assembly.heard_of(kNeverPlaced, record.id);
       if (record.is_timed) assembly.unplaced(record.id, record.time_s);
       continue;
     }
@@ -203,6 +218,10 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     Origin origin;
     origin.source = assembly.source() & 0xFF'FFFFu;
     origin.line = line & 0xFF'FFFF'FFFFu;
+    if (!layout.trials.empty()) assembly.take_trial(record.trial, record.time_s, origin);
+    if (layout.tag && !is_unknown(record.tag)) {
+      assembly.take_tag(record.id, record.tag, record.time_s, origin);
+    }
     std::optional<double> stated_height;
     if (height_unit != Unit::kMetre) stated_height = record.stated_height;
     assembly.tracks().add(record.id, {record.time_s, record.position},
@@ -239,7 +258,9 @@ Result<TrackTableReader> TrackTableReader::begin(const TrackTable& beginning,
     layout->time->clock = assembly.common_clock(*layout->time->clock);
   }
   std::string form = "text, " + std::string(delimiter_name(layout->table.delimiter)) + "-separated";
-  if (auto error = assembly.agree(facts_of(*layout, std::move(form)))) return *std::move(error);
+  SourceFacts facts = facts_of(*layout, std::move(form));
+  facts.trials.advice = filter_of_trials(*layout);
+  if (auto error = assembly.agree(facts)) return *std::move(error);
   for (std::string& note : layout->notes) assembly.note(std::move(note));
   if (layout->show) assembly.declare_show({});
   if (!layout->table.choice.id) {

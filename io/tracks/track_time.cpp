@@ -90,11 +90,13 @@ Result<std::optional<Stamp>> choose_stamp(const Header& header) {
 
 Result<TimeChoice> time_of_stamp(const Stamp& stamp, std::string_view text, const Header& header,
                                  Unit asked) {
-  if (asked != Unit::kUnstated) {
+  // Seconds they are: who says so says that several files have one clock.
+  if (asked != Unit::kUnstated && asked != Unit::kSecond) {
     return Error{ErrorCode::kInvalidArgument,
                  "the times are in seconds and nanoseconds, in " +
                      column_text(header.table(), stamp.seconds) + " and " +
-                     column_text(header.table(), stamp.nanoseconds) + "; leave --time-unit out",
+                     column_text(header.table(), stamp.nanoseconds) +
+                     "; leave --time-unit out, or, where several files have one clock, say s",
                  {}};
   }
   TimeChoice time;
@@ -161,7 +163,7 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
     return at_column(ErrorCode::kInvalidArgument,
                      column_text(table, time.column) +
                          " holds the time, but in which unit? Say it with --time-unit s, ms, us "
-                         "or ns, or in the header: time_s",
+                         "or ns (then several files have one clock), or in the header: time_s",
                      time.column);
   }
   return time;
@@ -311,6 +313,18 @@ bool counts_from_start(const TableLayout& table, const TimeChoice& time) {
   const auto words = split_words(table.names[time.column]);
   return std::any_of(words.begin(), words.end(),
                      [](const std::string& word) { return is_one_of("boot uptime", word); });
+}
+
+bool times_begin_at_zero(std::string_view text, const TableLayout& table, const TimeChoice& time) {
+  if (time.form != TimeForm::kNumbers || time.since_1970) return false;
+  const auto is_zero = [&](std::size_t column) {
+    const FirstFields fields = first_fields(text, table, column);
+    double number = 1.0;
+    return !fields.empty() &&
+           parse_number(without_padding(fields.front()), number) == NumberKind::kNumber &&
+           number == 0.0;
+  };
+  return is_zero(time.column) && (!time.nanoseconds || is_zero(*time.nanoseconds));
 }
 
 std::string time_note(const TableLayout& table, const TimeChoice& time, bool asked) {

@@ -36,6 +36,9 @@ std::optional<Error> lengths_problem(const TableLayout& table, const RecordingOp
 // Whether the name says that numbers count since the vehicle was switched on: "time_boot_ms".
 bool counts_from_start(const TableLayout& table, const TimeChoice& time);
 
+// Whether the first of them is 0, as where numbers count from the start of what is in the table.
+bool times_begin_at_zero(std::string_view text, const TableLayout& table, const TimeChoice& time);
+
 // What was chosen, for the notes.
 std::string time_note(const TableLayout& table, const TimeChoice& time, bool asked);
 

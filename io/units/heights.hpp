@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 namespace beespace::io {
 
@@ -13,6 +14,12 @@ enum class HeightDatum : std::uint8_t {
   kPressure,      // barometric, of the standard atmosphere
   kHome,          // the place of take-off
 };
+
+// What to say of several whose heights are each above its own take-off.
+inline constexpr std::string_view kOwnGrounds =
+    "heights are counted from where each one took off, or from the ground below it: those of "
+    "several cannot be compared; take heights above sea level, or, if all took off at one height, "
+    "say so with --crs wgs84";
 
 // Of those who tell several heights, such as aircraft: never some of one kind and some of the
 // other.

@@ -249,5 +249,5 @@ class FlightVerdict:
         if self.coverage.may_hide_conflicts:
             return "not seen as a whole: " + self.coverage.unknown
         if self.closest is not None:
-            return "not looked at as a whole: the show limits accelerations in one direction"
+            return "not looked at as a whole: the show declares limits that are not looked at"
         return "nothing to compare: no two agents are there at the same time"

@@ -86,8 +86,8 @@ FILES = {
     "bulge_is_far": {"f.csv": bulge(3.0)},
     "velocities_lead_away": {"f.csv": bulge(40_000)},
     "left_out_file": {
-        "1.csv": "time_s,x,y,z\n0,0,0,0\n1,1,0,0\n2,2,0,0\n",
-        "2.csv": "time_s,x,y,z\n0,0,50,0\n1,1,50,0\n2,2,50,0\n",
+        "1.csv": "time_s,x,y,z\n1,0,0,0\n2,1,0,0\n3,2,0,0\n",
+        "2.csv": "time_s,x,y,z\n1,0,50,0\n2,1,50,0\n3,2,50,0\n",
         "3.dat": "no table",
     },
     "swapped": {

@@ -317,7 +317,7 @@ def test_a_show_is_a_recording_and_no_snapshot():
 @readers
 def test_several_files_are_one_recording(written):
     one = written("one.csv", "time_s,x [m],y [m],z [m]\n0,1,2,3\n1,4,5,6\n")
-    two = written("two.csv", "time_s,x [m],y [m],z [m]\n0,7,8,9\n")
+    two = written("two.csv", "time_s,x [m],y [m],z [m]\n1,7,8,9\n")
     for paths in ([one, two], one.parent):
         read = beespace.read_recording(paths)
         assert read.ids.tolist() == ["one", "two"]

@@ -78,11 +78,11 @@ TEST_F(CReadRecording, OfDegreesIsEarthCentredAndKeepsThem) {
 
 TEST_F(CReadRecording, OfSeveralFilesOrAFolderIsOne) {
   const std::string one = folder_.file("one.csv", "time_s,x [m],y [m],z [m]\n0,1,2,3\n1,4,5,6\n");
-  const std::string two = folder_.gzip_file("two.csv.gz", "time_s,x [m],y [m],z [m]\n0,7,8,9\n");
+  const std::string two = folder_.gzip_file("two.csv.gz", "time_s,x [m],y [m],z [m]\n1,7,8,9\n");
   for (const auto& paths : {std::vector<std::string>{one, two}, {folder_.path("")}}) {
     const auto read = read_recording(paths);
     ASSERT_EQ(read.code, BEESPACE_OK) << text_of(read.error);
-    expect_columns(read.recording, {0, 1, 0}, {1, 2, 3, 4, 5, 6, 7, 8, 9}, {0, 0, 1}, {0, 2, 3});
+    expect_columns(read.recording, {0, 1, 1}, {1, 2, 3, 4, 5, 6, 7, 8, 9}, {0, 0, 1}, {0, 2, 3});
     EXPECT_STREQ(beespace_io_recording_id(read.recording.get(), 1), "two");
   }
 }

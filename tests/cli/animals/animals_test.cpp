@@ -37,15 +37,15 @@ TEST(Animals, MovebankIsReadAsItComes) {
   const Finished finished = run({"replay", table("movebank.csv"), "--threshold", "100", "--csv"});
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   expect_closest(finished, "Anna", "Bert", 1441869883.778540, 54.132138);
-  expect_parts(
-      finished.err,
-      {"are of UTC: the header is that of Movebank", "bees       2\n", "above the WGS84 ellipsoid",
-       "heights in m", "1 record with visible=false (outliers) is left out",
-       "1 record without a place (empty, NA or NaN) is left out",
-       "1 record whose id of an animal is empty (of tags that are on none) is left",
-       "1 record of unknown bees",
-       "from       2015-09-10T07:00:00.000Z to 2015-09-10T07:55:00.000Z",
-       "at 2015-09-10T07:24:43.779Z"});
+  expect_parts(finished.err,
+               {"are of UTC: the header is that of Movebank", "bees       2\n",
+                "above the WGS84 ellipsoid", "heights in m",
+                "1 record marked as outliers (visible=false, ...-marked-outlier=true) is left out",
+                "1 record without a place (empty, NA or NaN) is left out",
+                "1 record whose id of an animal is empty (of tags that are on none) is left",
+                "1 record of unknown bees",
+                "from       2015-09-10T07:00:00.000Z to 2015-09-10T07:55:00.000Z",
+                "at 2015-09-10T07:24:43.779Z"});
 }
 
 // Of one name in two studies, and a metre apart: two animals.
@@ -80,10 +80,13 @@ TEST(Animals, AnAnimalOfOutliersOnlyIsNoAllClear) {
   const Finished nowhere = replayed("3,FALSE,2015-09-10 07:00:00.000,9.17,47.7,a\n");
   EXPECT_EQ(nowhere.exit_code, 1);
   expect_parts(nowhere.err,
-               {"1 record with visible=false (outliers) is left out", "known nowhere: a"});
+               {"1 record marked as outliers (visible=false, ...-marked-outlier=true) is left out",
+                "known nowhere: a"});
   const Finished one = replayed("3,FALSE,2015-09-10 07:02:00.000,9.17,47.7,c\n");
   EXPECT_EQ(one.exit_code, 0) << one.err;
-  expect_parts(one.err, {"1 record with visible=false (outliers) is left out"});
+  expect_parts(
+      one.err,
+      {"1 record marked as outliers (visible=false, ...-marked-outlier=true) is left out"});
 }
 
 TEST(Animals, TimesAreToldInTheZoneThatIsAskedFor) {

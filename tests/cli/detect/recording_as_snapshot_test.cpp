@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "tests/cli/run/command_run.hpp"
 #include "tests/cli/run/exit_codes.hpp"
@@ -73,7 +75,27 @@ TEST(RecordingAsSnapshot, SoIsOneWhoseIdNumbersTheRecords) {
                  "and column 1 'id' numbers them; ask 'beespace replay' about it, leave one time "
                  "in it, or, if each is of another bee, say --columns id=1");
   EXPECT_EQ(run({"detect", "--columns", "id=1"}, rows).out, "1\n2\n");
+  // Beside an id that has several times it numbers them all the same.
+  expect_failure(
+      {"detect", "--columns", "id=1"},
+      "id,animals_id,time_s,x_m,y_m,z_m\n1,a,0,0,0,5\n2,b,0,9,0,5\n3,a,1,1,0,5\n", kBadInput,
+      "column 1 'id' numbers its records, and column 2 'animals_id' has 'a' at more than "
+      "one time ('0' and '1'); ask 'beespace replay'");
   expect_answer("icao24,time_s,x [m],y [m],z [m]\na,0,0,0,0\nb,1,50,0,0\nc,2,900,0,0\n", "a\nb\n");
+}
+
+TEST(RecordingAsSnapshot, HeightsAboveEachTakeOffAreRefusedLikewise) {
+  const std::string_view table = "id,lat,lon,rel_alt_m\n1,47,8,10\n2,47.1,8,30\n";
+  const std::string columns = "lon=3,lat=2,height=4";
+  for (const std::vector<std::string>& how : {std::vector<std::string>{}, {"--memory", "1GB"}}) {
+    std::vector<std::string> words = {"detect", "--columns", columns};
+    words.insert(words.end(), how.begin(), how.end());
+    const Finished refused = run(words, table);
+    EXPECT_EQ(refused.exit_code, 2) << refused.err;
+    expect_parts(refused.err, {"those of several cannot be compared"});
+    words.insert(words.end(), {"--crs", "wgs84"});
+    EXPECT_EQ(run(words, table).exit_code, 0);
+  }
 }
 
 TEST(RecordingAsSnapshot, ASnapshotMayHaveATimeColumn) {

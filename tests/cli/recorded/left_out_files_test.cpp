@@ -14,7 +14,7 @@ namespace beespace::cli_test {
 namespace {
 
 std::string way(const std::string& y) {
-  return "time_s,x,y,z,vx,vy,vz\n0,0," + y + ",0,1,0,0\n1,1," + y + ",0,1,0,0\n2,2," + y +
+  return "time_s,x,y,z,vx,vy,vz\n1,0," + y + ",0,1,0,0\n2,1," + y + ",0,1,0,0\n3,2," + y +
          ",0,1,0,0\n";
 }
 

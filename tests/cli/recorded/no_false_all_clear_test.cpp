@@ -281,6 +281,13 @@ TEST(NoFalseAllClear, TimesThatAreSetBackAreAskedAbout) {
   expect_parts(finished.err, {"<stdin>:8:2: the times of bee 'a' go back by 50 min here, as where "
                               "clocks are set back at night, and name no zone"});
   EXPECT_EQ(run({"replay"}, in_order).exit_code, 0);
+  // Whatever the pace.
+  const Finished slow =
+      run({"replay"},
+          "id,timestamp,x,y,z\na,2015-10-25 01:15:00,0,0,0\na,2015-10-25 02:00:00,1,0,0\n"
+          "a,2015-10-25 02:45:10,2,0,0\na,2015-10-25 02:30:00,3,0,0\n");
+  EXPECT_EQ(slow.exit_code, 3);
+  expect_parts(slow.err, {"<stdin>:5:2: the times of bee 'a' go back by 15 min 10 s here"});
   // Of a place whose clocks are set back the times themselves do not say which is meant.
   EXPECT_EQ(run({"replay", "--time-zone", "Europe/Madrid"}, night).exit_code, 3);
   // By day, or by days, records only are in no order.

@@ -169,9 +169,9 @@ TEST(Replay, JsonSaysTheVerdictInNumbers) {
 
 TEST(Replay, ManyFilesAndFoldersAreOneRecording) {
   const TemporaryFolder folder;
-  const std::string a = folder.file("a.csv", "time_s,x,y,z\n0,0,0,0\n10,100,0,0\n");
-  const std::string b = folder.file("b.csv", "time_s,x,y,z\n0,100,3,0\n10,0,3,0\n");
-  const TextRows meeting = {{"a", "b", "4.8", "5", "3", "5.2"}};
+  const std::string a = folder.file("a.csv", "time_s,x,y,z\n1,0,0,0\n11,100,0,0\n");
+  const std::string b = folder.file("b.csv", "time_s,x,y,z\n1,100,3,0\n11,0,3,0\n");
+  const TextRows meeting = {{"a", "b", "5.8", "6", "3", "6.2"}};
   expect_rows(replayed({a, b}), meeting);
   expect_rows(replayed({folder.path(".")}), meeting);
   const Finished finished = run({"replay", a, b});

@@ -199,7 +199,7 @@ TEST(Verify, AShowFliesAlongItsCurves) {
 
 TEST(Verify, BadInputIsRefusedWithItsPlace) {
   expect_failure({"verify"}, "id,time_s,x,y,z\na,0,0,0,0\na,1,zero,0,0\n", kBadInput, ":3:");
-  expect_failure({"verify"}, "id,time_s,x,y,z\na,0,0,0,0\na,1,nan,0,0\n", kBadInput, ":3:");
+  expect_failure({"verify"}, "id,time_s,x,y,z\na,0,0,0,0\na,1,inf,0,0\n", kBadInput, ":3:");
   expect_failure({"verify"}, "", kBadInput, "<stdin>");
   expect_failure({"verify", "there-is-none.csv"}, {}, 4, "there-is-none.csv");
   const Finished json = run({"verify", "--json"}, "id,time_s,x,y,z\na,0,0,0,0\nb,0,9,0,0\n");
@@ -209,11 +209,11 @@ TEST(Verify, BadInputIsRefusedWithItsPlace) {
 
 TEST(Verify, SeveralFilesAreOneRecording) {
   const TemporaryFolder folder;
-  const std::string a = folder.file("a.csv", "time_s,x,y,z\n0,0,0,0\n1,20,0,0\n");
-  const std::string b = folder.file("b.csv", "time_s,x,y,z\n0,20,4,0\n1,0,4,0\n");
+  const std::string a = folder.file("a.csv", "time_s,x,y,z\n1,0,0,0\n2,20,0,0\n");
+  const std::string b = folder.file("b.csv", "time_s,x,y,z\n1,20,4,0\n2,0,4,0\n");
   const Finished finished = run({"verify", a, b});
   EXPECT_EQ(finished.exit_code, 1) << finished.err;
-  expect_rows(rows_of(finished.out), {{"loss", "a", "b", "0", "1", "4"}});
+  expect_rows(rows_of(finished.out), {{"loss", "a", "b", "1", "2", "4"}});
 }
 
 TEST(Verify, DegreesBecomeMetres) {

@@ -258,9 +258,26 @@ TEST(ShowLimits, ThatAreNotLookedAtAreSaid) {
   EXPECT_EQ(verify(R"("maxAccelerationXY": 1.7, "maxAccelerationZUp": 2)").exit_code, 0);
   EXPECT_EQ(verify(R"("maxAccelerationXY": "fast")").exit_code, 3);
   const Finished low = verify(R"("minNavAltitude": 2.5)");
-  EXPECT_EQ(low.exit_code, 0) << low.err;
+  EXPECT_EQ(low.exit_code, 1) << low.err;
   expect_parts(low.err, {"declared, but not looked at: minNavAltitude\n",
-                         "verdict    holds in what was looked at, which minNavAltitude is not"});
+                         "verdict    not looked at as a whole: nothing else was found, but whether "
+                         "minNavAltitude is kept is not known",
+                         "say --skip-limits minNavAltitude\n"});
+  const auto skipping = [&](const std::string& limits, const std::string& names) {
+    return run({"verify", with(limits), "--threshold", "3.5", "--max-descent", "2.5",
+                "--skip-limits", names});
+  };
+  const Finished said = skipping(R"("minNavAltitude": 2.5)", "minNavAltitude");
+  EXPECT_EQ(said.exit_code, 0) << said.err;
+  expect_parts(said.err,
+               {"declared, but not looked at: minNavAltitude\n",
+                "verdict    holds in what was looked at, which minNavAltitude is not (--skip"});
+  const std::string both = R"("maxAccelerationXY": 1.5, "minNavAltitude": 2.5)";
+  EXPECT_EQ(skipping(both, "minNavAltitude").exit_code, 1);
+  EXPECT_EQ(skipping(both, "minNavAltitude,maxAccelerationXY").exit_code, 0);
+  const Finished other = skipping(both, "maxAltitude");
+  EXPECT_EQ(other.exit_code, 2);
+  expect_parts(other.err, {"the input declares minNavAltitude, maxAccelerationXY alone"});
 #if BEESPACE_HAS_PAGE
   const std::string page = folder.path("ring.html");
   EXPECT_EQ(

@@ -47,6 +47,21 @@ TEST(BaseStation, UnitsOfAviationBecomeMetresAndSeconds) {
   EXPECT_TRUE(has_note(recording, "times are taken for UTC"));
 }
 
+// As what records it is stopped.
+TEST(BaseStation, ALastLineThatIsCutIsCounted) {
+  const std::string all = airborne("A", "12:00:00.000") + airborne("A", "12:00:01.000");
+  for (const std::size_t cut : {std::size_t{1}, std::size_t{12}, std::size_t{50}}) {
+    const std::string more = airborne("B", "12:00:01.500").substr(0, cut);
+    const Recording recording = recording_of(record(all + more));
+    EXPECT_EQ(ids_of(recording), Ids{"a"}) << cut;
+    EXPECT_EQ(recording.missing.count, 1u) << cut;
+    EXPECT_TRUE(has_note(recording, "1 record cut short at the end of the input is left out"));
+    // Elsewhere it is a mistake.
+    EXPECT_FALSE(record(all + more + "\n" + all)) << cut;
+  }
+  EXPECT_TRUE(recording_of(record(all.substr(0, all.size() - 2))).missing.none());
+}
+
 TEST(BaseStation, VelocitiesAreJoinedByAddressWhileTheyAreFresh) {
   const auto recording =
       recording_of(record(velocity("A", "12:00:00.000") + airborne("B", "12:00:01.000") +

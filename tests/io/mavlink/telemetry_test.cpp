@@ -44,6 +44,33 @@ TEST(Telemetry, GlobalPositionsInUnitsAndAxesOfOurs) {
   EXPECT_TRUE(has_note(recording, "GLOBAL_POSITION_INT"));
 }
 
+// As MAVProxy writes it to .tlog.raw.
+TEST(Telemetry, AStreamWithoutTimesIsRefused) {
+  std::string stream;
+  std::string log;
+  for (int i = 0; i < 4; ++i) {
+    for (const std::string& frame : {frame_v2(1, 0, heartbeat(2)), frame_v2(1, 33, somewhere())}) {
+      stream += frame;
+      log += logged(kNoon, frame);
+    }
+  }
+  for (const std::string& text : {stream, stream.substr(7), "noise" + stream}) {
+    const auto loaded = load(text);
+    ASSERT_FALSE(loaded);
+    EXPECT_EQ(loaded.error().code, ErrorCode::kUnsupportedFormat);
+    EXPECT_NE(loaded.error().message.find("a stream of MAVLink without the times of a log"),
+              std::string::npos);
+  }
+  EXPECT_TRUE(load(log));
+  EXPECT_TRUE(load(log.substr(7)));
+  const TemporaryFolder folder;
+  const std::vector<std::string> files = {folder.write("mav.tlog", log),
+                                          folder.write("mav.tlog.raw", stream),
+                                          folder.write("mav.parm", "A 1\n")};
+  const std::string parent = std::filesystem::path(files[0]).parent_path().string();
+  EXPECT_EQ(recording_of(load_recording({parent})).missing.files, 0u);
+}
+
 TEST(Telemetry, LocalPositionsAreTurnedToEastNorthUp) {
   const auto recording = recording_of(
       load(logged(kNoon, frame_v1(3, 32, local_payload(1.5F, 2.5F, -10.0F, 4.0F, 5.0F, -6.0F)))));

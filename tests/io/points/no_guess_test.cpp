@@ -161,5 +161,15 @@ TEST(NoGuess, XAndYWithDegreesAreRefused) {
   expect_frame("x [m],y [m]\n7.5,50.5\n7.6,50.4\n", Frame::kMetres);
 }
 
+TEST(NoGuess, HeightsAboveEachTakeOffAreNotComparedThoughTheyAreNamed) {
+  const std::string table = "id,lat,lon,relative_alt_m\n1,47,8,10\n2,47.1,8,30\n";
+  LoadOptions named = with_columns("lon=3,lat=2,height=4");
+  const auto loaded = load_text(table, named);
+  ASSERT_FALSE(loaded.has_value());
+  EXPECT_NE(loaded.error().message.find("those of several cannot be compared"), std::string::npos);
+  named.frame = Frame::kWgs84;
+  EXPECT_TRUE(load_text(table, named).has_value());
+}
+
 }  // namespace
 }  // namespace beespace::io

@@ -145,8 +145,6 @@ TEST(BadTrack, InvalidColumnOptions) {
 TEST(BadTrack, NumbersThatAreNone) {
   expect_error(with_row("a,oops,1,2,3"),
                {ErrorCode::kNotANumber, "bees.csv:3:2", "'oops' is not a number (time)"});
-  expect_error(with_row("a,1,1,2,"),
-               {ErrorCode::kNotANumber, "bees.csv:3:5", "the field is empty"});
   expect_error(with_row("a,1,1,\"2,5\",3"),
                {ErrorCode::kNotANumber, "bees.csv:3:4", "decimals with a point"});
   expect_error(with_row("a,nan,1,2,3"),

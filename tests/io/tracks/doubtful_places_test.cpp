@@ -65,6 +65,40 @@ TEST(ZeroPlaces, OfMetresIsAPlace) {
   EXPECT_TRUE(recording_of(record("id,time_s,x_m,y_m\na,0,0,0\nb,0,5,5\n")).missing.none());
 }
 
+// One that goes on by 10 mm each 0.1 s, and is at 0, 0 in these records.
+std::string with_zeros(std::size_t begin, std::size_t end, const std::string& zero = "0,0.0,-0.0") {
+  std::string text = "id,time_s,x_m,y_m,z_m\n";
+  for (std::size_t i = 0; i < 30; ++i) {
+    text += "a," + std::to_string(i) + "," +
+            (i >= begin && i < end ? zero : "3." + std::to_string(10 + i) + ",2,1") + "\n";
+  }
+  return text;
+}
+
+TEST(ZeroRuns, ThatABeeOnlyJumpsToAreLeftOutAndCounted) {
+  for (const auto& [begin, end] : {std::pair{0, 3}, std::pair{5, 6}, std::pair{5, 9}}) {
+    const auto read = recording_of(
+        record(with_zeros(static_cast<std::size_t>(begin), static_cast<std::size_t>(end))));
+    EXPECT_EQ(read.bees[0].fixes.size(), 30u - static_cast<std::size_t>(end - begin)) << begin;
+    EXPECT_EQ(read.missing.count, static_cast<std::uint64_t>(end - begin)) << begin;
+    EXPECT_TRUE(has_note(read, "at 0, 0, 0 exactly, which is written where no place"));
+  }
+  EXPECT_EQ(recording_of(record(with_zeros(27, 30))).missing.count, 3u);
+}
+
+TEST(ZeroRuns, PlacesThereAreKept) {
+  // At an end a record or two tell little; neither do a few others.
+  EXPECT_TRUE(recording_of(record(with_zeros(0, 2))).missing.none());
+  EXPECT_TRUE(recording_of(record(with_zeros(9, 30))).missing.none());
+  EXPECT_TRUE(recording_of(record(with_zeros(5, 9, "0,0,0.001"))).missing.none());
+  // Where it goes through as fast as ever.
+  std::string through = "id,time_s,x_m,y_m,z_m\n";
+  for (int i = -15; i < 15; ++i) {
+    through += "a," + std::to_string(i) + "," + std::to_string(i) + ",0,0\n";
+  }
+  EXPECT_EQ(recording_of(record(through)).bees[0].fixes.size(), 30u);
+}
+
 TEST(JumpsOfTracks, AreSaidAndNotKnown) {
   const auto read = recording_of(record(with_place("8.9,47,100")));
   EXPECT_EQ(read.missing.jumping_ids, std::vector<std::string>{"b"});
@@ -224,6 +258,16 @@ TEST(UnknownPlaces, AreSaidInManyWays) {
         "bees.csv", {}));
     EXPECT_EQ(recording.bees[0].fixes.size(), 2u) << nothing;
     EXPECT_TRUE(has_note(recording, "1 record without a place")) << nothing;
+  }
+}
+
+TEST(UnknownPlaces, HalfAPlaceIsNone) {
+  for (const std::string place : {"1,NA,3", "NA,2,3", "1,2,NA", "1,,"}) {
+    const auto recording =
+        recording_of(record("id,time_s,x_m,y_m,z_m\na,0,1,2,3\na,1," + place + "\na,2,1,2,3\n"));
+    EXPECT_EQ(times_of(recording.bees[0]), (std::vector<double>{0, 2})) << place;
+    EXPECT_TRUE(has_note(recording, "1 record with half a place")) << place;
+    EXPECT_EQ(recording.missing.count, 1u) << place;
   }
 }
 

@@ -168,6 +168,37 @@ TEST(StampsOfRos, OfClocksThatDifferAreRefused) {
   EXPECT_TRUE(several({texts[0], odometry("170000000", "170000000", "b")}));
 }
 
+// Without a time of the bag.
+std::string stamped(const std::string& first, const std::string& second) {
+  return "header.stamp.secs,header.stamp.nsecs,header.frame_id,pose.position.x,pose.position.y,"
+         "pose.position.z\n" +
+         first + ",0,map,1,2,3\n" + second + ",0,map,2,2,3\n";
+}
+
+TEST(StampsOfRos, ThatDoNotCountFrom1970AreAskedAbout) {
+  const Texts texts = {stamped("0", "1"), stamped("0", "2")};
+  expect_problem(several(texts), "if all have one clock, say so with their unit, --time-unit s");
+  EXPECT_TRUE(several(texts, columns_are("", Unit::kSecond)));
+  EXPECT_TRUE(record(texts[0]));
+}
+
+TEST(StampsOfRos, AreLookedAtWhateverColumnsAreNamed) {
+  for (const std::string columns : {"time=1,x=4,y=5,z=6", "x=pose.position.x,y=pose.position.y"}) {
+    const RecordingOptions named = columns_are(columns, Unit::kUnstated);
+    expect_problem(several({stamped("0", "1"), stamped("0", "2")}, named),
+                   "may be counted from a zero of each vehicle's own");
+    EXPECT_TRUE(
+        several({stamped("1700000000", "1700000001"), stamped("1700000000", "1700000001")}, named));
+    std::string other = stamped("1700000000", "1700000001");
+    other.replace(other.find(",map,"), 5, ",hall,");
+    expect_problem(several({stamped("1700000000", "1700000001"), other}, named), "'hall'");
+  }
+  expect_problem(
+      several({odometry("170000000", "170000000", "a"), odometry("170000000", "170000001", "b")},
+              columns_are("time=3,x=7,y=8,z=9", Unit::kUnstated)),
+      "the stamps of the header here are 10.000 s later than those of ");
+}
+
 TEST(StampsOfRos, AreTheRowsOfPandas) {
   const Recording recording =
       recording_of(record(",header.frame_id,pose.position.x,pose.position.y,pose.position.z\n"
@@ -207,12 +238,36 @@ TEST(Trajectories, ThatEachBeginAtZeroAreAskedAbout) {
   EXPECT_TRUE(has_note(recording, "in seconds, since 1970, as their size tells"));
 }
 
+// ---- Plain tables, a file a robot ---------------------------------------------------------------
+
+TEST(PlainTables, ThatEachBeginAtTimeZeroAreAskedAbout) {
+  const auto table = [](const std::string& time, const std::string& first) {
+    return time + ",x_m,y_m,z_m\n" + first + ",1,2,3\n9,2,2,3\n";
+  };
+  for (const std::string time : {"time_s", "t_ms"}) {
+    const std::string zero = table(time, "0.00");
+    expect_problem(several({zero, table(time, "1"), zero}), "0.csv both begin at 0, and may be");
+    expect_problem(several({zero, zero}),
+                   std::string("if all have one clock, say so with their unit, --time-unit ") +
+                       (time == "t_ms" ? "ms" : "s"));
+    EXPECT_TRUE(several({zero, zero}, columns_are("", Unit::kSecond)));
+    EXPECT_TRUE(several({zero, table(time, "1")}));
+  }
+  // What comes from one program, or is a plan, has one clock.
+  const std::string named = "id,time_s,x_m,y_m,z_m\n";
+  EXPECT_TRUE(several({named + "a,0,1,2,3\n", named + "b,0,4,5,6\n"}));
+  const std::string show = "Time_msec,x_m,y_m,z_m,Red,Green,Blue\n0,1,2,3,0,0,0\n99,1,2,3,0,0,0\n";
+  EXPECT_TRUE(several({show, show}));
+  const std::string dated = "time,x_m,y_m,z_m\n00:00:00,1,2,3\n00:00:01,1,2,3\n";
+  EXPECT_TRUE(several({dated, dated}));
+}
+
 // ---- Names of files -----------------------------------------------------------------------------
 
 TEST(FilesOfOneName, AreCalledByWhatDiffersInTheirPaths) {
   const TemporaryFolder folder;
   std::vector<std::string> paths;
-  const std::string table = "time_s,x_m,y_m,z_m\n0,1,2,3\n1,1,2,3\n";
+  const std::string table = "time_s,x_m,y_m,z_m\n1,1,2,3\n2,1,2,3\n";
   for (const std::string name : {"MAV0", "MAV1"}) {
     std::filesystem::create_directories(folder.file(name + "/state"));
     paths.push_back(folder.write(name + "/state/data.csv", table));

@@ -17,7 +17,7 @@ using Times = std::vector<double>;
 using Fixes = std::vector<Fix>;
 
 constexpr std::string_view kTwoBees = "id,time_s,x,y,z\na,0,1,2,3\nb,0,4,5,6\n";
-constexpr std::string_view kOneBee = "time_s,x,y,z\n0,1,2,3\n1,1,2,4\n";
+constexpr std::string_view kOneBee = "time_s,x,y,z\n1,1,2,3\n2,1,2,4\n";
 
 void write_table(const TemporaryFolder& folder, std::string_view name, std::string_view text) {
   EXPECT_FALSE(folder.write(name, text).empty());
@@ -48,10 +48,10 @@ TEST(RecordingFiles, FilesOfTheSameNameAreSeveralBees) {
     std::filesystem::create_directory(folder.file(name));
   }
   const std::string first = folder.write("d1/pose.csv", kOneBee);
-  const std::string second = folder.write("d2/pose.csv", "time_s,x,y,z\n0,9,2,3\n1,9,2,4\n");
+  const std::string second = folder.write("d2/pose.csv", "time_s,x,y,z\n1,9,2,3\n2,9,2,4\n");
   const auto recording = recording_of(load_recording({first, second, second}));
   EXPECT_EQ(ids_of(recording), (Ids{"d1", "d2", second}));
-  const std::string json = R"([{"time_s": 0, "x": 1, "y": 2, "z": 3}])";
+  const std::string json = R"([{"time_s": 1, "x": 1, "y": 2, "z": 3}])";
   const std::string third = folder.write("d1/pose.json", json);
   EXPECT_EQ(ids_of(recording_of(load_recording({first, third}))), (Ids{"pose.csv", "pose.json"}));
 }
@@ -179,7 +179,7 @@ TEST(RecordingFiles, AFolderIsReadByTheNamesOfItsTables) {
   std::filesystem::create_directory(folder.file("folder.csv"));
   const auto recording = recording_of(load_recording({folder.file("")}));
   EXPECT_EQ(ids_of(recording), (Ids{"bee 1", "bee 2", "bee 3"}));
-  EXPECT_EQ(times_of(recording.bees[2]), (Times{0, 1}));
+  EXPECT_EQ(times_of(recording.bees[2]), (Times{1, 2}));
   EXPECT_TRUE(has_note(recording, "/.hidden.csv is left out; name them, too"));
 }
 
@@ -222,7 +222,7 @@ TEST(RecordingFiles, AZipOfTablesIsReadByTheirNames) {
                                                       {"show/notes.md", "no table"}}),
                                               "bees.zip"));
   EXPECT_EQ(ids_of(recording), (Ids{"bee 1", "bee 2"}));
-  EXPECT_EQ(recording.bees[0].fixes, (Fixes{{0, {1, 2, 3}}, {1, {1, 2, 4}}}));
+  EXPECT_EQ(recording.bees[0].fixes, (Fixes{{1, {1, 2, 3}}, {2, {1, 2, 4}}}));
 }
 
 TEST(RecordingFiles, SkybrushTablesWithAHeaderAreReadByIt) {

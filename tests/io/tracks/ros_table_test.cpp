@@ -105,8 +105,9 @@ TEST(RosTable, NanosecondsThatAreNoneAreBadRecords) {
     ASSERT_FALSE(loaded) << pair;
     EXPECT_EQ(loaded.error().code, ErrorCode::kNotANumber) << pair;
   }
-  expect_error(record("id,sec,nanosec,x_m,y_m,z_m\na,1,2,1,2,3\n", columns_are("", Unit::kSecond)),
-               {ErrorCode::kInvalidArgument, "bees.csv", "leave --time-unit out"});
+  expect_error(
+      record("id,sec,nanosec,x_m,y_m,z_m\na,1,2,1,2,3\n", columns_are("", Unit::kMillisecond)),
+      {ErrorCode::kInvalidArgument, "bees.csv", "leave --time-unit out"});
 }
 
 TEST(RosTable, PositionsInSeveralFramesAreNotCompared) {

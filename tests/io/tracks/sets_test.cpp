@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -62,8 +63,8 @@ TEST(Sets, NoNameIsGivenTwice) {
 
 TEST(Sets, TrialsAndVideosOfOtherTablesAreToldApartToo) {
   const Recording recording =
-      recording_of(record("trial,video,id,time_s,x_m,y_m\n1,a,0,0,0,0\n1,a,0,1,1,0\n1,b,0,0,9,0\n"
-                          "2,a,0,0.5,5,0\n2,a,0,1.5,6,0\n"));
+      recording_of(record("trial,video,id,time_s,x_m,y_m\n1,a,0,0,0,0\n1,a,0,1,1,0\n1,b,0,2,9,0\n"
+                          "2,a,0,3.5,5,0\n2,a,0,4.5,6,0\n"));
   EXPECT_EQ(ids_of(recording), (Ids{"0", "0 (1, b)", "0 (2, a)"}));
   const Recording nameless =
       recording_of(record("arena,time_s,x_m,y_m\nleft,0,0,0\nright,0.5,5,0\nleft,1,1,0\n"));
@@ -75,12 +76,99 @@ TEST(Sets, TrialsAndVideosOfOtherTablesAreToldApartToo) {
 TEST(Sets, NumbersOfTimeOnSeveralDaysAreNotMixed) {
   const Recording recording =
       recording_of(record("date,id,time_s,x_m,y_m\n2015-09-10,a,0,0,0\n2015-09-10,a,10,1,0\n"
-                          "2015-09-11,a,5,50,0\n2015-09-11,a,15,51,0\n"));
+                          "2015-09-11,a,15,50,0\n2015-09-11,a,25,51,0\n"));
   EXPECT_EQ(ids_of(recording), (Ids{"a", "a (2015-09-11)"}));
   const Recording dated =
       recording_of(record("date,id,unix_time_s,x_m,y_m\n2015-09-10,a,1441868400,0,0\n"
                           "2015-09-11,a,1441954800,0,0\n"));
   EXPECT_EQ(ids_of(dated), Ids{"a"});
+}
+
+// Two trials, each from 0.
+std::string trials(const std::string& column, char delimiter = ',') {
+  std::string text =
+      column + ",id,time_s,x_m,y_m\n1,a,0,0,0\n1,a,1,1,0\n2,a,0,0.5,0\n2,a,1,1.5,0\n";
+  std::replace(text.begin(), text.end(), ',', delimiter);
+  return text;
+}
+
+TEST(Trials, WhoseTimesBeginAgainAreNotCompared) {
+  for (const std::string column :
+       {"trial", "session", "replicate", "run", "rep", "Run ID", "video", "date", "episode"}) {
+    expect_error(record(trials(column)),
+                 {ErrorCode::kTimeOrder, "bees.csv:4",
+                  "the times of '1' and '2', which column 1 '" + column +
+                      "' tells apart, begin again or overlap: trials are not compared with each "
+                      "other; read one at a time, as by awk -F',' 'NR <= 1 || $1 == \"2\"' FILE > "
+                      "one.csv; if all have one clock, take that column out"});
+  }
+  expect_error(record(trials("trial", '\t')),
+               {ErrorCode::kTimeOrder, "bees.csv:4", "as by awk -F'\\t' 'NR <= 1 || $1 == \"2\"'"});
+  // What is no plain word is not for a shell.
+  const auto quoted = record("trial,id,time_s,x_m,y_m\n1,a,0,0,0\n2\";x,a,0,1,0\n");
+  ASSERT_FALSE(quoted);
+  EXPECT_EQ(quoted.error().message.find("awk"), std::string::npos) << quoted.error().message;
+  const TemporaryFolder folder;
+  const std::string header = "trial,id,time_s,x_m,y_m\n";
+  expect_error(load_recording({folder.write("1.csv", header + "1,a,0,0,0\n1,a,1,1,0\n"),
+                               folder.write("2.csv", header + "2,b,0,5,0\n2,b,1,6,0\n")},
+                              {}),
+               {ErrorCode::kTimeOrder, folder.file("2.csv") + ":2", "begin again or overlap"});
+}
+
+TEST(Trials, ThatFollowEachOtherOrAreDatedAreOneRecording) {
+  const std::string header = "session,id,time_s,x_m,y_m\n";
+  EXPECT_TRUE(record(header + "1,a,0,0,0\n1,a,1,1,0\n2,a,1,0.5,0\n2,a,2,1.5,0\n"));
+  // Side by side, by one clock.
+  EXPECT_TRUE(record("arena,id,time_s,x_m,y_m\nl,a,0,0,0\nl,a,1,1,0\nr,a,0,0.5,0\nr,a,1,1,0\n"));
+  // One animal, whatever the session of its logger.
+  EXPECT_EQ(ids_of(recording_of(record("session,id,unix_time_s,x_m,y_m\n1,a,1700000000,0,0\n"
+                                       "2,a,1700000001,1,0\n"))),
+            Ids{"a"});
+}
+
+TEST(Trials, WhatTheMessageSaysWorks) {
+  EXPECT_EQ(recording_of(record("trial,id,time_s,x_m,y_m\n2,a,0,0.5,0\n2,a,1,1.5,0\n")).bees.size(),
+            1u);
+}
+
+// ---- Marks of the owner, and tags -----------------------------------------------------------
+
+std::string tagged(const std::string& tags, const std::string& marks = ",,") {
+  std::string text =
+      "timestamp,location-long,location-lat,tag-local-identifier,individual-local-identifier,"
+      "algorithm-marked-outlier,manually-marked-outlier,manually-marked-valid\n";
+  for (std::size_t i = 0; i < tags.size(); ++i) {
+    text += "2015-09-10 07:1" + std::to_string(i) + ":00.000,9.17,47.7," + tags[i] + ",x," +
+            (i == 1 ? marks : ",,") + "\n";
+  }
+  return text;
+}
+
+TEST(Outliers, ThatTheOwnerHasMarkedAreNoPlaces) {
+  for (const std::string marks : {"true,,", ",TRUE,", "true,true,false"}) {
+    const Recording recording = recording_of(record(tagged("aaa", marks)));
+    EXPECT_EQ(recording.bees[0].fixes.size(), 2u) << marks;
+    EXPECT_TRUE(has_note(recording, "1 record marked as outliers")) << marks;
+  }
+  for (const std::string marks : {"false,,", "true,,true", ",,"}) {
+    EXPECT_EQ(recording_of(record(tagged("aaa", marks))).bees[0].fixes.size(), 3u) << marks;
+  }
+}
+
+TEST(Tags, TwoAtOnceOnOneAnimalAreAskedAbout) {
+  expect_error(
+      record(tagged("abab")),
+      {ErrorCode::kMissingColumn, "bees.csv:3",
+       "bee 'x' has two tags at once, 'a' and 'b' (column 4 'tag-local-identifier'), whose "
+       "places would be mixed; of two on one animal leave the records of one out; to take "
+       "each tag for one, say --columns id=4, or to mix them all the same, --columns id=5"});
+  EXPECT_EQ(ids_of(recording_of(record(tagged("abab"), columns_are("id=4", Unit::kUnstated)))),
+            (Ids{"a", "b"}));
+  EXPECT_EQ(ids_of(recording_of(record(tagged("abab"), columns_are("id=5", Unit::kUnstated)))),
+            Ids{"x"});
+  // One after the other.
+  EXPECT_EQ(ids_of(recording_of(record(tagged("aabb")))), Ids{"x"});
 }
 
 // An outlier is no place: who has no other is known nowhere.
@@ -90,7 +178,9 @@ TEST(Sets, AnAnimalOfOutliersOnlyIsKnownNowhere) {
                           fix_of("05", "a", "S1", "9.17", "FALSE") + fix_of("00", "b", "S1") +
                           fix_of("05", "b", "S1", "9.17", "false") + fix_of("06", "b", "S1")));
   EXPECT_EQ(ids_of(recording), Ids{"b"});
-  EXPECT_TRUE(has_note(recording, "3 records with visible=false (outliers) are left out"));
+  EXPECT_TRUE(has_note(
+      recording,
+      "3 records marked as outliers (visible=false, ...-marked-outlier=true) are left out"));
   EXPECT_EQ(recording.missing.count, 1u);
   EXPECT_EQ(recording.missing.nowhere_ids, Ids{"a"});
 }

@@ -81,11 +81,11 @@ TEST(SeveralVehicles, TrajectoriesFromZerosOfTheirOwnAreAskedAbout) {
   const std::string walk = "0.0 1 2 3 0 0 0 1\n1.0 2 2 3 0 0 0 1\n";
   const std::vector<std::string> both = {folder.write("a.txt", walk), folder.write("b.txt", walk)};
   expect_error(load_recording(both, {}),
-               {ErrorCode::kInvalidArgument, both[1], "say their unit with --time-unit"});
+               {ErrorCode::kInvalidArgument, both[1], "say so with their unit, --time-unit s"});
   // Beside a table, too.
   const std::string table = folder.write("c.csv", "id,time_s,x_m,y_m,z_m\nc,0,1,2,3\nc,1,2,2,3\n");
   expect_error(load_recording({table, both[0]}, {}),
-               {ErrorCode::kInvalidArgument, both[0], "say their unit with --time-unit"});
+               {ErrorCode::kInvalidArgument, both[0], "say so with their unit, --time-unit s"});
   RecordingOptions one_clock;
   one_clock.time_unit = Unit::kSecond;
   EXPECT_EQ(recording_of(load_recording(both, one_clock)).bees.size(), 2u);

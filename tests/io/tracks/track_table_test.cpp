@@ -241,5 +241,15 @@ TEST(TrackTable, ProgressEndsAtTheTotal) {
   EXPECT_EQ(progress.total, text.size());
 }
 
+TEST(TrackTable, TextOfWindowsIsShownAsItWasWritten) {
+  const auto recording =
+      recording_of(record("id,time_s,x_m,y_m,z_m\nJos\xE9 \x80,0,1,2,3\nZo\xEB,0,1,2,4\n"));
+  EXPECT_EQ(ids_of(recording), (std::vector<std::string>{"Jos\u00e9 \u20ac", "Zo\u00eb"}));
+  EXPECT_TRUE(has_note(recording, "taken for Windows-1252"));
+  const auto utf8 = recording_of(record("id,time_s,x_m,y_m,z_m\nJos\u00e9,0,1,2,3\n"));
+  EXPECT_EQ(ids_of(utf8), std::vector<std::string>{"Jos\u00e9"});
+  EXPECT_FALSE(has_note(utf8, "Windows"));
+}
+
 }  // namespace
 }  // namespace beespace::io

@@ -1,0 +1,58 @@
+#include "io/recording/zero_runs.hpp"
+
+#include "io/frames/coordinate_frame.hpp"
+#include "io/recording/flat_distance.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace beespace::io {
+namespace {
+
+constexpr double kTimesFaster = 3.0;
+constexpr std::size_t kFewestOthers = 10;  // steps between places that are none of these
+constexpr std::size_t kFewestAtAnEnd = 3;  // where one step alone leads there
+
+bool is_at_zero(const Fix& fix) {
+  return fix.position == Point{0.0, 0.0, 0.0};
+}
+
+double speed_mps(const Fix& from, const Fix& to) {
+  return flat_distance_m(from.position, to.position, Frame::kMetres) / (to.time_s - from.time_s);
+}
+
+}  // namespace
+
+std::vector<bool> zero_runs(const std::vector<Fix>& fixes) {
+  if (std::none_of(fixes.begin(), fixes.end(), is_at_zero)) return {};
+  double fastest_mps = 0.0;
+  std::size_t others = 0;
+  for (std::size_t i = 1; i < fixes.size(); ++i) {
+    if (is_at_zero(fixes[i - 1]) || is_at_zero(fixes[i])) continue;
+    ++others;
+    fastest_mps = std::max(fastest_mps, speed_mps(fixes[i - 1], fixes[i]));
+  }
+  if (others < kFewestOthers) return {};
+  std::vector<bool> none(fixes.size(), false);
+  bool any = false;
+  for (std::size_t begin = 0; begin < fixes.size(); ++begin) {
+    if (!is_at_zero(fixes[begin])) continue;
+    std::size_t end = begin;
+    while (end < fixes.size() && is_at_zero(fixes[end])) ++end;
+    const auto jumps = [&](std::size_t to) {
+      return speed_mps(fixes[to - 1], fixes[to]) > kTimesFaster * fastest_mps;
+    };
+    const bool comes = begin > 0;
+    const bool goes = end < fixes.size();
+    if ((!comes || jumps(begin)) && (!goes || jumps(end)) &&
+        ((comes && goes) || end - begin >= kFewestAtAnEnd)) {
+      std::fill(none.begin() + static_cast<std::ptrdiff_t>(begin),
+                none.begin() + static_cast<std::ptrdiff_t>(end), true);
+      any = true;
+    }
+    begin = end;
+  }
+  return any ? none : std::vector<bool>();
+}
+
+}  // namespace beespace::io
