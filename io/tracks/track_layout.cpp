@@ -143,6 +143,13 @@ bool names_colours(const TableLayout& table) {
   return has("red") && has("green") && has("blue");
 }
 
+// The same in one column, as "#ff8000": paths of a show have one clock.
+bool names_one_colour(const TableLayout& table) {
+  return std::any_of(table.names.begin(), table.names.end(), [](const std::string& name) {
+    return is_one_of("color colour rgb", lower_case(name));
+  });
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
@@ -264,6 +271,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   if (layout.time) {
     layout.time->begins_at_zero = options.time_unit == Unit::kUnstated && !choice.id &&
                                   header.source() == nullptr && !layout.show &&
+                                  !names_one_colour(layout.table) &&
                                   times_begin_at_zero(text, layout.table, *layout.time);
     layout.notes.push_back(
         time_note(layout.table, *layout.time, options.time_unit != Unit::kUnstated));

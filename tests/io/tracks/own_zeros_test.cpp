@@ -258,6 +258,8 @@ TEST(PlainTables, ThatEachBeginAtTimeZeroAreAskedAbout) {
   EXPECT_TRUE(several({named + "a,0,1,2,3\n", named + "b,0,4,5,6\n"}));
   const std::string show = "Time_msec,x_m,y_m,z_m,Red,Green,Blue\n0,1,2,3,0,0,0\n99,1,2,3,0,0,0\n";
   EXPECT_TRUE(several({show, show}));
+  const std::string colour = "time_s,x_m,y_m,z_m,color\n0,1,2,3,#000000\n1,1,2,3,#ff8000\n";
+  EXPECT_TRUE(several({colour, colour}));
   const std::string dated = "time,x_m,y_m,z_m\n00:00:00,1,2,3\n00:00:01,1,2,3\n";
   EXPECT_TRUE(several({dated, dated}));
 }
