@@ -264,9 +264,12 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   const Coverage coverage = coverage_of(recording, facts.gaps, max_gap);
   const auto uprights = Uprights::of(recording, *in_space, max_gap.seconds);
   if (!uprights) return uprights.error();
-  facts.separation = separation_of(
+  facts.unknown_spans = unknown_spans(recording, facts.gaps, max_gap);
+  SeparationOverTime over_time = separation_of(
       {recording, tracks, *in_space, *recorded, *closest, coverage, closest->has_value()},
       *uprights, swarm);
+  facts.separation = std::move(over_time.known);
+  facts.separation_open = std::move(over_time.open);
   stand_in_tracks(recording, *in_space);
   facts.unknown = unknown_text(coverage);
   facts.hidden = coverage.may_hide_conflicts() || !curves->followed;
@@ -279,6 +282,9 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
         "bees are unknown between two fixes that are farther apart in time than " +
         max_gap_text(max_gap) +
         "; the longest such gap: " + gap_text(coverage.longest.front(), recording));
+  }
+  if (std::string slow = slow_text(coverage, recording); !slow.empty()) {
+    swarm.notes.push_back(std::move(slow));
   }
   take_conflicts(std::move(recorded->conflicts), facts);
   if (!standing->empty()) {
