@@ -205,7 +205,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   swarm.source = recording.format_description;
   swarm.flat = recording.flat;
   swarm.heights = height_words(recording.height_unit, recording.heights);
-  swarm.aviation = speaks_of_feet(swarm.heights, request.vertical);
+  swarm.aviation = speaks_of_feet(swarm.heights, request.threshold_unit, request.vertical);
   const DefaultThreshold otherwise = default_threshold(recording, kDefaultThreshold_m);
   swarm.threshold_m = request.threshold_m.value_or(otherwise.metres);
   if (!request.threshold_m) swarm.threshold_words = otherwise.words;
