@@ -260,6 +260,11 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   const auto closest = closest_of(*recorded, *in_space, max_gap.seconds, request);
   if (!closest) return closest.error();
   facts.closest = *closest;
+  // It was decided that they are not closer than that, whatever rounding makes of it.
+  if (recording.show && recorded->conflicts.empty() && facts.closest && !options.inclusive &&
+      !options.vertical_m) {
+    facts.closest->closest_m = std::max(facts.closest->closest_m, options.threshold_m);
+  }
   facts.gaps = recorded->gaps;
   const Coverage coverage = coverage_of(recording, facts.gaps, max_gap);
   const auto uprights = Uprights::of(recording, *in_space, max_gap.seconds);
@@ -289,7 +294,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   take_conflicts(std::move(recorded->conflicts), facts);
   if (!standing->empty()) {
     swarm.notes.push_back(io::counted(standing->size(), "conflict is", "conflicts are") +
-                          " with a drone that stands on the ground, which is drawn there");
+                          " with a drone that stands on the ground, where it is drawn");
   }
   if (recording.show) {
     *in_space = with_standing(*in_space, recording, bees_named(*standing, facts));
