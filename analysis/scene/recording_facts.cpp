@@ -217,7 +217,9 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
                        place.heading_deg,
                        place.y_to_the_right,
                        place.height_m ? ", as the show says, whose heights are above mean sea level"
-                                      : ", as the show says, which gives no height"};
+                                      : ", as the show says, which gives no height: heights are "
+                                        "those above the place of take-off",
+                       place.height_m.has_value()};
   }
   swarm.names = names_of(recording);
   note_units(recording.units, request.vertical, recording.height_unit, swarm.notes);
