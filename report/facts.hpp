@@ -134,7 +134,9 @@ struct RecordingFacts {
   std::vector<Track> tracks;  // to look at
   double bend_m = 0.0;        // how far from their straight lines bees fly as they are looked at
   bool since_1970 = false;
-  std::vector<Gap> gaps = {};            // in ascending order of (track, begins_s)
+  std::vector<Gap> gaps = {};  // in ascending order of (track, begins_s)
+  // Likewise: these, and when a bee is there before its first fix or after its last one.
+  std::vector<Gap> unknown_spans = {};
   std::string unknown = {};              // who is unknown for how long, or left out; empty: none
   bool hidden = false;                   // whether conflicts may be hidden by that
   std::vector<AtRisk> at_risk = {};      // ascending by bee, then time; of a bee none overlap
@@ -148,6 +150,8 @@ struct RecordingFacts {
   // Of the first of `conflicts`, as many as a page can hold; where there is none, of `closest`.
   std::vector<PairWay> pair_ways = {};
   std::vector<Separation> separation = {};
+  // When `separation` is not known, as one may be closer in its gap; ascending, none touch.
+  std::vector<TimeSpan> separation_open = {};
   io::ShowLimits limits = {};                // of drone shows, as they declare them
   std::vector<io::ShowCue> cues = {};        // likewise
   std::vector<DeclaredLimit> declared = {};  // of `limits`, where a drone flies at all

@@ -13,6 +13,7 @@ struct Placement {
   double heading_deg = 0.0;        // where x points, clockwise from true north
   bool y_to_the_right = false;     // of x, seen from above; otherwise to its left
   std::string words = {};          // who says so, and what is to be said of it
+  bool height_known = true;        // otherwise that of the origin is 0, and heights count from it
 };
 
 // From metres as given to metres east and north of the origin along the ground, and heights.

@@ -198,24 +198,50 @@ void write_pair_ways(io::JsonWriter& json, const RecordingFacts& facts, double b
   json.end();
 }
 
-void write_at_risk(io::JsonWriter& json, const std::vector<AtRisk>& at_risk, const Clock& clock,
-                   Columns& columns) {
+// Of one bee after the other.
+void write_spans(io::JsonWriter& json, const char* name, const std::vector<AtRisk>& spans,
+                 const Clock& clock, Columns& columns) {
   std::array<std::vector<std::uint32_t>, 3> numbers;
   auto& [bees, begins, ends] = numbers;
-  for (const AtRisk& of : at_risk) {
+  for (const AtRisk& of : spans) {
     bees.push_back(of.bee);
     begins.push_back(clock.before(of.span.begins_s));
     ends.push_back(clock.after(of.span.ends_s));
   }
-  json.begin_object("at_risk");
+  json.begin_object(name);
   columns.add(json, "bee", bees, Differences::kFirst);
   columns.add(json, "begins_s", begins, Differences::kNone, clock.meaning());
   columns.add(json, "ends_s", ends, Differences::kNone, clock.meaning());
   json.end();
 }
 
+// When bees are there, and it is not known where.
+void write_unknown(io::JsonWriter& json, const std::vector<Gap>& unknown, const Clock& clock,
+                   Columns& columns) {
+  if (unknown.empty()) return;
+  std::vector<AtRisk> spans;
+  spans.reserve(unknown.size());
+  for (const Gap& gap : unknown) spans.push_back({gap.track, {gap.begins_s, gap.ends_s}});
+  write_spans(json, "unknown", spans, clock, columns);
+}
+
+void write_open(io::JsonWriter& json, const std::vector<TimeSpan>& open, double begins_s,
+                Columns& columns) {
+  if (open.empty()) return;
+  std::vector<double> begins;
+  std::vector<double> ends;
+  for (const TimeSpan& span : open) {
+    begins.push_back(span.begins_s - begins_s);
+    ends.push_back(span.ends_s - begins_s);
+  }
+  json.begin_object("open");
+  columns.add(json, "begins_s", begins);
+  columns.add(json, "ends_s", ends);
+  json.end();
+}
+
 void write_separation(io::JsonWriter& json, const std::vector<Separation>& separation,
-                      double begins_s, Columns& columns) {
+                      const std::vector<TimeSpan>& open, double begins_s, Columns& columns) {
   std::vector<double> times_s;
   std::vector<double> distances_m;
   std::vector<std::uint32_t> firsts;
@@ -234,6 +260,7 @@ void write_separation(io::JsonWriter& json, const std::vector<Separation>& separ
   columns.add(json, "first", firsts);
   columns.add(json, "second", seconds);
   write_apart(json, apart, columns);
+  write_open(json, open, begins_s, columns);
   json.end();
 }
 
@@ -335,9 +362,10 @@ void write_swarm(io::JsonWriter& json, const RecordingFacts& facts, Columns& col
   write_fixes(json, shown, positions, clock, columns);
   columns.add(json, "absent_after", shown.absent_after, Differences::kFirst);
   write_conflicts(json, facts.conflicts, facts.conflicts_apart, clock, columns);
-  write_at_risk(json, facts.at_risk, clock, columns);
+  write_spans(json, "at_risk", facts.at_risk, clock, columns);
+  write_unknown(json, facts.unknown_spans, clock, columns);
   write_pair_ways(json, facts, time.begins_s, columns);
-  write_separation(json, facts.separation, time.begins_s, columns);
+  write_separation(json, facts.separation, facts.separation_open, time.begins_s, columns);
   write_risk(json, facts, time.begins_s);
   write_show(json, facts, time.begins_s);
   if (facts.fleet) write_fleet(json, *facts.fleet, time.begins_s, columns);

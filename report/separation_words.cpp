@@ -9,6 +9,17 @@ namespace {
 
 constexpr AxisUnit kMile{1852.0, "NM"};
 constexpr AxisUnit kFoot{0.3048, "ft"};
+constexpr AxisUnit kKilometre{1e3, "km"};
+constexpr AxisUnit kMillimetre{1e-3, "mm"};
+constexpr double kSmall_m = 0.1;  // what is shorter is told in millimetres
+constexpr double kLongInMillimetres_m = 10.0;
+
+// As many as tell lengths around this limit: 1.15 ft below 5 ft, 137 ft below 500 ft.
+int decimals_of_feet(double limit_m) {
+  const double limit = limit_m / kFoot.metres;
+  if (!(limit > 0.0) || limit >= 100.0) return 0;
+  return limit >= 10.0 ? 1 : 2;
+}
 
 // With as many more decimals as it takes to be below a limit that it is below.
 std::string in_unit(double metres, double limit_m, const AxisUnit& unit, int decimals) {
@@ -31,12 +42,19 @@ bool is_known(const std::optional<Apart>& apart) {
 }  // namespace
 
 AxisUnit distance_unit(const SwarmFacts& swarm) {
-  if (!swarm.aviation) return {};
+  if (!swarm.aviation) return swarm.threshold_m < kSmall_m ? kMillimetre : AxisUnit{};
   return swarm.threshold_m >= kMile.metres ? kMile : kFoot;
 }
 
 AxisUnit height_unit(const SwarmFacts& swarm) {
-  return swarm.aviation ? kFoot : AxisUnit{};
+  if (swarm.aviation) return kFoot;
+  return swarm.vertical_m.value_or(swarm.threshold_m) < kSmall_m ? kMillimetre : AxisUnit{};
+}
+
+AxisUnit axis_unit(const SwarmFacts& swarm, double length_m) {
+  if (swarm.aviation) return length_m >= 5.0 * kMile.metres ? kMile : distance_unit(swarm);
+  if (length_m >= 20.0 * kKilometre.metres) return kKilometre;
+  return length_m < kLongInMillimetres_m ? distance_unit(swarm) : AxisUnit{};
 }
 
 std::string distance_words(const SwarmFacts& swarm, double metres) {
@@ -44,12 +62,16 @@ std::string distance_words(const SwarmFacts& swarm, double metres) {
   const AxisUnit unit = distance_unit(swarm);
   const double value = metres / unit.metres;
   const bool whole = value == std::round(value);
-  return in_unit(metres, swarm.threshold_m, unit, whole || unit.metres < 1.0 ? 0 : 2);
+  const int decimals = unit.metres < 1.0 ? decimals_of_feet(swarm.threshold_m) : 2;
+  return in_unit(metres, swarm.threshold_m, unit, whole ? 0 : decimals);
 }
 
 std::string height_words(const SwarmFacts& swarm, double metres) {
   const double limit_m = swarm.vertical_m.value_or(0.0);
-  return swarm.aviation ? in_unit(metres, limit_m, kFoot, 0) : length_label_below(limit_m, metres);
+  if (!swarm.aviation) return length_label_below(limit_m, metres);
+  const double value = metres / kFoot.metres;
+  return in_unit(metres, limit_m, kFoot,
+                 value == std::round(value) ? 0 : decimals_of_feet(limit_m));
 }
 
 std::string apart_words(const SwarmFacts& swarm, double metres, const std::optional<Apart>& apart) {

@@ -16,10 +16,13 @@ struct AxisUnit {
   const char* name = "m";
 };
 
-// That of distances beside the threshold, and of heights beside the vertical one: nautical miles
-// for a threshold of a mile and more, otherwise feet; metres elsewhere.
+// That of distances beside the threshold, and of heights beside the vertical one: of aviation
+// nautical miles for a threshold of a mile and more, otherwise feet; elsewhere metres, and
+// millimetres where so little is too close.
 AxisUnit distance_unit(const SwarmFacts& swarm);
 AxisUnit height_unit(const SwarmFacts& swarm);
+// Of an axis of places that is so long: these, and where it is longer kilometres or miles.
+AxisUnit axis_unit(const SwarmFacts& swarm, double length_m);
 
 // A distance, or a difference in height: never as great as the limit where it is below it.
 std::string distance_words(const SwarmFacts& swarm, double metres);

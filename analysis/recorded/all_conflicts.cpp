@@ -46,6 +46,16 @@ Result<AllConflicts> all_conflicts(const io::Recording& recording, const std::ve
   auto closest = closest_or_encounter(conflicts, tracks, options);
   if (!closest) return std::move(closest).error();
   found.closest = *closest;
+  // It was decided that the two are not closer than that, whatever rounding makes of it.
+  if (recording.show && conflicts.empty() && found.closest && !options.inclusive &&
+      !options.vertical_m) {
+    found.closest->closest_m = std::max(found.closest->closest_m, options.threshold_m);
+  }
+  const auto& standing = found.with_standing;
+  if (std::find(standing.begin(), standing.end(), found.closest) == standing.end()) return found;
+  auto in_the_air = closest_or_encounter(without(conflicts, standing), tracks, options);
+  if (!in_the_air) return std::move(in_the_air).error();
+  found.closest_in_the_air = *in_the_air;
   return found;
 }
 

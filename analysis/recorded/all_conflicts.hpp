@@ -24,6 +24,8 @@ struct AllConflicts {
   // The closest of the conflicts; where there is none, of all encounters, if there is no vertical
   // threshold, with which how far apart two are in a straight line says little.
   std::optional<Conflict> closest;
+  // Where that is with a drone on the ground: the same of two in the air.
+  std::optional<Conflict> closest_in_the_air;
 };
 
 // `tracks` are those of the recording in this geometry. With `straight` velocities are not looked

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace beespace::analysis {
@@ -52,11 +53,12 @@ std::pair<double, double> whole_time(const io::Recording& recording) {
 }
 
 // How long a bee is not known before its first fix and after its last one, and whether it was in
-// the air then.
+// the air then, or there without a place: `hidden` is when.
 struct Outside {
   double seconds = 0.0;
   bool cut_off = false;
   bool unplaced = false;
+  std::vector<TimeSpan> hidden = {};
 };
 
 // From when, or until when, an aircraft is in the air beyond `end_s`, its first or last fix: the
@@ -75,7 +77,14 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
   const double ground_m = ground_of(recording);
   const bool flies = may_be_cut_off(recording);
   std::vector<Outside> outside(recording.bees.size());
-  const auto add = [&](Outside& of, double seconds, const Fix& end, const Fix& beside) {
+  // `away` is when it is not known; of that it is there without a place in `unplaced`.
+  const auto add = [&](Outside& of, const TimeSpan& away, const TimeSpan& unplaced, const Fix& end,
+                       const Fix& beside) {
+    const double seconds = away.ends_s - away.begins_s;
+    if (unplaced.begins_s < unplaced.ends_s) {
+      of.unplaced = true;
+      of.hidden.push_back(unplaced);
+    }
     if (!(seconds > 0.0)) return;
     // One fix alone is joined to nothing.
     const double known_s = end == beside ? 0.0 : usual_s;
@@ -83,7 +92,9 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
     if (recording.show && height_m <= kStandsWithin_m) return;
     of.seconds += seconds;
     const bool stands = height_m <= kLoggedTolerance_m && rests(end, beside, recording.frame);
-    of.cut_off = of.cut_off || recording.show || (flies && !stands && seconds > known_s);
+    if (!recording.show && !(flies && !stands && seconds > known_s)) return;
+    of.cut_off = true;
+    of.hidden.push_back(away);
   };
   for (std::size_t i = 0; i < outside.size(); ++i) {
     const auto ends = ends_of(recording.bees[i]);
@@ -91,10 +102,12 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
     const io::RecordedBee& bee = recording.bees[i];
     const double from_s = grounded(bee.on_ground_until_s, ends->first.time_s, whole.first, usual_s);
     const double until_s = grounded(bee.on_ground_from_s, ends->last.time_s, whole.second, usual_s);
-    outside[i].unplaced = bee.unplaced_from_s.value_or(ends->first.time_s) < ends->first.time_s ||
-                          bee.unplaced_until_s.value_or(ends->last.time_s) > ends->last.time_s;
-    add(outside[i], ends->first.time_s - from_s, ends->first, ends->second);
-    add(outside[i], until_s - ends->last.time_s, ends->last, ends->last_but_one);
+    const double first_s = ends->first.time_s;
+    const double last_s = ends->last.time_s;
+    add(outside[i], {from_s, first_s}, {bee.unplaced_from_s.value_or(first_s), first_s},
+        ends->first, ends->second);
+    add(outside[i], {last_s, until_s}, {last_s, bee.unplaced_until_s.value_or(last_s)}, ends->last,
+        ends->last_but_one);
   }
   return outside;
 }
@@ -120,14 +133,53 @@ std::vector<double> unknown_times_s(const io::Recording& recording, const std::v
   return unknown_s;
 }
 
+std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector<Gap>& gaps,
+                               const MaxGap& max_gap) {
+  std::vector<Gap> all = gaps;
+  const auto outside = outside_of(recording, max_gap.seconds);
+  for (std::size_t track = 0; track < outside.size(); ++track) {
+    for (const TimeSpan& span : outside[track].hidden) {
+      all.push_back({static_cast<PointId>(track), span.begins_s, span.ends_s});
+    }
+  }
+  std::sort(all.begin(), all.end(), [](const Gap& a, const Gap& b) {
+    return std::tuple(a.track, a.begins_s, -a.ends_s) < std::tuple(b.track, b.begins_s, -b.ends_s);
+  });
+  // Of one that is both in the air and without a place, the two may overlap.
+  std::vector<Gap> apart;
+  for (const Gap& next : all) {
+    if (!apart.empty() && apart.back().track == next.track && next.begins_s < apart.back().ends_s) {
+      apart.back().ends_s = std::max(apart.back().ends_s, next.ends_s);
+    } else {
+      apart.push_back(next);
+    }
+  }
+  return apart;
+}
+
 Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gaps,
                      const MaxGap& max_gap) {
+  std::vector<BeeInterval> intervals(recording.bees.size());
+  for (const Gap& gap : gaps) {
+    BeeInterval& interval = intervals[gap.track];
+    if (interval.fixes == 0) interval = interval_of(recording.bees[gap.track]);
+  }
+  return coverage_of(recording, gaps, max_gap, intervals);
+}
+
+Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gaps,
+                     const MaxGap& max_gap, const std::vector<BeeInterval>& intervals) {
   Coverage coverage;
   coverage.max_gap = max_gap;
   coverage.gaps = gaps.size();
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     coverage.in_gaps_s += length_of(gaps[i]);
-    if (i == 0 || gaps[i - 1].track != gaps[i].track) ++coverage.bees_with_gaps;
+    if (i > 0 && gaps[i - 1].track == gaps[i].track) continue;
+    ++coverage.bees_with_gaps;
+    const auto& [fixes, median_s] = intervals[gaps[i].track];
+    if (fixes < kFixesToTell || !(median_s > max_gap.seconds)) continue;
+    coverage.slow.push_back(gaps[i].track);
+    coverage.slowest_interval_s = std::max(coverage.slowest_interval_s, median_s);
   }
   coverage.longest = gaps;
   const auto named = coverage.longest.begin() +
@@ -218,6 +270,23 @@ std::string missing_text(const io::MissingRecords& missing) {
 std::string gap_text(const Gap& gap, const io::Recording& recording) {
   return text_of(name_of(gap.track, recording)) + " from " +
          io::moment_text(gap.begins_s, recording) + " for " + io::time_span(length_of(gap));
+}
+
+std::string slow_text(const Coverage& coverage, const io::Recording& recording) {
+  if (coverage.slow.empty()) return {};
+  std::string names;
+  for (std::size_t i = 0; i < std::min(coverage.slow.size(), Coverage::kMostNamed); ++i) {
+    names += (i > 0 ? ", " : "") + text_of(name_of(coverage.slow[i], recording));
+  }
+  const std::size_t more =
+      coverage.slow.size() - std::min(coverage.slow.size(), Coverage::kMostNamed);
+  if (more > 0) names += " and " + io::grouped(std::uint64_t{more}) + " more";
+  const bool one = coverage.slow.size() == 1;
+  return names + (one ? " has a fix every " : " have fixes as far apart as ") +
+         io::time_span(coverage.slowest_interval_s) + ", which is more than the max gap, and " +
+         (one ? "is" : "are") + " hardly ever known: --max-gap " +
+         io::exact(max_gap_for(coverage.slowest_interval_s)) +
+         " joins such fixes by straight lines";
 }
 
 }  // namespace beespace::analysis

@@ -35,6 +35,9 @@ struct Coverage {
   std::size_t bees_with_gaps = 0;
   double in_gaps_s = 0.0;    // summed over the bees
   std::vector<Gap> longest;  // of the gaps, at most kMostNamed
+  // Who is heard of so seldom that as a rule its fixes are farther apart than max_gap.
+  std::vector<PointId> slow = {};
+  double slowest_interval_s = 0.0;  // of these, the longest one
   std::size_t bees_partly =
       0;  // whose first fix is later, or whose last is earlier, than of others
   std::size_t bees_cut_off = 0;   // of these: in the air then
@@ -57,10 +60,19 @@ struct Coverage {
 // `gaps` are those that max_gap makes: in ascending order of (track, begins_s).
 Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gaps,
                      const MaxGap& max_gap);
+// The same of a recording that has the ends of its bees only, and `intervals` by bee.
+Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gaps,
+                     const MaxGap& max_gap, const std::vector<BeeInterval>& intervals);
 
 // For how long it is unknown of each bee where it was, in gaps and before its first fix and after
 // its last one. `gaps` as above.
 std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps);
+
+// When a bee is there and it is not known where, so that conflicts may be hidden: in its gaps, and
+// before its first fix and after its last one if it is in the air then, or has records without a
+// place. In ascending order of (track, begins_s). `gaps` as above.
+std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector<Gap>& gaps,
+                               const MaxGap& max_gap);
 
 // "12 bees unknown for 3 h 20 min in all, 5 known for a part of the time only"; nothing where it is
 // complete.
@@ -71,5 +83,9 @@ std::string missing_text(const io::MissingRecords& missing);
 
 // "a1b2c3 (UAL123) from 12.50 s for 3 min 20 s".
 std::string gap_text(const Gap& gap, const io::Recording& recording);
+
+// "d2 has a fix every 2 s, which is more than the max gap, and is hardly ever known: --max-gap 10
+// joins such fixes by straight lines"; nothing where there is none.
+std::string slow_text(const Coverage& coverage, const io::Recording& recording);
 
 }  // namespace beespace::analysis

@@ -51,6 +51,19 @@ std::vector<Conflict> merged(std::vector<Conflict> some, const std::vector<Confl
   return some;
 }
 
+std::vector<Conflict> without(const std::vector<Conflict>& conflicts,
+                              const std::vector<Conflict>& others) {
+  const auto before = [](const Conflict& a, const Conflict& b) {
+    return std::tuple(a.first, a.second, a.begins_s) < std::tuple(b.first, b.second, b.begins_s);
+  };
+  std::vector<Conflict> rest;
+  for (const Conflict& conflict : conflicts) {
+    const auto [from, to] = std::equal_range(others.begin(), others.end(), conflict, before);
+    if (std::find(from, to, conflict) == to) rest.push_back(conflict);
+  }
+  return rest;
+}
+
 std::vector<PairInConflict> pairs_in_conflict(const std::vector<Conflict>& conflicts) {
   std::vector<PairInConflict> pairs;
   for (const Conflict& conflict : conflicts) {  // those of a pair stand together

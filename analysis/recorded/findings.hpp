@@ -28,6 +28,8 @@ struct Findings {
   std::vector<std::optional<Conflict>> closest_of_each = {};
 
   std::vector<Conflict> with_standing = {};  // of the conflicts: with a drone on the ground
+  // Where `closest` is with a drone on the ground: of two in the air, conflict or not.
+  std::optional<Conflict> closest_in_the_air = {};
 
   // Of given velocities; `recorded` has the conflicts along them too. Null where these were not
   // looked at.
@@ -50,6 +52,11 @@ std::optional<TimeSpan> time_of(const std::vector<Track>& tracks);
 
 // Both, in ascending order of (first, second, begins_s).
 std::vector<Conflict> merged(std::vector<Conflict> some, const std::vector<Conflict>& more);
+
+// Those of the conflicts that are not among `others`; both are in ascending order of (first,
+// second, begins_s).
+std::vector<Conflict> without(const std::vector<Conflict>& conflicts,
+                              const std::vector<Conflict>& others);
 
 // The pairs in conflict, the closest first: each with all its conflicts together.
 struct PairInConflict {

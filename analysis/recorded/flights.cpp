@@ -3,7 +3,9 @@
 #include "analysis/recorded/tracks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace beespace::analysis {
@@ -24,6 +26,41 @@ Flight flight_between_fixes(const io::RecordedBee& bee, bool with_velocities, do
     }
   }
   return flight;
+}
+
+constexpr double kMicrometres = 1e6;
+
+// Nothing where that is no whole number of them.
+std::optional<double> in_micrometres(double metres) {
+  constexpr double kMost = 0x1p53;
+  const double whole = std::round(metres * kMicrometres);
+  // A double that is read from a decimal is the one nearest to it, and so is this quotient.
+  if (!(std::abs(whole) < kMost) || whole / kMicrometres != metres) return std::nullopt;
+  return whole;
+}
+
+std::optional<Point> in_micrometres(const Point& p) {
+  const auto x = in_micrometres(p.x);
+  const auto y = in_micrometres(p.y);
+  const auto z = in_micrometres(p.z);
+  if (!x || !y || !z) return std::nullopt;
+  return Point{*x, *y, *z};
+}
+
+std::optional<BezierPath> in_micrometres(BezierPath path) {
+  bool whole = true;
+  const auto change = [&whole](Point& p) {
+    const auto changed = in_micrometres(p);
+    whole = whole && changed;
+    if (changed) p = *changed;
+  };
+  change(path.begin);
+  for (BezierPiece& piece : path.pieces) {
+    change(piece.end);
+    for (std::size_t i = 0; i < piece.control_count; ++i) change(piece.controls[i]);
+    if (!whole) return std::nullopt;
+  }
+  return whole ? std::optional(std::move(path)) : std::nullopt;
 }
 
 }  // namespace
@@ -68,6 +105,22 @@ Result<std::vector<Track>> tracks_of(const std::vector<Flight>& flights,
   return tracks;
 }
 
+Result<std::optional<PathEncounter>> closest_as_written(const BezierPath& first,
+                                                        const BezierPath& second,
+                                                        const TimeSpan& during,
+                                                        double threshold_m) {
+  const auto threshold_um = in_micrometres(threshold_m);
+  const auto one = threshold_um ? in_micrometres(first) : std::nullopt;
+  const auto other = one ? in_micrometres(second) : std::nullopt;
+  if (!other) return closest_on_paths(first, second, during, threshold_m);
+  auto found = closest_on_paths(*one, *other, during, *threshold_um);
+  if (!found || !*found) return found;
+  PathEncounter& encounter = **found;
+  encounter.closest_m /= kMicrometres;
+  if (!encounter.closer) encounter.closest_m = std::max(encounter.closest_m, threshold_m);
+  return found;
+}
+
 Result<std::optional<PathEncounter>> closest_of(const Flight& first, const Flight& second,
                                                 const TimeSpan& during, double threshold_m) {
   std::optional<PathEncounter> closest;
@@ -75,7 +128,7 @@ Result<std::optional<PathEncounter>> closest_of(const Flight& first, const Fligh
     for (const BezierPath& other : second) {
       const double from_s = std::max(one.begins_s, other.begins_s);
       if (from_s > std::min(path_end_s(one), path_end_s(other))) continue;
-      auto found = closest_on_paths(one, other, during, threshold_m);
+      auto found = closest_as_written(one, other, during, threshold_m);
       if (!found) return found;
       if (!*found) continue;
       const bool closer = (*found)->closer || (closest && closest->closer);

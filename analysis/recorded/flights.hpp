@@ -34,7 +34,14 @@ std::vector<Flight> flights_of(const io::Recording& recording, bool with_velocit
 Result<std::vector<Track>> tracks_of(const std::vector<Flight>& flights,
                                      const io::Recording& recording, double tolerance_m);
 
-// As closest_on_paths, of two flights.
+// As closest_on_paths, of places as they are written: 1.92 - 1.12 is 0.8 of decimals, and less of
+// the doubles that stand for them. Where all places and the threshold are whole micrometres, these
+// are compared, in which doubles are exact; otherwise the doubles as they are.
+Result<std::optional<PathEncounter>> closest_as_written(const BezierPath& first,
+                                                        const BezierPath& second,
+                                                        const TimeSpan& during, double threshold_m);
+
+// The same of two flights.
 Result<std::optional<PathEncounter>> closest_of(const Flight& first, const Flight& second,
                                                 const TimeSpan& during, double threshold_m);
 

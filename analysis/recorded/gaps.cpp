@@ -34,20 +34,6 @@ std::optional<double> typical_interval(const std::vector<BeeInterval>& bees) {
   return lower_median(of_bees);
 }
 
-std::vector<BeeInterval> intervals_of(const io::Recording& recording) {
-  std::vector<BeeInterval> bees;
-  std::vector<double> intervals;
-  for (const io::RecordedBee& bee : recording.bees) {
-    if (bee.fixes.size() < 2) continue;
-    intervals.clear();
-    for (std::size_t i = 1; i < bee.fixes.size(); ++i) {
-      intervals.push_back(bee.fixes[i].time_s - bee.fixes[i - 1].time_s);
-    }
-    bees.push_back({bee.fixes.size(), lower_median(intervals)});
-  }
-  return bees;
-}
-
 double with_three_digits(double value) {
   char text[40];
   const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 2);
@@ -58,16 +44,33 @@ double with_three_digits(double value) {
 
 }  // namespace
 
+BeeInterval interval_of(const io::RecordedBee& bee) {
+  if (bee.fixes.size() < 2) return {bee.fixes.size(), 0.0};
+  std::vector<double> intervals;
+  intervals.reserve(bee.fixes.size() - 1);
+  for (std::size_t i = 1; i < bee.fixes.size(); ++i) {
+    intervals.push_back(bee.fixes[i].time_s - bee.fixes[i - 1].time_s);
+  }
+  return {bee.fixes.size(), lower_median(intervals)};
+}
+
+double max_gap_for(double interval_s) {
+  return with_three_digits(kGapFactor * interval_s);
+}
+
 MaxGap max_gap_of(const io::Recording& recording, const std::optional<double>& asked) {
   if (asked) return {*asked, std::nullopt, true};
-  return max_gap_of(intervals_of(recording), asked);
+  std::vector<BeeInterval> intervals;
+  intervals.reserve(recording.bees.size());
+  for (const io::RecordedBee& bee : recording.bees) intervals.push_back(interval_of(bee));
+  return max_gap_of(intervals, asked);
 }
 
 MaxGap max_gap_of(const std::vector<BeeInterval>& bees, const std::optional<double>& asked) {
   if (asked) return {*asked, std::nullopt, true};
   const auto typical_s = typical_interval(bees);
   if (!typical_s) return {kNever, std::nullopt};
-  return {with_three_digits(kGapFactor * *typical_s), with_three_digits(*typical_s)};
+  return {max_gap_for(*typical_s), with_three_digits(*typical_s)};
 }
 
 std::string max_gap_text(const MaxGap& max_gap) {

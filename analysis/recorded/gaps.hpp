@@ -36,7 +36,11 @@ struct BeeInterval {
   std::uint64_t fixes = 0;
   double median_s = 0.0;
 };
+BeeInterval interval_of(const io::RecordedBee& bee);
 MaxGap max_gap_of(const std::vector<BeeInterval>& bees, const std::optional<double>& asked);
+
+// A --max-gap that leaves no gap between fixes that are so far apart as a rule.
+double max_gap_for(double interval_s);
 
 // "5 s, 5 times the typical interval of 1 s (--max-gap)".
 std::string max_gap_text(const MaxGap& max_gap);

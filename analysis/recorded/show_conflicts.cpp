@@ -20,12 +20,6 @@
 namespace beespace::analysis {
 namespace {
 
-bool has_curves(const io::Recording& recording) {
-  return !recording.bees.empty() &&
-         std::all_of(recording.bees.begin(), recording.bees.end(),
-                     [](const io::RecordedBee& bee) { return bee.path || bee.stands; });
-}
-
 // Who stands so near to a way, and at such a time, that the two have to be looked at.
 class Neighbours {
  public:
@@ -106,13 +100,21 @@ BezierPath path_of(const Standing& standing) {
   return {standing.span.begins_s, standing.at, {{standing.span.ends_s, standing.at, {}, 0}}};
 }
 
+// Whether the search has decided it. What is nearer to the threshold than doubles tell decimals
+// apart is decided as it is written.
+bool is_settled(const Conflict& conflict, const ConflictOptions& options) {
+  constexpr double kAtTheThreshold = 1.0 - 1e-9;
+  if (options.inclusive || options.vertical_m) return true;
+  return conflict.certain && conflict.closest_m < kAtTheThreshold * options.threshold_m;
+}
+
 // Along the curves; false where the two are not closer than the threshold. Where it is asked for
 // more than that, it stays as it is.
-Result<bool> settle(Conflict& conflict, const BezierPath& first, const BezierPath& second,
+Result<bool> settle(Conflict& conflict, const Flight& first, const Flight& second,
                     const ConflictOptions& options) {
-  if (conflict.certain || options.inclusive || options.vertical_m) return true;
+  if (is_settled(conflict, options)) return true;
   const auto found =
-      closest_on_paths(first, second, {conflict.begins_s, conflict.ends_s}, options.threshold_m);
+      closest_of(first, second, {conflict.begins_s, conflict.ends_s}, options.threshold_m);
   if (!found) return found.error();
   if (!*found) return true;
   if (!(*found)->closer) return false;
@@ -140,7 +142,7 @@ Result<std::vector<Conflict>> conflicts_of(PointId bee, const io::Recording& rec
   std::vector<Conflict> kept;
   for (Conflict conflict : found->conflicts) {
     if (const auto& path = recording.bees[bee].path) {
-      const auto is_one = settle(conflict, *path, still, options);
+      const auto is_one = settle(conflict, Flight{*path}, Flight{still}, options);
       if (!is_one) return of_bee(is_one.error(), recording.bees[bee]);
       if (!*is_one) continue;
     }
@@ -231,11 +233,15 @@ std::vector<Track> with_standing(std::vector<Track> tracks, const io::Recording&
 Result<std::vector<Conflict>> settled_conflicts(const io::Recording& recording,
                                                 const ConflictOptions& options,
                                                 std::vector<Conflict> conflicts) {
-  if (!recording.show || !has_curves(recording)) return conflicts;
+  const auto settled = [&](const Conflict& conflict) { return is_settled(conflict, options); };
+  if (!recording.show || std::all_of(conflicts.begin(), conflicts.end(), settled)) {
+    return conflicts;
+  }
+  const std::vector<Flight> flights = flights_of(recording, false, options.max_gap_s);
   std::vector<Conflict> all;
   for (Conflict& conflict : conflicts) {
-    const auto is_one = settle(conflict, *recording.bees[conflict.first].path,
-                               *recording.bees[conflict.second].path, options);
+    const auto is_one =
+        settle(conflict, flights[conflict.first], flights[conflict.second], options);
     if (!is_one) return of_bee(is_one.error(), recording.bees[conflict.first]);
     if (*is_one) all.push_back(conflict);
   }

@@ -3,8 +3,7 @@
 //
 // A drone stands on the ground before its path begins there, and after it ends there, as long as
 // any other flies; one that never takes off stands all the time. Two that both stand are no
-// conflict. A table does not say when a drone stands: from its first record to its last it counts
-// as flying.
+// conflict. Of tables, too, the time on the ground was left out in reading.
 #pragma once
 
 #include "io/recording/recording.hpp"
@@ -42,8 +41,8 @@ Result<std::vector<Conflict>> conflicts_with_standing(const io::Recording& recor
 // Gives drones that never take off tracks of their own, to be drawn.
 void stand_in_tracks(const io::Recording& recording, std::vector<Track>& tracks);
 
-// Decides along the curves of which conflicts it is not certain that they are some; leaves out
-// those that are none. As they were where there are no curves.
+// Decides along the curves, and in the decimals that are written, of which conflicts of a show it
+// is not certain that they are some; leaves out those that are none.
 Result<std::vector<Conflict>> settled_conflicts(const io::Recording& recording,
                                                 const ConflictOptions& options,
                                                 std::vector<Conflict> conflicts);

@@ -1,6 +1,7 @@
 #include "analysis/recorded/verify_paths.hpp"
 
 #include "analysis/geometry/geometry.hpp"
+#include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/flights.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
@@ -65,7 +66,7 @@ class PathVerification {
     if (!standing) return standing.error();
     verdict_.gaps = std::move(found->gaps);
     verdict_.losses = *standing;
-    verdict_.with_standing = standing->size();
+    verdict_.with_standing = *standing;
     for (Conflict conflict : found->conflicts) {
       const auto closer = settle(conflict, {conflict.begins_s, conflict.ends_s});
       if (!closer) return closer.error();
@@ -84,12 +85,18 @@ class PathVerification {
       if (!settled) return settled.error();
       verdict_.closest = *closest;
     }
-    for (const Conflict& loss : verdict_.losses) {
+    take_closer(without(verdict_.losses, verdict_.with_standing));
+    verdict_.closest_in_the_air = verdict_.closest;
+    take_closer(verdict_.with_standing);
+    return std::nullopt;
+  }
+
+  void take_closer(const std::vector<Conflict>& losses) {
+    for (const Conflict& loss : losses) {
       if (!verdict_.closest || loss.closest_m < verdict_.closest->closest_m) {
         verdict_.closest = loss;
       }
     }
-    return std::nullopt;
   }
 
   // How close the two come along their curves; returns whether that is too close.

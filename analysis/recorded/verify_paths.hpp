@@ -34,12 +34,14 @@ struct BeePeak {
 };
 
 struct PathVerdict {
-  std::vector<Conflict> losses;   // each pair as long as it may be closer than the threshold
-  std::size_t with_standing = 0;  // of the losses: with a drone of a show on the ground
+  std::vector<Conflict> losses;         // each pair as long as it may be closer than the threshold
+  std::vector<Conflict> with_standing;  // of the losses: with a drone of a show on the ground
   std::vector<PathClearanceLoss> clearance_losses;
   std::vector<PathBreach> breaches;                       // by limit, then bee, then time
   std::array<std::optional<BeePeak>, kPathLimits> peaks;  // of all bees
   std::optional<Conflict> closest;  // of all; nothing where no two are there at the same time
+  // The same of two in the air; it differs where `closest` is with a drone on the ground.
+  std::optional<Conflict> closest_in_the_air;
   std::vector<Gap> gaps;
   std::vector<std::string> not_looked_at;  // see limits_not_looked_at()
   std::vector<std::string> undecided;      // those of them that the question does not skip

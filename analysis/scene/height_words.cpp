@@ -7,10 +7,14 @@ report::HeightWords height_words(io::Unit unit, io::HeightDatum datum) {
           datum == io::HeightDatum::kPressure, datum == io::HeightDatum::kMeanSeaLevel};
 }
 
-bool speaks_of_feet(const report::HeightWords& heights,
+bool speaks_of_feet(const report::HeightWords& heights, io::Unit threshold,
                     const std::optional<io::StatedLength>& vertical) {
-  return heights.in_feet || (vertical && (vertical->unit == io::Unit::kFoot ||
-                                          vertical->unit == io::Unit::kFlightLevel));
+  const auto is_of_aviation = [](io::Unit unit) {
+    return unit == io::Unit::kNauticalMile || unit == io::Unit::kFoot ||
+           unit == io::Unit::kFlightLevel;
+  };
+  return heights.in_feet || is_of_aviation(threshold) ||
+         (vertical && is_of_aviation(vertical->unit));
 }
 
 }  // namespace beespace::analysis

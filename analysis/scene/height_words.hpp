@@ -13,8 +13,8 @@ namespace beespace::analysis {
 // `unit` is that in which the input states them, `datum` what they are counted from.
 report::HeightWords height_words(io::Unit unit, io::HeightDatum datum);
 
-// Whether feet are the unit of the heights, or of the limit of their differences.
-bool speaks_of_feet(const report::HeightWords& heights,
+// Whether feet or nautical miles are the unit of the heights, or of what is too close.
+bool speaks_of_feet(const report::HeightWords& heights, io::Unit threshold,
                     const std::optional<io::StatedLength>& vertical);
 
 }  // namespace beespace::analysis

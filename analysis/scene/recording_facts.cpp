@@ -205,7 +205,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   swarm.source = recording.format_description;
   swarm.flat = recording.flat;
   swarm.heights = height_words(recording.height_unit, recording.heights);
-  swarm.aviation = speaks_of_feet(swarm.heights, request.vertical);
+  swarm.aviation = speaks_of_feet(swarm.heights, request.threshold_unit, request.vertical);
   const DefaultThreshold otherwise = default_threshold(recording, kDefaultThreshold_m);
   swarm.threshold_m = request.threshold_m.value_or(otherwise.metres);
   if (!request.threshold_m) swarm.threshold_words = otherwise.words;
@@ -217,7 +217,9 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
                        place.heading_deg,
                        place.y_to_the_right,
                        place.height_m ? ", as the show says, whose heights are above mean sea level"
-                                      : ", as the show says, which gives no height"};
+                                      : ", as the show says, which gives no height: heights are "
+                                        "those above the place of take-off",
+                       place.height_m.has_value()};
   }
   swarm.names = names_of(recording);
   note_units(recording.units, request.vertical, recording.height_unit, swarm.notes);
@@ -260,13 +262,21 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   const auto closest = closest_of(*recorded, *in_space, max_gap.seconds, request);
   if (!closest) return closest.error();
   facts.closest = *closest;
+  // It was decided that they are not closer than that, whatever rounding makes of it.
+  if (recording.show && recorded->conflicts.empty() && facts.closest && !options.inclusive &&
+      !options.vertical_m) {
+    facts.closest->closest_m = std::max(facts.closest->closest_m, options.threshold_m);
+  }
   facts.gaps = recorded->gaps;
   const Coverage coverage = coverage_of(recording, facts.gaps, max_gap);
   const auto uprights = Uprights::of(recording, *in_space, max_gap.seconds);
   if (!uprights) return uprights.error();
-  facts.separation = separation_of(
+  facts.unknown_spans = unknown_spans(recording, facts.gaps, max_gap);
+  SeparationOverTime over_time = separation_of(
       {recording, tracks, *in_space, *recorded, *closest, coverage, closest->has_value()},
       *uprights, swarm);
+  facts.separation = std::move(over_time.known);
+  facts.separation_open = std::move(over_time.open);
   stand_in_tracks(recording, *in_space);
   facts.unknown = unknown_text(coverage);
   facts.hidden = coverage.may_hide_conflicts() || !curves->followed;
@@ -280,10 +290,13 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
         max_gap_text(max_gap) +
         "; the longest such gap: " + gap_text(coverage.longest.front(), recording));
   }
+  if (std::string slow = slow_text(coverage, recording); !slow.empty()) {
+    swarm.notes.push_back(std::move(slow));
+  }
   take_conflicts(std::move(recorded->conflicts), facts);
   if (!standing->empty()) {
     swarm.notes.push_back(io::counted(standing->size(), "conflict is", "conflicts are") +
-                          " with a drone that stands on the ground, which is drawn there");
+                          " with a drone that stands on the ground, where it is drawn");
   }
   if (recording.show) {
     *in_space = with_standing(*in_space, recording, bees_named(*standing, facts));

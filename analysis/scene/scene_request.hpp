@@ -17,7 +17,8 @@ inline constexpr double kDefaultThreshold_m = 100.0;
 
 struct SceneRequest {
   io::RecordingOptions load = {};
-  std::optional<double> threshold_m = {};  // absent: what the input declares, or the default
+  std::optional<double> threshold_m = {};         // absent: what the input declares, or the default
+  io::Unit threshold_unit = io::Unit::kUnstated;  // in which it is stated, for words
   // In the unit in which it is stated, so that heights in that unit can be compared as they stand.
   std::optional<io::StatedLength> vertical = {};
   bool inclusive = false;

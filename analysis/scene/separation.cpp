@@ -29,6 +29,17 @@ void insert(const report::Separation& at, std::vector<report::Separation>& separ
   separation.insert(after, at);
 }
 
+// Not known at this moment, nor since the one before, nor until the next one.
+void open_at(double time_s, double step_s, const TimeSpan& whole, std::vector<TimeSpan>& open) {
+  const double begins_s = std::max(whole.begins_s, time_s - step_s);
+  const double ends_s = std::min(whole.ends_s, time_s + step_s);
+  if (!open.empty() && begins_s <= open.back().ends_s) {
+    open.back().ends_s = ends_s;
+  } else {
+    open.push_back({begins_s, ends_s});
+  }
+}
+
 // Those who are there at a moment; after these, who is in a gap, on a straight line across it.
 struct There {
   std::size_t known = 0;
@@ -100,48 +111,54 @@ class NearestToConflict {
   std::vector<Pair> pairs_;
 };
 
-std::vector<report::Separation> nearest_to_conflict(const Findings& findings,
-                                                    const Uprights& uprights,
-                                                    const report::SwarmFacts& swarm,
-                                                    const TimeSpan& time) {
-  std::vector<report::Separation> separation;
+SeparationOverTime nearest_to_conflict(const Findings& findings, const Uprights& uprights,
+                                       const report::SwarmFacts& swarm, const TimeSpan& time) {
+  SeparationOverTime over_time;
   NearestToConflict search(swarm);
   double share = 1.0;
   const double step_s = every_s(time);
   for (std::uint64_t i = 0; static_cast<double>(i) * step_s <= time.ends_s - time.begins_s; ++i) {
     const double now_s = time.begins_s + static_cast<double>(i) * step_s;
     const There now = there_at(uprights, findings.tracks.size(), now_s);
-    if (now.known < 2) continue;
+    if (now.bees.size() < 2) continue;
     const auto pair = search.find(now, share);
-    if (!pair || std::max(pair->first, pair->second) >= now.known) continue;
+    if (!pair) continue;
+    if (std::max(pair->first, pair->second) >= now.known) {
+      open_at(now_s, step_s, time, over_time.open);
+      continue;
+    }
     const PointId first = now.bees[pair->first];
     const PointId second = now.bees[pair->second];
     const report::Apart of = apart({now.ground[pair->first], now.heights_m[pair->first]},
                                    {now.ground[pair->second], now.heights_m[pair->second]});
     // Where heights are apart from positions, that is the straight line.
-    separation.push_back({now_s, {first, second, std::hypot(of.horizontal_m, of.height_m)}, of});
+    over_time.known.push_back(
+        {now_s, {first, second, std::hypot(of.horizontal_m, of.height_m)}, of});
   }
-  return separation;
+  return over_time;
 }
 
-std::vector<report::Separation> closest_two(const Findings& findings, const TimeSpan& time) {
-  std::vector<report::Separation> separation;
-  for (const Moment& moment : separation_over_time(findings, every_s(time))) {
+SeparationOverTime closest_two(const Findings& findings, const TimeSpan& time) {
+  SeparationOverTime over_time;
+  const double step_s = every_s(time);
+  for (const Moment& moment : separation_over_time(findings, step_s)) {
+    if (moment.open) open_at(moment.time_s, step_s, time, over_time.open);
     if (moment.open || !std::isfinite(moment.distance_m)) continue;
     const auto [first, second] = std::minmax(moment.first, moment.second);
-    separation.push_back({moment.time_s, {first, second, moment.distance_m}});
+    over_time.known.push_back({moment.time_s, {first, second, moment.distance_m}});
   }
   if (findings.closest) {
     const Conflict& closest = *findings.closest;
-    insert({closest.closest_s, {closest.first, closest.second, closest.closest_m}}, separation);
+    insert({closest.closest_s, {closest.first, closest.second, closest.closest_m}},
+           over_time.known);
   }
-  return separation;
+  return over_time;
 }
 
 }  // namespace
 
-std::vector<report::Separation> separation_of(const Findings& findings, const Uprights& uprights,
-                                              const report::SwarmFacts& swarm) {
+SeparationOverTime separation_of(const Findings& findings, const Uprights& uprights,
+                                 const report::SwarmFacts& swarm) {
   const auto time = time_of(findings.tracks);
   if (!time) return {};
   if (!swarm.vertical_m) return closest_two(findings, *time);

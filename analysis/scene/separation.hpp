@@ -9,10 +9,15 @@
 
 namespace beespace::analysis {
 
+struct SeparationOverTime {
+  std::vector<report::Separation> known;
+  std::vector<TimeSpan> open;  // ascending, none touch
+};
+
 // At some hundred moments, but for those at which one would be closer on a straight line across its
-// gap, and where the closest encounter was. With a vertical threshold
+// gap, which are open, and where the closest encounter was. With a vertical threshold
 // (`vertical_m` of `swarm`), of those who are nearest to a conflict.
-std::vector<report::Separation> separation_of(const Findings& findings, const Uprights& uprights,
-                                              const report::SwarmFacts& swarm);
+SeparationOverTime separation_of(const Findings& findings, const Uprights& uprights,
+                                 const report::SwarmFacts& swarm);
 
 }  // namespace beespace::analysis

@@ -204,7 +204,7 @@ Result<report::SnapshotFacts> snapshot_facts(const io::LoadedPoints& loaded,
   report::SwarmFacts& swarm = facts.swarm;
   swarm.source = loaded.format_description;
   swarm.heights = height_words(loaded.height_unit, loaded.heights);
-  swarm.aviation = speaks_of_feet(swarm.heights, request.vertical);
+  swarm.aviation = speaks_of_feet(swarm.heights, request.threshold_unit, request.vertical);
   note_units(loaded.units, request.vertical, loaded.height_unit, swarm.notes);
   swarm.notes.insert(swarm.notes.end(), loaded.notes.begin(), loaded.notes.end());
   if (const io::RepeatedIds repeated = io::find_repeated_ids(loaded); repeated.count > 0) {
@@ -235,7 +235,7 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
   report::SwarmFacts& swarm = facts.swarm;
   swarm.source = recording.format_description;
   swarm.heights = height_words(recording.height_unit, recording.heights);
-  swarm.aviation = speaks_of_feet(swarm.heights, request.vertical);
+  swarm.aviation = speaks_of_feet(swarm.heights, request.threshold_unit, request.vertical);
   note_units(recording.units, request.vertical, recording.height_unit, swarm.notes);
   swarm.notes.insert(swarm.notes.end(), recording.notes.begin(), recording.notes.end());
   note_skipped(recording.skipped_count, swarm.notes);

@@ -141,6 +141,13 @@ std::string length_text(double metres, double limit_m) {
                                         : io::length_below(limit_m, metres);
 }
 
+// As many as tell lengths around this limit.
+int decimals_of_feet(double limit_m) {
+  const double limit = io::from_metric(limit_m, io::Unit::kFoot);
+  if (limit >= 100.0) return 0;
+  return limit >= 10.0 ? 1 : 2;
+}
+
 std::string horizontal_text(double metres, const Distances& distances) {
   const double limit_m = distances.threshold_m;
   if (distances.small != io::Unit::kUnstated) {
@@ -153,8 +160,10 @@ std::string horizontal_text(double metres, const Distances& distances) {
     return in_unit(metres, limit_m, distances.small, centimetres ? 2 : 1);
   }
   if (!distances.aviation) return length_text(metres, limit_m);
-  return in_unit(metres, limit_m, io::Unit::kNauticalMile, 3) + " (" +
-         length_text(metres, limit_m) + ")";
+  const std::string miles_or_feet =
+      distances.feet ? in_unit(metres, limit_m, io::Unit::kFoot, decimals_of_feet(limit_m))
+                     : in_unit(metres, limit_m, io::Unit::kNauticalMile, 3);
+  return miles_or_feet + " (" + length_text(metres, limit_m) + ")";
 }
 
 std::string vertical_text(double metres, const Distances& distances) {
@@ -170,6 +179,7 @@ Distances distances_of(const MovingRequest& request, const io::Recording& record
   Distances distances;
   distances.aviation = in_aviation(request, recording);
   if (!distances.aviation) distances.small = small_unit(request, recording);
+  distances.feet = request.threshold && request.threshold->unit == io::Unit::kFoot;
   distances.threshold_m = threshold_m;
   distances.vertical_m = request.vertical_m;
   return distances;

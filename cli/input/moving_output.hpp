@@ -40,6 +40,7 @@ bool in_aviation(const MovingRequest& request, const io::Recording& recording);
 struct Distances {
   analysis::ApartOf apart = {};  // where there is a vertical threshold
   bool aviation = false;
+  bool feet = false;  // and what is too close is stated in feet, not in nautical miles
   io::Unit small = io::Unit::kUnstated;  // or in mm or cm, where the threshold or positions are
   // What they are shown beside: what is below one of these is never rounded up to it.
   double threshold_m = 0.0;
@@ -52,6 +53,9 @@ struct Distances {
 
 Distances distances_of(const MovingRequest& request, const io::Recording& recording,
                        double threshold_m);
+
+// What is said of conflicts of a show in which one flies and the other stands.
+inline constexpr const char* kWithStanding = "with a drone on the ground";
 
 // "drone_01 and drone_02"; "drone_01 and drone_02, 4.31 m apart at 63.2 s".
 std::string pair_text(const Conflict& conflict, const io::Recording& recording);

@@ -39,6 +39,9 @@ void append_coverage(std::string& out, const analysis::Coverage& coverage,
   if (coverage.gaps > coverage.longest.size()) {
     append_summary_line(out, "", "and shorter ones");
   }
+  if (const std::string slow = analysis::slow_text(coverage, recording); !slow.empty()) {
+    append_summary_line(out, "", printable(slow));
+  }
   if (coverage.bees_partly > 0) {
     append_summary_line(
         out, coverage.gaps > 0 ? "" : "unknown",

@@ -1,5 +1,6 @@
 #include "cli/recorded/path_findings.hpp"
 
+#include "analysis/recorded/findings.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/console/terminal.hpp"
@@ -79,19 +80,44 @@ void append_breaches(std::string& out, const PathFindings& findings) {
 
 void append_losses(std::string& out, const PathFindings& findings) {
   constexpr std::size_t kMost = 5;
-  std::vector<Conflict> losses = findings.verdict.losses;
+  std::vector<Conflict> standing = findings.verdict.with_standing;
+  std::vector<Conflict> losses = analysis::without(findings.verdict.losses, standing);
+  for (std::vector<Conflict>* const some : {&losses, &standing}) {
+    std::stable_sort(some->begin(), some->end(), [](const Conflict& a, const Conflict& b) {
+      return a.closest_m < b.closest_m;
+    });
+  }
+  const std::size_t in_the_air = losses.size();
+  losses.insert(losses.end(), standing.begin(), standing.end());
   if (losses.empty()) return append_summary_line(out, "losses", bold("none"));
-  std::stable_sort(losses.begin(), losses.end(),
-                   [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });
   append_summary_line(out, "losses",
                       red(io::counted(losses.size(), "conflict", "conflicts")) +
-                          (findings.verdict.with_standing == 0
-                               ? ""
-                               : ", " + io::grouped(findings.verdict.with_standing) +
-                                     " with a drone on the ground"));
+                          (standing.empty() ? ""
+                                            : ", " + io::grouped(std::uint64_t{standing.size()}) +
+                                                  " " + kWithStanding));
   for (std::size_t i = 0; i < std::min(kMost, losses.size()); ++i) {
-    append_summary_line(out, "", encounter_text(losses[i], findings.recording, {}));
+    append_summary_line(out, "",
+                        encounter_text(losses[i], findings.recording, {}) +
+                            (i < in_the_air ? "" : ", " + std::string(kWithStanding)));
   }
+}
+
+// Of a show with drones on the ground, who is closest in the air comes first.
+void append_closest(std::string& out, const PathFindings& findings) {
+  const analysis::PathVerdict& verdict = findings.verdict;
+  if (!verdict.closest) {
+    return append_summary_line(out, "closest", "no two are there at the same time");
+  }
+  const std::string text = encounter_text(*verdict.closest, findings.recording, {});
+  if (verdict.closest == verdict.closest_in_the_air) {
+    return append_summary_line(out, "closest", text);
+  }
+  if (verdict.closest_in_the_air) {
+    append_summary_line(out, "closest",
+                        encounter_text(*verdict.closest_in_the_air, findings.recording, {}));
+  }
+  append_summary_line(out, verdict.closest_in_the_air ? "" : "closest",
+                      text + ", " + kWithStanding);
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -135,6 +161,18 @@ std::string verdict_text(const PathFindings& findings) {
   append(!verdict.breaches.empty(), "breaks the limits");
   const bool hidden = findings.coverage.may_hide_conflicts();
   return red(text) + (hidden ? "; " + analysis::unknown_text(findings.coverage) : "");
+}
+
+void write_pair(io::JsonWriter& json, const char* key, const std::optional<Conflict>& pair,
+                const io::Recording& recording) {
+  json.key(key);
+  if (!pair) return json.null();
+  Rows row{{{"first", "first_label"}, {"second", "second_label"}, {"at_s"}, {"distance_m"}},
+           {{analysis::name_of(pair->first, recording), analysis::name_of(pair->second, recording),
+             pair->closest_s, pair->closest_m}},
+           analysis::has_labels(recording)};
+  set_labels_apart(row);
+  write_row(json, row.columns, row.rows.front());
 }
 
 TimeSpan time_of_all(const io::Recording& recording) {
@@ -225,14 +263,10 @@ void write_verdict(io::JsonWriter& json, const PathFindings& findings,
     json.member("clearance_loss_count", verdict.clearance_losses.size());
   }
   json.member("breach_count", verdict.breaches.size());
-  if (!verdict.closest) return json.key("closest").null();
-  Rows closest{{{"first", "first_label"}, {"second", "second_label"}, {"at_s"}, {"distance_m"}},
-               {{analysis::name_of(verdict.closest->first, recording),
-                 analysis::name_of(verdict.closest->second, recording), verdict.closest->closest_s,
-                 verdict.closest->closest_m}},
-               analysis::has_labels(recording)};
-  set_labels_apart(closest);
-  write_row(json.key("closest"), closest.columns, closest.rows.front());
+  write_pair(json, "closest", verdict.closest, recording);
+  if (verdict.with_standing.empty()) return;
+  json.member("with_standing_count", verdict.with_standing.size());
+  write_pair(json, "closest_in_the_air", verdict.closest_in_the_air, recording);
 }
 
 std::string verify_summary(const PathFindings& findings, const MovingRequest& request) {
@@ -261,9 +295,7 @@ std::string verify_summary(const PathFindings& findings, const MovingRequest& re
   if (const auto& names = findings.verdict.not_looked_at; !names.empty()) {
     append_summary_line(out, "", red("declared, but not looked at") + ": " + listed(names));
   }
-  append_summary_line(out, "closest",
-                      verdict.closest ? encounter_text(*verdict.closest, recording, {})
-                                      : std::string("no two are there at the same time"));
+  append_closest(out, findings);
   append_peaks(out, findings);
   append_losses(out, findings);
   if (findings.question.obstacles != nullptr) {

@@ -68,13 +68,17 @@ void write_findings(io::JsonWriter& json, const analysis::Findings& findings,
   json.member("gap_count", findings.recorded.gaps.size());
   write_coverage(json.key("known"), findings.coverage, findings.recording);
   write_velocities(json, findings);
-  json.key("closest");
-  if (findings.closest) {
-    const Rows closest = closest_row(*findings.closest, findings.recording, distances);
-    write_row(json, closest.columns, closest.rows.front());
-  } else {
-    json.null();
-  }
+  const auto write = [&](const char* key, const std::optional<Conflict>& conflict) {
+    json.key(key);
+    if (!conflict) return json.null();
+    const Rows row = closest_row(*conflict, findings.recording, distances);
+    write_row(json, row.columns, row.rows.front());
+  };
+  write("closest", findings.closest);
+  if (findings.with_standing.empty()) return;
+  json.member("with_standing_count", findings.with_standing.size());
+  const auto& in_the_air = findings.closest_in_the_air;
+  write("closest_in_the_air", in_the_air ? in_the_air : findings.closest);
 }
 
 }  // namespace beespace::cli

@@ -152,6 +152,7 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
                               coverage,
                               analysis::has_encounters(*found, *recording, *in_space, options)};
   findings.with_standing = std::move(found->with_standing);
+  findings.closest_in_the_air = found->closest_in_the_air;
   findings.curves = &found->curves;
   if (request.report == "bees" && recording->show && !moving.vertical) {
     auto each = analysis::closest_of_each(*tracks, threshold_m, max_gap.seconds, moving.threads);

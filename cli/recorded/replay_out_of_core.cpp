@@ -104,16 +104,16 @@ class Replaying {
     auto recording = stream_.finish(fixes_.facts().repeated);
     if (!recording) return std::move(recording).error();
     recording_ = *std::move(recording);
-    std::vector<analysis::BeeInterval> intervals;
+    intervals_.resize(recording_.bees.size());
     tracks_.resize(recording_.bees.size());
     for (const LargeAgent& agent : agents) {
       std::vector<Fix> ends = {{agent.begins_s, {}}};
       if (agent.fixes > 1) ends.push_back({agent.ends_s, {}});
       tracks_[agent.id].fixes = std::move(ends);
       recording_.bees[agent.id].fixes = ends_.of(agent.id);
-      intervals.push_back({agent.fixes, agent.interval_s});
+      intervals_[agent.id] = {agent.fixes, agent.interval_s};
     }
-    max_gap_ = analysis::max_gap_of(intervals, request_.max_gap_s);
+    max_gap_ = analysis::max_gap_of(intervals_, request_.max_gap_s);
     return std::monostate{};
   }
 
@@ -202,7 +202,8 @@ class Replaying {
   }
 
   Result<ExitCode> write() {
-    const analysis::Coverage coverage = analysis::coverage_of(recording_, found_.gaps, max_gap_);
+    const analysis::Coverage coverage =
+        analysis::coverage_of(recording_, found_.gaps, max_gap_, intervals_);
     analysis::Findings findings{recording_, tracks_,  tracks_,          found_,
                                 closest_,   coverage, facts_.encounters};
     findings.velocities_passed_over = any_velocity_ && !request_.straight;
@@ -231,8 +232,9 @@ class Replaying {
   RecordingOutOfCore fixes_;
   analysis::Geometry geometry_ = analysis::Geometry::kSpace;
   analysis::TrackEnds ends_;
-  io::Recording recording_;    // of each bee the first fixes and the last ones
-  std::vector<Track> tracks_;  // the first and the last, without positions
+  io::Recording recording_;                       // of each bee the first fixes and the last ones
+  std::vector<Track> tracks_;                     // the first and the last, without positions
+  std::vector<analysis::BeeInterval> intervals_;  // by bee
   analysis::MaxGap max_gap_{std::numeric_limits<double>::infinity(), std::nullopt};
   double threshold_m_ = 0.0;
   RecordedConflicts found_;

@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string_view>
+#include <utility>
 
 namespace beespace::cli {
 namespace {
@@ -35,7 +37,7 @@ std::string open_text(const analysis::Findings& findings) {
 std::string kinds_text(const analysis::Findings& findings) {
   std::string text;
   if (!findings.with_standing.empty()) {
-    text += ", " + io::grouped(findings.with_standing.size()) + " with a drone on the ground";
+    text += ", " + io::grouped(findings.with_standing.size()) + " " + kWithStanding;
   }
   if (findings.curves != nullptr && !findings.curves->conflicts.empty()) {
     text += ", " + io::grouped(findings.curves->conflicts.size()) +
@@ -89,12 +91,60 @@ void append_velocities(std::string& out, const analysis::Findings& findings, dou
                                   ": are they in another unit, or of another direction?"));
 }
 
+// The pairs that come too close in the air, told by that, and behind them those of which one stands
+// on the ground whenever they do.
+std::vector<analysis::PairInConflict> in_the_air_first(
+    const analysis::Findings& findings, std::vector<analysis::PairInConflict> pairs) {
+  if (findings.with_standing.empty()) return pairs;
+  const auto ids = [](const analysis::PairInConflict& pair) {
+    return std::pair(pair.closest.first, pair.closest.second);
+  };
+  std::map<std::pair<PointId, PointId>, Conflict> closest_in_the_air;
+  const auto& conflicts = findings.recorded.conflicts;
+  for (const auto& pair :
+       analysis::pairs_in_conflict(analysis::without(conflicts, findings.with_standing))) {
+    closest_in_the_air.emplace(ids(pair), pair.closest);
+  }
+  for (auto& pair : pairs) {
+    const auto found = closest_in_the_air.find(ids(pair));
+    if (found != closest_in_the_air.end()) pair.closest = found->second;
+  }
+  const auto order = [&](const analysis::PairInConflict& pair) {
+    return std::pair(!closest_in_the_air.contains(ids(pair)), pair.closest.closest_m);
+  };
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [&](const auto& a, const auto& b) { return order(a) < order(b); });
+  return pairs;
+}
+
+// Of a show with drones on the ground, who is closest in the air comes first.
+void append_closest(std::string& out, const analysis::Findings& findings,
+                    const Distances& distances) {
+  if (!findings.closest) return;
+  const std::string text = encounter_text(*findings.closest, findings.recording, distances);
+  if (!std::count(findings.with_standing.begin(), findings.with_standing.end(),
+                  *findings.closest)) {
+    return append_summary_line(out, "closest", text);
+  }
+  if (findings.closest_in_the_air) {
+    append_summary_line(
+        out, "closest",
+        encounter_text(*findings.closest_in_the_air, findings.recording, distances));
+  }
+  append_summary_line(out, findings.closest_in_the_air ? "" : "closest",
+                      text + ", " + kWithStanding);
+}
+
 void append_worst(std::string& out, const analysis::Findings& findings,
                   const std::vector<analysis::PairInConflict>& pairs, const Distances& distances) {
   constexpr std::size_t kMost = 5;
   for (std::size_t i = 0; i < std::min(kMost, pairs.size()); ++i) {
     const analysis::PairInConflict& pair = pairs[i];
     std::string text = encounter_text(pair.closest, findings.recording, distances);
+    const auto& standing = findings.with_standing;
+    if (std::count(standing.begin(), standing.end(), pair.closest) > 0) {
+      text += ", " + std::string(kWithStanding);
+    }
     text += "; in conflict for " + io::grouped(pair.time_s, 2) + " s";
     if (findings.curves != nullptr && findings.curves->given && !pair.closest.certain) {
       text += ", on curves with the given velocities";
@@ -174,10 +224,8 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
       separation_summary(request, figures.threshold_m, recording, distances.aviation));
   const auto pairs = analysis::pairs_in_conflict(findings.recorded.conflicts);
   append_summary_line(out, "verdict", verdict(findings, pairs));
-  if (findings.closest) {
-    append_summary_line(out, "closest", encounter_text(*findings.closest, recording, distances));
-  }
-  append_worst(out, findings, pairs, distances);
+  append_closest(out, findings, distances);
+  append_worst(out, findings, in_the_air_first(findings, pairs), distances);
   const std::string bars = findings.has_encounters && !figures.memory_bytes
                                ? bars_over_time(findings, figures.threshold_m)
                                : std::string();

@@ -50,6 +50,14 @@ Result<std::string> format_of(const ExportRequest& request) {
                          written_elsewhere(kExport, of.ending));
 }
 
+// What the input says of its place that cannot be taken, behind a colon; otherwise nothing.
+std::string about_place(const report::SwarmFacts& swarm) {
+  const auto note = std::find_if(swarm.notes.begin(), swarm.notes.end(), [](const auto& text) {
+    return text.starts_with("the location of the show is not taken");
+  });
+  return note == swarm.notes.end() ? std::string() : ": " + printable(*note);
+}
+
 Status check_fit(const analysis::Scene& scene, const std::string& format) {
   const report::SwarmFacts& swarm = analysis::swarm_of(scene);
   if (swarm.origin || format == "csv") return std::monostate{};
@@ -57,7 +65,8 @@ Status check_fit(const analysis::Scene& scene, const std::string& format) {
                      format + " is for the Earth and needs longitudes and latitudes, but '" +
                          printable(swarm.title) +
                          "' is in metres; say with --origin lon,lat,height,heading where it is, or "
-                         "--format csv, which takes metres as well");
+                         "--format csv, which takes metres as well" +
+                         about_place(swarm));
 }
 
 // What is asked for at once, and cannot be.

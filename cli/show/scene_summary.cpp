@@ -14,6 +14,11 @@
 namespace beespace::cli {
 namespace {
 
+// Also where there is a risk: it may be a greater one.
+std::string and_unknown(const std::string& unknown) {
+  return unknown.empty() ? unknown : "; " + unknown;
+}
+
 std::string risk_of(const report::SnapshotFacts& facts) {
   if (facts.at_risk.empty() && !facts.unknown.empty()) {
     return bold("none of those that are known") + "; " + facts.unknown;
@@ -21,7 +26,7 @@ std::string risk_of(const report::SnapshotFacts& facts) {
   if (facts.at_risk.empty()) return bold("none");
   return red(io::grouped(facts.at_risk.size()) + " of " + io::grouped(facts.positions.size())) +
          ": " + io::counted(facts.pair_count, "pair", "pairs") + " in " +
-         io::counted(facts.group_count, "group", "groups");
+         io::counted(facts.group_count, "group", "groups") + and_unknown(facts.unknown);
 }
 
 std::string risk_of(const report::RecordingFacts& facts) {
@@ -30,7 +35,7 @@ std::string risk_of(const report::RecordingFacts& facts) {
   }
   if (facts.conflict_count == 0) return bold("none");
   return red(io::counted(facts.conflict_count, "conflict", "conflicts")) + " of " +
-         io::counted(facts.pair_count, "pair", "pairs");
+         io::counted(facts.pair_count, "pair", "pairs") + and_unknown(facts.unknown);
 }
 
 std::size_t bees_of(const report::SnapshotFacts& facts) {

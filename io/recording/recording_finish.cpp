@@ -5,6 +5,7 @@
 #include "io/problems/skipped_records.hpp"
 #include "io/recording/doubled_drones.hpp"
 #include "io/recording/recording_assembly.hpp"
+#include "io/recording/show_ground.hpp"
 #include "io/recording/swapped_degrees.hpp"
 #include "io/recording/unit_doubts.hpp"
 #include "io/recording/zero_places.hpp"
@@ -290,6 +291,7 @@ Result<Recording> RecordingAssembly::finish() {
     for (RecordedBee& bee : recording_.bees) bee.stated_heights.clear();
   }
   note_counts();
+  if (!options_.grounded) leave_ground_time_out(recording_);
   if (auto swapped = swapped_degrees(recording_)) {
     note(std::move(swapped->note));
     // Who says which column is which means it.

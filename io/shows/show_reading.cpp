@@ -1,6 +1,7 @@
 #include "io/shows/show_reading.hpp"
 
 #include "io/problems/excerpt.hpp"
+#include "io/recording/show_ground.hpp"
 #include "io/shows/show_settings.hpp"
 #include "io/shows/show_trajectory.hpp"
 
@@ -242,26 +243,15 @@ class ShowReading {
   }
 
   void note_ground() {
-    const auto drones = [](std::uint64_t count, const char* one, const char* many) {
-      return std::to_string(count) + (count == 1 ? " drone" : " drones") +
-             (count == 1 ? one : many);
-    };
     if (shifted_ > 0) {
-      assembly_.note("the times of the points of " + drones(shifted_, "", "") +
+      assembly_.note("the times of the points of " + std::to_string(shifted_) +
+                     (shifted_ == 1 ? " drone" : " drones") +
                      " count from takeoffTime, which is not 0" +
                      (first_takeoff_s_ < last_takeoff_s_ ? " and not the same for all" : "") +
                      ", as Skybrush plays them");
     }
-    if (stood_ > 0) {
-      assembly_.note("the time on the ground of " + drones(stood_, "", "") +
-                     " is left out, before take-off and after landing; --grounded keeps it");
-    }
-    if (grounded_ > 0) {
-      assembly_.note(drones(grounded_, " never leaves", " never leave") + " the ground and " +
-                     (grounded_ == 1 ? "stands" : "stand") +
-                     " there for those that fly; --grounded also compares drones that stand with "
-                     "each other");
-    }
+    if (stood_ > 0) assembly_.note(standing_note(stood_));
+    if (grounded_ > 0) assembly_.note(grounded_note(grounded_));
   }
 
   ShowDocuments& documents_;

@@ -1,5 +1,6 @@
 #include "io/shows/show_settings.hpp"
 
+#include "io/bytes/number_text.hpp"
 #include "io/problems/excerpt.hpp"
 
 #include <algorithm>
@@ -135,6 +136,30 @@ bool read_origin(JsonElement element, ShowPlace& place) {
   return true;
 }
 
+// Of an origin in degrees: how to say which is the longitude; nothing where it is none.
+std::string degrees_question(JsonElement origin, JsonElement location) {
+  JsonArray list;
+  if (!origin.get(list) || list.size() < 2) return {};
+  std::vector<double> numbers;
+  for (const JsonElement item : list) {
+    double number = 0.0;
+    if (!read_json(item, number)) break;
+    numbers.push_back(number);
+  }
+  if (numbers.size() < 2 || std::abs(numbers[0]) > 180.0 || std::abs(numbers[1]) > 180.0) return {};
+  const auto heading = json_member(location, "orientation");
+  double heading_deg = 0.0;
+  if (!heading || !read_json(*heading, heading_deg)) heading_deg = 0.0;
+  const std::string one = exact(numbers[0]);
+  const std::string other = exact(numbers[1]);
+  const std::string rest =
+      "," + exact(numbers.size() > 2 ? numbers[2] : 0.0) + "," + exact(heading_deg);
+  return "its origin is in degrees, which Skybrush does not write, and does not say whether the "
+         "longitude comes first: say --origin " +
+         one + "," + other + rest + " if it does, otherwise --origin " + other + "," + one + rest +
+         (numbers.size() > 2 ? "" : " (with the height of the place instead of 0)");
+}
+
 // The axes of Skybrush are north, west, up (nwu) before they are turned.
 bool read_axes(JsonElement location, ShowPlace& place) {
   const auto type = json_member(location, "type");
@@ -160,6 +185,10 @@ std::optional<Error> read_place(ShowDocuments& documents, RecordingAssembly& ass
   const auto origin = json_member(element, "origin");
   if (!origin) return not_taken("it has no origin");
   if (!read_origin(*origin, read)) {
+    if (const std::string question = degrees_question(*origin, element); !question.empty()) {
+      assembly.note("the location of the show is not taken, as " + question);
+      return std::nullopt;
+    }
     return not_taken(
         "its origin is no latitude and longitude in whole 10^-7 degrees, with or without "
         "millimetres above mean sea level");

@@ -135,6 +135,19 @@ bool name_beside_heading(const Panel& panel, const std::string& name, Drawing& d
 
 }  // namespace
 
+Lines hatching(const Box& box) {
+  constexpr double kApart = 6.0;
+  Lines lines{{}, kAxis, 1.0};
+  const double first = std::floor((box.left + box.top) / kApart) * kApart;
+  for (double slant = first; slant < box.right() + box.bottom(); slant += kApart) {
+    // The part in the box of x + y = slant.
+    const double left = std::max(box.left, slant - box.bottom());
+    const double right = std::min(box.right(), slant - box.top);
+    if (left < right) lines.runs.push_back({{left, slant - left}, {right, slant - right}});
+  }
+  return lines;
+}
+
 std::vector<Tick> as_many_as_fit(double length, const TickMaker& make) {
   constexpr std::size_t kMost = 9;
   constexpr double kBetween = 14.0;

@@ -35,6 +35,9 @@ struct Panel {
   Axis upwards;
 };
 
+// Slanted lines through a box: what is not known.
+Lines hatching(const Box& box);
+
 // Ticks across, as many as have room for their labels; the maker is asked for at most so many.
 using TickMaker = std::function<std::vector<Tick>(std::size_t)>;
 std::vector<Tick> as_many_as_fit(double length, const TickMaker& make);

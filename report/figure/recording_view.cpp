@@ -186,6 +186,7 @@ std::vector<KeyEntry> key_of_paths(const RecordingFacts& facts, const View& from
                                         " from above"});
   }
   if (facts.tracks.size() <= kFewStarts) key.push_back({Sample::kStart, "start"});
+  if (!facts.unknown_spans.empty()) key.push_back({Sample::kUnknown, "a bee unknown"});
   if (facts.conflicts.empty()) return key;
   const bool parts = !parts_in_conflict(facts, from_above).empty();
   if (facts.conflicts.size() <= kFewConflicts) {

@@ -119,6 +119,30 @@ void draw_bands(const RecordingFacts& facts, const Panel& panel, Drawing& drawin
   }
 }
 
+// Over all its height when it is not known how close the closest two are, and at its foot when it
+// is not known where a bee is that is there.
+void draw_unknown(const RecordingFacts& facts, const Panel& panel, Drawing& drawing) {
+  constexpr double kNarrowest = 2.0;
+  constexpr double kFoot = 7.0;
+  const Box& box = panel.box;
+  const auto hatch = [&](const std::vector<TimeSpan>& spans, double height) {
+    double drawn_to = box.left - 1.0;
+    for (const TimeSpan& span : spans) {
+      const double left = std::max(drawn_to, panel.across.scale(span.begins_s));
+      const double right =
+          std::min(box.right(), std::max(left + kNarrowest, panel.across.scale(span.ends_s)));
+      if (right <= drawn_to) continue;
+      drawn_to = right;
+      drawing.shapes.emplace_back(hatching({left, box.bottom() - height, right - left, height}));
+    }
+  };
+  hatch(facts.separation_open, box.height);
+  std::vector<AtRisk> unknown;
+  for (const Gap& gap : facts.unknown_spans)
+    unknown.push_back({gap.track, {gap.begins_s, gap.ends_s}});
+  hatch(times_in_conflict(unknown), kFoot);
+}
+
 // Broken where there are no two bees for longer than from one moment to the next.
 Lines line_of(const RecordingFacts& facts, const Measure& measure, const Panel& panel) {
   const auto& all = facts.separation;
@@ -184,6 +208,7 @@ void draw_apart(const RecordingFacts& facts, const Box& box, Drawing& drawing) {
     if (place.top == upper.top) time.title.clear();
     const Panel panel{place, measure.heading, time, distance_axis(facts, measure, place)};
     draw_bands(facts, panel, drawing);
+    draw_unknown(facts, panel, drawing);
     draw_panel(panel, drawing);
     const Lines line = line_of(facts, measure, panel);
     drawing.shapes.emplace_back(line);
@@ -209,6 +234,7 @@ void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawi
   const Panel panel{box, measure.heading, time_axis(facts, box),
                     distance_axis(facts, measure, box)};
   draw_bands(facts, panel, drawing);
+  draw_unknown(facts, panel, drawing);
   draw_panel(panel, drawing);
   Lines line = line_of(facts, measure, panel);
   drawing.shapes.emplace_back(line);

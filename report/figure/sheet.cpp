@@ -69,6 +69,9 @@ double draw_sample(KeyEntry::Sample sample, Spot left, Drawing& drawing) {
                                         {left.x, left.y + 6.0}},
                                        kRiskBand});
       return 16.0;
+    case KeyEntry::Sample::kUnknown:
+      drawing.shapes.emplace_back(hatching({left.x, left.y - 6.0, 16.0, 12.0}));
+      return 18.0;
   }
   return 0.0;
 }

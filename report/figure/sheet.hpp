@@ -21,7 +21,8 @@ struct KeyEntry {
     kPath,
     kInConflict,
     kStart,
-    kBand
+    kBand,
+    kUnknown
   };
 
   Sample sample;

@@ -3,6 +3,7 @@
 #include "report/drawing/text_fit.hpp"
 #include "report/figure/style.hpp"
 #include "report/number_label.hpp"
+#include "report/separation_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,30 +28,13 @@ Range around(double low, double high, double size) {
   return {middle - 0.5 * size, middle + 0.5 * size};
 }
 
-// Kilometres where metres would have many digits.
-struct Unit {
-  double metres = 1.0;
-  const char* name = "m";
-};
-Unit unit_of(const Range& range) {
-  if (range.size() >= 20'000.0) return {1e3, "km"};
-  return {};
-}
-
-// Of inputs in the units of aviation.
-Unit mile_of(const Range& range) {
-  if (range.size() >= 9'260.0) return {1852.0, "NM"};
-  return unit_of(range);
-}
-
-Axis axis_across(const char* name, const Scale& scale, bool aviation) {
-  const Unit unit = aviation ? mile_of(scale.values()) : unit_of(scale.values());
+Axis axis_across(const char* name, const Scale& scale, const AxisUnit& unit) {
   const auto make = [&](std::size_t most) { return nice_ticks(scale.values(), most, unit.metres); };
   return {scale, as_many_as_fit(scale.high_at() - scale.low_at(), make),
           std::string(name) + " (" + unit.name + ")"};
 }
 
-Axis axis_upwards(const char* name, const Scale& scale, const Unit& unit) {
+Axis axis_upwards(const char* name, const Scale& scale, const AxisUnit& unit) {
   const double height = scale.low_at() - scale.high_at();
   const double room = (height > kGreatestSide ? 3.2 : 2.2) * kLabelSize;
   return {scale, nice_ticks(scale.values(), static_cast<std::size_t>(height / room), unit.metres),
@@ -108,17 +92,18 @@ std::vector<View> views_of(const Extent& extent, const SwarmFacts& swarm, Spot c
   const Scale y(around(low.y, high.y, unit_m * top), above.bottom(), above.top);
   const Scale z(around(low.z, high.z, up_unit_m * side), beside.bottom(), beside.top);
   const bool on_earth = swarm.origin.has_value();
-  const Axis east = axis_across(on_earth ? "East" : "x", x, swarm.aviation);
-  const Unit along = swarm.aviation ? mile_of(y.values()) : unit_of(y.values());
-  const Unit up = swarm.aviation ? Unit{0.3048, "ft"} : unit_of(z.values());
+  // One unit across and along.
+  const AxisUnit plane = axis_unit(swarm, std::max(x.values().size(), y.values().size()));
+  const Axis east = axis_across(on_earth ? "East" : "x", x, plane);
+  const AxisUnit up = swarm.aviation ? height_unit(swarm) : axis_unit(swarm, z.values().size());
   Axis unnamed = east;
   unnamed.title.clear();
   if (swarm.flat) {
-    const Axis north = axis_upwards(on_earth ? "North" : "y", y, along);
+    const Axis north = axis_upwards(on_earth ? "North" : "y", y, plane);
     return {{View::From::kAbove, {above, "From above", east, north}}};
   }
   return {{View::From::kAbove,
-           {above, "From above", unnamed, axis_upwards(on_earth ? "North" : "y", y, along)}},
+           {above, "From above", unnamed, axis_upwards(on_earth ? "North" : "y", y, plane)}},
           {View::From::kSide,
            {beside, "From the side" + stretch_label(unit_m / up_unit_m), east,
             axis_upwards(on_earth ? "Height" : "z", z, up)}}};

@@ -32,11 +32,18 @@ std::string element(std::string_view name, std::string_view text) {
   return ((out += "</") += name) += '>';
 }
 
+// Where it is not known how high the place is, heights are those above the ground.
+std::string_view altitude_mode(const SwarmFacts& swarm) {
+  return swarm.placed && !swarm.placed->height_known
+             ? "<altitudeMode>relativeToGround</altitudeMode>"
+             : "<altitudeMode>absolute</altitudeMode>";
+}
+
 class Document {
  public:
   Document(const SwarmFacts& swarm, const std::string& kept, const std::vector<std::string>& notes,
            io::AtomicOutput& output)
-      : output_(output) {
+      : output_(output), mode_(altitude_mode(swarm)) {
     output_.write(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<kml xmlns=\"http://www.opengis.net/kml/2.2\" "
@@ -61,25 +68,27 @@ class Document {
 
   void finish() { output_.write("</Document>\n</kml>\n"); }
 
+  // What heights are counted from, an element of each geometry.
+  [[nodiscard]] std::string_view mode() const { return mode_; }
+
  private:
   io::AtomicOutput& output_;
+  std::string_view mode_;
 };
 
-constexpr std::string_view kAbsolute = "<altitudeMode>absolute</altitudeMode>";
-
-std::string point(const GeographicPosition& at) {
-  return "<Point>" + std::string(kAbsolute) + element("coordinates", place_text(at, ',')) +
-         "</Point>";
+std::string point(std::string_view mode, const GeographicPosition& at) {
+  return "<Point>" + std::string(mode) + element("coordinates", place_text(at, ',')) + "</Point>";
 }
 
-std::string line(const GeographicPosition& from, const GeographicPosition& to) {
-  return "<LineString>" + std::string(kAbsolute) +
+std::string line(std::string_view mode, const GeographicPosition& from,
+                 const GeographicPosition& to) {
+  return "<LineString>" + std::string(mode) +
          element("coordinates", place_text(from, ',') + ' ' + place_text(to, ',')) +
          "</LineString>";
 }
 
-std::string track(const std::vector<Fix>& run, const MapPlaces& places) {
-  std::string out = "<gx:Track>" + std::string(kAbsolute) + '\n';
+std::string track(std::string_view mode, const std::vector<Fix>& run, const MapPlaces& places) {
+  std::string out = "<gx:Track>" + std::string(mode) + '\n';
   for (const Fix& fix : run) out += element("when", map_instant(fix.time_s)) + '\n';
   for (const Fix& fix : run) {
     out += element("gx:coord", place_text(places.of(fix.position), ' ')) + '\n';
@@ -87,19 +96,20 @@ std::string track(const std::vector<Fix>& run, const MapPlaces& places) {
   return out + "</gx:Track>";
 }
 
-std::string tracks(const MapTrack& of, const MapPlaces& places) {
-  if (of.runs.size() == 1) return track(of.runs.front(), places);
+std::string tracks(std::string_view mode, const MapTrack& of, const MapPlaces& places) {
+  if (of.runs.size() == 1) return track(mode, of.runs.front(), places);
   std::string out = "<gx:MultiTrack>\n";
-  for (const auto& run : of.runs) out += track(run, places) + '\n';
+  for (const auto& run : of.runs) out += track(mode, run, places) + '\n';
   return out + "</gx:MultiTrack>";
 }
 
-std::string polygon(const std::vector<GeographicPosition>& corners, bool to_the_ground) {
+std::string polygon(std::string_view mode, const std::vector<GeographicPosition>& corners,
+                    bool to_the_ground) {
   std::string places;
   for (const GeographicPosition& corner : corners) places += place_text(corner, ',') + ' ';
   places += place_text(corners.front(), ',');
   return "<Polygon>" + std::string(to_the_ground ? "<extrude>1</extrude>" : "") +
-         std::string(kAbsolute) + "<outerBoundaryIs><LinearRing>" + element("coordinates", places) +
+         std::string(mode) + "<outerBoundaryIs><LinearRing>" + element("coordinates", places) +
          "</LinearRing></outerBoundaryIs></Polygon>";
 }
 
@@ -110,15 +120,16 @@ std::vector<GeographicPosition> at_height(std::vector<GeographicPosition> corner
 }
 
 // Its roof, down to the ground where it has no lower end; otherwise its floor and its walls too.
-std::string solid(const MapObstacle& obstacle) {
+std::string solid(std::string_view mode, const MapObstacle& obstacle) {
   const auto roof = at_height(obstacle.outline, obstacle.high_m);
-  if (!std::isfinite(obstacle.heights.low_m)) return polygon(roof, true);
-  if (obstacle.low_m == obstacle.high_m) return polygon(roof, false);
+  if (!std::isfinite(obstacle.heights.low_m)) return polygon(mode, roof, true);
+  if (obstacle.low_m == obstacle.high_m) return polygon(mode, roof, false);
   const auto& floor = obstacle.outline;
-  std::string faces = polygon(roof, false) + polygon({floor.rbegin(), floor.rend()}, false);
+  std::string faces =
+      polygon(mode, roof, false) + polygon(mode, {floor.rbegin(), floor.rend()}, false);
   for (std::size_t i = 0; i < floor.size(); ++i) {
     const std::size_t next = (i + 1) % floor.size();
-    faces += polygon({floor[i], floor[next], roof[next], roof[i]}, false);
+    faces += polygon(mode, {floor[i], floor[next], roof[next], roof[i]}, false);
   }
   return "<MultiGeometry>" + faces + "</MultiGeometry>";
 }
@@ -127,7 +138,7 @@ void add_obstacles(const MapObstacles& map, Document& document) {
   if (map.obstacles.empty()) return;
   document.begin_folder("Obstacles");
   for (const MapObstacle& obstacle : map.obstacles) {
-    document.add(obstacle.name, obstacle.words, {}, "obstacle", solid(obstacle));
+    document.add(obstacle.name, obstacle.words, {}, "obstacle", solid(document.mode(), obstacle));
   }
   document.end_folder();
 }
@@ -144,8 +155,8 @@ void add_conflicts(const RecordingFacts& facts, std::size_t count, const MapPlac
                              element("end", map_instant(c.ends_s)) + "</TimeSpan>";
     document.add(pair_name(facts.swarm.names, c.first, c.second), conflict_words(facts, i), time,
                  "risk",
-                 "<MultiGeometry>" + point(places.of(middle_of(*a, *b))) +
-                     line(places.of(*a), places.of(*b)) + "</MultiGeometry>");
+                 "<MultiGeometry>" + point(document.mode(), places.of(middle_of(*a, *b))) +
+                     line(document.mode(), places.of(*a), places.of(*b)) + "</MultiGeometry>");
   }
   document.end_folder();
 }
@@ -164,14 +175,15 @@ std::vector<std::string> write_kml(const SnapshotFacts& facts, io::AtomicOutput&
   for (std::size_t i = 0; i < bees; ++i) {
     const PointId bee = facts.at_risk[i];
     document.add(names.of(bee), nearest_words(facts.closest_in_conflict[i], facts.swarm), {},
-                 "risk", point(places.of(facts.positions[bee])));
+                 "risk", point(document.mode(), places.of(facts.positions[bee])));
   }
   document.end_folder();
   document.begin_folder("Pairs too close");
   for (std::size_t i = 0; i < pairs; ++i) {
     const auto& [first, second] = facts.pairs[i];
     document.add(pair_name(names, first, second), pair_words(facts, i), {}, "risk",
-                 line(places.of(facts.positions[first]), places.of(facts.positions[second])));
+                 line(document.mode(), places.of(facts.positions[first]),
+                      places.of(facts.positions[second])));
   }
   document.end_folder();
   add_obstacles(obstacles, document);
@@ -191,7 +203,7 @@ std::vector<std::string> write_kml(const RecordingFacts& facts, io::AtomicOutput
   add_conflicts(facts, conflicts, places, document);
   document.begin_folder("Paths");
   for (const MapTrack& of : map.tracks) {
-    document.add(facts.swarm.names.of(of.bee), {}, {}, "path", tracks(of, places));
+    document.add(facts.swarm.names.of(of.bee), {}, {}, "path", tracks(document.mode(), of, places));
   }
   document.end_folder();
   add_obstacles(obstacles, document);

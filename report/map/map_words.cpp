@@ -34,6 +34,11 @@ std::string separation_words(const SwarmFacts& swarm, double metres,
 
 std::string height_reference(const SwarmFacts& swarm) {
   if (swarm.flat) return "The input has no heights: all are shown at height 0.";
+  if (swarm.placed && !swarm.placed->height_known) {
+    return "Heights are those above the place of take-off, of which the input does not say how "
+           "high it is: in KML they are above the ground, elsewhere as if it were at height 0. "
+           "--origin lon,lat,height,heading says how high it is.";
+  }
   if (swarm.heights.by_pressure) {
     return "Heights are those by pressure of the standard atmosphere, as the input has them: as "
            "heights over the ground they are wrong by as much as the weather differs from it.";

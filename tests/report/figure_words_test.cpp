@@ -81,6 +81,73 @@ TEST(FigureWords, OthersAreToldInMetres) {
   EXPECT_TRUE(says(texts, "Distance (m)"));
 }
 
+// Feet both ways, or millimetres: not metres across beside feet upwards.
+TEST(FigureWords, AxesAreInTheUnitsOfWhatIsTooClose) {
+  RecordingFacts facts = crossing();
+  facts.swarm.origin.reset();
+  facts.swarm.vertical_m.reset();
+  facts.swarm.threshold_m = 5.0 * kFoot_m;
+  const double from_s = facts.conflicts[0].begins_s;
+  const double to_s = facts.conflicts[0].ends_s;
+  facts.tracks = {Track{{{from_s, {0, 0, 0}}, {to_s, {30, 0, 10}}}},
+                  Track{{{from_s, {0, 1, 0}}, {to_s, {30, 20, 10}}}}};
+  facts.closest_apart.reset();
+  facts.conflicts_apart.clear();
+  facts.conflicts[0].closest_m = 1.15 * kFoot_m;
+  facts.closest = facts.conflicts[0];
+  for (Separation& at : facts.separation) at.apart.reset();
+  const auto feet = texts_of(figure_of(facts));
+  for (const char* part : {"x (ft)", "y (ft)", "z (ft)", "Distance (ft)", "closest: 1.15 ft",
+                           "1.15 ft at ", "closer than 5 ft"}) {
+    EXPECT_TRUE(says(feet, part)) << part;
+  }
+  facts.swarm.aviation = false;
+  facts.swarm.threshold_m = 0.003;
+  facts.tracks = {Track{{{from_s, {0, 0, 0}}, {to_s, {0.4, 0, 0.1}}}},
+                  Track{{{from_s, {0, 0.01, 0}}, {to_s, {0.3, 0.2, 0.1}}}}};
+  const auto small = texts_of(figure_of(facts));
+  for (const char* part : {"x (mm)", "y (mm)", "z (mm)", "Distance (mm)", "closer than 3 mm"}) {
+    EXPECT_TRUE(says(small, part)) << part;
+  }
+  EXPECT_FALSE(says(small, "(m)"));
+}
+
+// The slanted lines of what is hatched.
+std::vector<Spot> hatched(const Drawing& drawing) {
+  std::vector<Spot> spots;
+  for (const Shape& shape : drawing.shapes) {
+    const auto* lines = std::get_if<Lines>(&shape);
+    if (lines == nullptr || lines->ink.rgb != kAxis.rgb) continue;
+    for (const auto& run : lines->runs) {
+      const bool slanted = run.size() == 2 && run[0].x != run[1].x && run[0].y != run[1].y;
+      if (slanted) spots.insert(spots.end(), run.begin(), run.end());
+    }
+  }
+  return spots;
+}
+
+double highest_in_the_chart(const Drawing& drawing) {
+  constexpr double kChartLeft = 800.0;
+  double y = HUGE_VAL;
+  for (const Spot& spot : hatched(drawing)) {
+    if (spot.x > kChartLeft) y = std::min(y, spot.y);
+  }
+  return y;
+}
+
+// Over the chart where the closest two are unknown, and at its foot where any bee is.
+TEST(FigureWords, WhatIsUnknownIsHatched) {
+  RecordingFacts facts = crossing();
+  const double begins_s = facts.at_risk[0].span.begins_s;
+  EXPECT_TRUE(hatched(figure_of(facts)).empty());
+  EXPECT_FALSE(says(texts_of(figure_of(facts)), "a bee unknown"));
+  facts.unknown_spans = {{0, begins_s + 100, begins_s + 200}};
+  EXPECT_TRUE(says(texts_of(figure_of(facts)), "a bee unknown"));
+  const double foot = highest_in_the_chart(figure_of(facts));
+  facts.separation_open = {{begins_s + 100, begins_s + 200}};
+  EXPECT_LT(highest_in_the_chart(figure_of(facts)), foot - 80.0);
+}
+
 // What is below a limit is never rounded up to it.
 TEST(FigureWords, NothingBelowALimitLooksAsIfItWereNot) {
   SwarmFacts swarm = crossing().swarm;

@@ -221,6 +221,20 @@ TEST(RecordingJson, GapsAreWrittenAsTheFixBeforeThem) {
   EXPECT_EQ(read.numbers(read["absent_after"]), (std::vector<std::uint64_t>{1, 3}));
 }
 
+TEST(RecordingJson, WhenBeesAreUnknownIsWritten) {
+  RecordingFacts facts;
+  facts.tracks = {{{{10, {}}, {11, {}}, {60, {}}}}, {{{10, {}}, {40, {}}}}};
+  const Read known(facts);
+  EXPECT_FALSE(has(known.json.root(), "unknown"));
+  EXPECT_FALSE(has(known["separation"], "open"));
+  facts.unknown_spans = {{0, 11.0, 60.0}, {1, 40.0, 60.0}};
+  facts.separation_open = {{11.5, 20.0}, {30.0, 60.0}};
+  const Read read(facts);
+  EXPECT_EQ(read.numbers(read["unknown"]["bee"]), (std::vector<std::uint64_t>{0, 1}));
+  EXPECT_EQ(read.values(read["unknown"]["ends_s"]), (std::vector<double>{50.0, 50.0}));
+  EXPECT_EQ(read.values(read["separation"]["open"]["ends_s"]), (std::vector<double>{10.0, 50.0}));
+}
+
 // A recording from `begins_s` on with conflicts now and then.
 RecordingFacts with_conflicts(SceneMaker& make, double begins_s, bool regular) {
   RecordingFacts facts = flights(make, begins_s, regular ? 0.5 : 0.0, 5.0);

@@ -159,6 +159,43 @@ TEST(Coverage, DronesThatEndInTheAirAreCutOff) {
   EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_cut_off, 2U);
 }
 
+// In gaps, and in the air before the first fix or after the last one; not where one has landed.
+TEST(Coverage, TellsWhenItIsNotKnownWhereABeeIs) {
+  io::Recording recording;
+  recording.frame = io::Frame::kMetres;
+  recording.bees = {bee_at("a", {0, 30, 59, 60}), bee_at("b", {5, 15, 19, 20}),
+                    bee_at("c", {0, 15, 19, 20})};
+  for (io::RecordedBee& bee : recording.bees) bee.fixes[1].position.z = 10.0;
+  for (const std::size_t i : {0U, 2U, 3U}) recording.bees[1].fixes[i].position.z = 5.0;
+  const std::vector<Gap> gaps = {{0, 30.0, 59.0}, {1, 5.0, 15.0}};
+  EXPECT_EQ(unknown_spans(recording, gaps, {8.0, {}, true}),
+            (std::vector<Gap>{{0, 30.0, 59.0}, {1, 0.0, 5.0}, {1, 5.0, 15.0}, {1, 20.0, 60.0}}));
+  // There without a place, and in the air: both are one.
+  recording.bees[1].unplaced_until_s = 40.0;
+  EXPECT_EQ(unknown_spans(recording, {}, {8.0, {}, true}),
+            (std::vector<Gap>{{1, 0.0, 5.0}, {1, 20.0, 60.0}}));
+  recording.bees[2].unplaced_until_s = 30.0;
+  EXPECT_EQ(unknown_spans(recording, {}, {8.0, {}, true}).back(), (Gap{2, 20.0, 30.0}));
+}
+
+// One slow log among fast ones: said is whose it is, and what joins its fixes.
+TEST(Coverage, NamesWhoIsHeardOfSeldom) {
+  io::Recording recording;
+  recording.bees = {bee_at("a", {0, 1, 2, 3, 4, 5}), bee_at("b", {0, 1, 2, 3, 4, 5}),
+                    bee_at("c", {0, 10, 20, 30, 40}), bee_at("d", {0, 1, 2, 3, 90})};
+  const MaxGap max_gap = max_gap_of(recording, {});
+  ASSERT_EQ(max_gap.seconds, 5.0);
+  std::vector<Gap> gaps;
+  for (double time_s = 0.0; time_s < 40.0; time_s += 10.0) gaps.push_back({2, time_s, time_s + 10});
+  gaps.push_back({3, 3.0, 90.0});
+  const Coverage coverage = coverage_of(recording, gaps, max_gap);
+  EXPECT_EQ(coverage.slow, (std::vector<PointId>{2}));
+  EXPECT_EQ(slow_text(coverage, recording),
+            "c has a fix every 10 s, which is more than the max gap, and is hardly ever known: "
+            "--max-gap 50 joins such fixes by straight lines");
+  EXPECT_EQ(slow_text(coverage_of(recording, {{3, 3.0, 90.0}}, max_gap), recording), "");
+}
+
 TEST(TrackEnds, AreTheFirstTwoAndTheLastTwo) {
   TrackEnds ends;
   for (const double time_s : {5.0, 3.0, 9.0, 3.0, 1.0, 7.0})

@@ -107,6 +107,24 @@ TEST_F(PairFacts, WaysEndWhereABeeIsUnknown) {
   EXPECT_EQ(facts.pair_ways[0].times_s.back(), 4.0);
 }
 
+// From the last moment before to the first one after the gap.
+TEST_F(PairFacts, InAGapTheClosestTwoAreNotKnown) {
+  constexpr const char* kInAGap =
+      "id,time_s,x,y,z\na,0,0,0,0\na,4,0,0,0\na,100,0,0,0\na,104,0,0,0\n"
+      "b,0,-10,5,0\nb,4,10,5,0\nb,8,20,5,0\nb,12,30,5,0\n";
+  for (const std::optional<double> vertical_m : {std::optional<double>{}, {3.0}}) {
+    auto request = within(20.0, vertical_m);
+    request.max_gap_s = 5.0;
+    const auto facts = this->facts<report::RecordingFacts>(kInAGap, request);
+    EXPECT_EQ(facts.unknown_spans, (std::vector<Gap>{{0, 4.0, 100.0}}));
+    ASSERT_EQ(facts.separation_open.size(), 1U);
+    const double step_s = 104.0 / 600.0;
+    EXPECT_NEAR(facts.separation_open[0].begins_s, 4.0, 1.1 * step_s);
+    EXPECT_NEAR(facts.separation_open[0].ends_s, 12.0, 1.1 * step_s);
+    for (const report::Separation& at : facts.separation) EXPECT_LE(at.time_s, 4.0);
+  }
+}
+
 TEST_F(PairFacts, OfPairsThatKeepApartTheClosestHasItsWay) {
   const auto facts = this->facts<report::RecordingFacts>(
       "id,time_s,x,y,z\na,0,0,0,0\na,10,0,0,0\nb,0,-50,30,0\nb,10,50,30,0\n", within(20.0, {}));

@@ -152,6 +152,15 @@ TEST(AnswersForPeople, SmallThingsAreToldInTheirUnits) {
   expect_parts(run({"replay", "--threshold", "20mm"}, near).err, {"15.8 mm apart"});
 }
 
+// Drones a foot apart are not told in nautical miles.
+TEST(AnswersForPeople, WhoSpeaksOfFeetIsToldInFeet) {
+  const std::string show =
+      "id,time_s,x,y,z\na,0,0,0,5\na,9,0,0,5\nb,0,0.35052,0,5\nb,9,0.35052,0,5\n";
+  expect_parts(run({"replay", "--threshold", "5ft"}, show).err, {"1.15 ft (0.351 m) apart"});
+  expect_parts(run({"replay", "--threshold", "500ft"}, show).err, {"1 ft (0.351 m) apart"});
+  expect_parts(run({"replay", "--threshold", "0.05NM"}, show).err, {" NM (0.351 m) apart"});
+}
+
 TEST(AnswersForPeople, UnitsOfAviationMayBeAskedForOrNot) {
   const Arguments question = {"replay", "--threshold", "9260", "--vertical",
                               "300",    "--max-gap",   "never"};

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -263,7 +264,7 @@ TEST_F(ShowReplay, ADroneThatNeverTakesOffIsThereForThoseThatFly) {
   EXPECT_EQ(finished.exit_code, 1);
   expect_parts(finished.err,
                {"bees       3\n", "1 conflict of 1 pair, 1 with a drone on the ground",
-                "closest    spare and lands, 1.000 m apart"});
+                "closest    spare and lands, 1.000 m apart", "s, with a drone on the ground\n"});
   EXPECT_EQ(rows_of(run({"replay", path, "--report", "bees"}).out).size(), 3u);
   const Finished verify = run({"verify", path, "--threshold", "1.5"});
   EXPECT_EQ(verify.exit_code, 1);
@@ -271,6 +272,113 @@ TEST_F(ShowReplay, ADroneThatNeverTakesOffIsThereForThoseThatFly) {
   const Finished page =
       run({"report", path, "--threshold", "1.5", "--output", folder_.path("x.html")});
   EXPECT_EQ(page.exit_code, 0) << page.err;
+}
+
+// Two that stand 1 m beside each other until 5 s, and a third that never takes off: as a show and
+// as tables.
+TEST_F(ShowReplay, TablesLeaveTheTimeOnTheGroundOutAsShowsDo) {
+  const auto path = [](const std::string& y) {
+    return "[0, [0, " + y + ", 0], []], [5, [0, " + y + ", 0], []], [10, [0, " + y +
+           "0, 10], []], [15, [0, " + y + ", 0], []], [20, [0, " + y + ", 0], []]";
+  };
+  const std::string show =
+      folder_.file("show.json", R"({"version": 1, "settings": {}, "swarm": {"drones": [)" +
+                                    drone("a", path("1")) + "," + drone("b", path("2")) + "," +
+                                    drone("c", "[0, [0, 3, 0], []], [20, [0, 3, 0], []]") + "]}}");
+  const auto table = [&](const std::string& name, const std::string& y, bool flies) {
+    std::string rows = "Time_msec,x_m,y_m,z_m,Red,Green,Blue\n";
+    for (int t = 0; t <= 20; t += 5) {
+      rows +=
+          std::to_string(t * 1000) + ",0," + y + (flies && t == 10 ? "0,10" : ",0") + ",0,0,0\n";
+    }
+    folder_.file("tables/" + name + ".csv", rows);
+  };
+  std::filesystem::create_directory(folder_.path("tables"));
+  table("a", "1", true);
+  table("b", "2", true);
+  table("c", "3", false);
+  for (const Arguments& more : {Arguments{}, Arguments{"--grounded"}}) {
+    const Finished of_show = run(Arguments{"replay", show, "--threshold", "1.5"} + more);
+    const Finished of_tables =
+        run(Arguments{"replay", folder_.path("tables"), "--threshold", "1.5"} + more);
+    const auto rows = rows_of(of_show.out);
+    const auto others = rows_of(of_tables.out);
+    ASSERT_EQ(rows.size(), others.size()) << of_show.out << of_tables.out;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(rows[i][k], others[i][k]) << of_tables.out;
+    }
+    if (!more.empty()) continue;
+    for (const Finished& one : {of_show, of_tables}) {
+      expect_parts(one.err, {"from       5.00 s to 15.00 s", "2 drones stand on the ground",
+                             "1 drone never leaves the ground", "with a drone on the ground"});
+    }
+  }
+}
+
+// 1.92 - 1.12 is 0.8, though of doubles it is less.
+TEST_F(ShowReplay, AShowAtExactlyItsOwnDistanceKeepsIt) {
+  const auto show = [](const std::string& first, const std::string& second) {
+    return R"({"version": 1, "settings": {"validation": {"minDistance": 0.8}}, )"
+           R"("swarm": {"drones": [)" +
+           flight("left", first) + "," + flight("right", second) + "]}}";
+  };
+  const std::string table =
+      "Time_msec,x_m,y_m,z_m,Red,Green,Blue\n0,0,Y,0,0,0,0\n2000,0,Y,9,0,0,0\n"
+      "4000,0,Y,0,0,0,0\n";
+  const auto at = [&](const std::string& name, const std::string& y) {
+    std::string rows = table;
+    for (auto k = rows.find('Y'); k != std::string::npos; k = rows.find('Y')) rows.replace(k, 1, y);
+    return folder_.file(name, rows);
+  };
+  for (const auto& [second, exit_code] : {std::pair("1.92", 0), {"1.919999", 1}}) {
+    const std::string file = folder_.file("show.json", show("1.12", second));
+    const Finished replayed = run({"replay", file, "--fail-on-risk"});
+    EXPECT_EQ(replayed.exit_code, exit_code) << replayed.err;
+    EXPECT_EQ(run({"verify", file}).exit_code, exit_code);
+    if (exit_code == 0) {
+      expect_parts(replayed.err, {"verdict    keeps its distance\n", " 0.800 m apart at "});
+    }
+    const Arguments tables = {at("left.csv", "1.12"), at("right.csv", second), "--threshold",
+                              "0.8"};
+    EXPECT_EQ(run(Arguments{"replay", "--fail-on-risk"} + tables).exit_code, exit_code);
+    EXPECT_EQ(run(Arguments{"verify"} + tables).exit_code, exit_code);
+  }
+}
+
+// Of several conflicts those in the air come first, however close one lands beside a parked drone.
+TEST_F(ShowReplay, TheClosestTwoInTheAirAreNamedBeforeThoseOnTheGround) {
+  const auto show = [](const std::string& y) {
+    return R"({"version": 1, "settings": {}, "swarm": {"drones": [)" +
+           drone("spare", "[0, [0, 0, 0], []], [60, [0, 0, 0], []]") + "," +
+           drone("lands",
+                 "[0, [20, 0, 0], []], [3, [20, 0, 5], []], [6, [-1, 0, 5], []], "
+                 "[9, [-1, 0, 0], []]") +
+           "," +
+           drone("beside", "[0, [20, " + y + ", 0], []], [3, [20, " + y + ", 5], []], [6, [20, " +
+                               y + ", 0], []]") +
+           "]}}";
+  };
+  const std::string near = folder_.file("near.json", show("1.5"));
+  const Finished replayed = run({"replay", near, "--threshold", "2"});
+  expect_parts(replayed.err, {"2 conflicts of 2 pairs, 1 with a drone on the ground\n",
+                              "closest    lands and beside, 1.500 m apart at ",
+                              "\n             spare and lands, 1.000 m apart at ",
+                              ", with a drone on the ground\n  worst      lands and beside, ",
+                              "\n             spare and lands, 1.000 m apart at "});
+  const Finished verified = run({"verify", near, "--threshold", "2"});
+  expect_parts(verified.err, {"closest    lands and beside, 1.500 m apart at ",
+                              "\n             spare and lands, 1.000 m apart at ",
+                              "losses     2 conflicts, 1 with a drone on the ground\n"
+                              "             lands and beside, 1.500 m apart at "});
+  const Finished json = run({"replay", near, "--threshold", "2", "--json"});
+  expect_parts(json.out,
+               {R"("with_standing_count": 1)", R"("closest_in_the_air": {"first": "lands")",
+                R"("closest": {"first": "spare")"});
+  // Also where those in the air keep apart.
+  const Finished far = run({"replay", folder_.file("far.json", show("3")), "--threshold", "2"});
+  expect_parts(far.err, {"1 conflict of 1 pair, 1 with a drone on the ground\n",
+                         "closest    lands and beside, 3.000 m apart at ",
+                         "\n             spare and lands, 1.000 m apart at "});
 }
 
 // Who hovers still at the lowest height of a show that is all in the air does not stand.

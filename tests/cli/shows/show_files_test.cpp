@@ -223,6 +223,47 @@ TEST(ShowPlace, OfAShowIsNotGuessed) {
       with(R"({"origin": [474729200, 190620700], "orientation": 30, "type": "neu"})").exit_code, 0);
 }
 
+// Which comes first is asked for, with what to type.
+TEST(ShowPlace, InDegreesIsAskedFor) {
+  const TemporaryFolder folder;
+  std::string show = text_of_file(show_file("ring.json"));
+  const std::string location = "[474729200, 190620700, 130500]";
+  const auto exported = [&](const std::string& origin, const Arguments& more = {}) {
+    std::string other = show;
+    other.replace(other.find(location), location.size(), origin);
+    return run(Arguments{"export", folder.file("ring.json", other), "--format", "kml"} + more);
+  };
+  const Finished flat = exported("[19.06, 47.48]");
+  EXPECT_EQ(flat.exit_code, 2);
+  expect_parts(flat.err, {"--origin 19.06,47.48,0,30 if it does, otherwise --origin "
+                          "47.48,19.06,0,30 (with the height of the place instead of 0)"});
+  expect_parts(exported("[19.06, 47.48, 110]").err, {"otherwise --origin 47.48,19.06,110,30 (see"});
+  EXPECT_EQ(exported("[19.06, 47.48]", {"--origin", "19.06,47.48,0,30"}).exit_code, 0);
+}
+
+// Heights then are those above the ground, and that is said.
+TEST(ShowPlace, WithoutAHeightIsOnTheGround) {
+  const TemporaryFolder folder;
+  std::string show = text_of_file(show_file("ring.json"));
+  const std::string location = "[474729200, 190620700, 130500]";
+  const auto exported = [&](const std::string& format) {
+    return run({"export", folder.path("ring.json"), "--format", format});
+  };
+  folder.file("ring.json", show);
+  EXPECT_EQ(exported("kml").out.find("relativeToGround"), std::string::npos);
+  show.replace(show.find(location), location.size(), "[474729200, 190620700]");
+  folder.file("ring.json", show);
+  const Finished kml = exported("kml");
+  expect_parts(kml.out, {"<altitudeMode>relativeToGround</altitudeMode>", "19.06208"});
+  EXPECT_EQ(kml.out.find("absolute"), std::string::npos);
+  for (const char* const format : {"kml", "czml"}) {
+    expect_parts(exported(format).out, {"of which the input does not say how high it is"});
+  }
+  expect_parts(exported("geojson").err,
+               {"as the show says, which gives no height: heights are those above the place of "
+                "take-off"});
+}
+
 TEST(ShowLimits, ThatAreNoneAreErrors) {
   const TemporaryFolder folder;
   std::string show = text_of_file(show_file("ring.json"));

@@ -95,7 +95,8 @@ TEST(Show, TheTimeOnTheGroundIsLeftOutAndThatIsReported) {
   EXPECT_EQ(path.begin, (Point{1, 2, 0}));
   EXPECT_EQ(path.pieces.size(), 2u);
   EXPECT_TRUE(has_note(recording_of(load_show(show(drone("a", kTrajectory)))),
-                       "the time on the ground of 1 drone is left out"));
+                       "1 drone stands on the ground before take-off or after landing: compared "
+                       "with those that fly then, and not with others that stand; --grounded"));
   RecordingOptions grounded;
   grounded.grounded = true;
   EXPECT_TRUE(recording_of(load_show(show(drone("a", kTrajectory)), grounded)).notes.empty());

@@ -139,7 +139,9 @@ export interface RecordingHead extends SwarmHead {
     ApartPlaces;
   pair_ways: PairWaysHead;
   at_risk: Places<'bee' | 'begins_s' | 'ends_s'>;
-  separation: Places<'time_s' | 'distance_m' | 'first' | 'second'> & ApartPlaces;
+  /** When bees are there, and it is not known where; absent: never. */
+  unknown?: Places<'bee' | 'begins_s' | 'ends_s'>;
+  separation: Places<'time_s' | 'distance_m' | 'first' | 'second'> & ApartPlaces & { open?: Places<'begins_s' | 'ends_s'> };
   fleet?: FleetHead;
   limits_kept?: LimitsKept;
   cues?: Cue[];

@@ -28,6 +28,8 @@ export interface Separation {
   second: Uint32Array;
   /** With a vertical threshold: of those who are nearest to a conflict. */
   apart: Apart | null;
+  /** When it is not known, as one may be closer in its gap; ascending. */
+  open: { begins_s: Float64Array; ends_s: Float64Array };
 }
 
 export interface Recording {
@@ -38,6 +40,8 @@ export interface Recording {
   fixes: Fixes;
   conflicts: Conflicts;
   spans: Spans;
+  /** When bees are there, and it is not known where. */
+  unknown: Spans;
   separation: Separation;
   pairWays: PairWays;
   fleet: Fleet | null;
@@ -53,6 +57,25 @@ async function readConflicts(places: RecordingHead['conflicts']): Promise<Confli
     distance_m: await readMeasures(places.distance_m),
     certain: await readCounts(places.certain),
     apart: await readApart(places),
+  };
+}
+
+async function readSpans(places: RecordingHead['at_risk'] | undefined): Promise<Spans> {
+  const none = new Float64Array(0);
+  if (!places) return new Spans(new Uint32Array(0), none, none);
+  return new Spans(await readCounts(places.bee), await readMeasures(places.begins_s), await readMeasures(places.ends_s));
+}
+
+async function readSeparation(places: RecordingHead['separation']): Promise<Separation> {
+  const none = new Float64Array(0);
+  const { open } = places;
+  return {
+    time_s: await readMeasures(places.time_s),
+    distance_m: await readMeasures(places.distance_m),
+    first: await readCounts(places.first),
+    second: await readCounts(places.second),
+    apart: await readApart(places),
+    open: open ? { begins_s: await readMeasures(open.begins_s), ends_s: await readMeasures(open.ends_s) } : { begins_s: none, ends_s: none },
   };
 }
 
@@ -72,18 +95,9 @@ export async function readRecording(head: RecordingHead): Promise<Recording> {
     box: boxAround(positions),
     fixes: new Fixes(counts, time, positions, await readCounts(head.absent_after)),
     conflicts,
-    spans: new Spans(
-      await readCounts(head.at_risk.bee),
-      await readMeasures(head.at_risk.begins_s),
-      await readMeasures(head.at_risk.ends_s),
-    ),
-    separation: {
-      time_s: await readMeasures(head.separation.time_s),
-      distance_m: await readMeasures(head.separation.distance_m),
-      first: await readCounts(head.separation.first),
-      second: await readCounts(head.separation.second),
-      apart: await readApart(head.separation),
-    },
+    spans: await readSpans(head.at_risk),
+    unknown: await readSpans(head.unknown),
+    separation: await readSeparation(head.separation),
     pairWays: await readPairWays(head.pair_ways, head.vertical_m !== undefined),
     fleet: head.fleet ? await readFleet(head.fleet) : null,
   };

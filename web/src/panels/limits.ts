@@ -1,5 +1,5 @@
 // How a drone show keeps the limits that it declares, and its cues.
-import type { LimitName, RecordingHead } from '../data/page';
+import type { LimitName, LimitsKept, RecordingHead } from '../data/page';
 import { button, element, panel } from '../text/element';
 import { isolate, nameElement } from '../text/names';
 import { decimalsWithin, formatCount, formatDigits, formatTime } from '../text/numbers';
@@ -74,12 +74,16 @@ function excessList(shown: Shown, head: RecordingHead, actions: Actions): HTMLEl
 }
 
 /** Distances are told elsewhere. */
-function headline({ limits_kept }: RecordingHead): HTMLElement {
-  const { count, greatest, not_looked_at = [] } = limits_kept ?? { count: 0, greatest: [] };
+export function headlineOf({ count, greatest, not_looked_at = [] }: Pick<LimitsKept, 'count' | 'greatest' | 'not_looked_at'>): { text: string; risky: boolean } {
   const kept = greatest.length > 0 ? ['Greatest speeds and height that the show declares: kept.'] : [];
   const told = count === 0 ? kept : [`Beyond what the show declares: ${formatCount(count)} ${count === 1 ? 'stretch' : 'stretches'}.`];
   if (not_looked_at.length > 0) told.push(`Declared, but not looked at: ${not_looked_at.join(', ')}.`);
-  return element('p', { class: count > 0 || not_looked_at.length > 0 ? 'rule risky' : 'rule' }, told.join(' '));
+  return { text: told.join(' '), risky: count > 0 || not_looked_at.length > 0 };
+}
+
+function headline({ limits_kept }: RecordingHead): HTMLElement {
+  const { text, risky } = headlineOf(limits_kept ?? { count: 0, greatest: [] });
+  return element('p', { class: risky ? 'rule risky' : 'rule' }, text);
 }
 
 function cueList(head: RecordingHead, shown: Shown, toTime: (shown: Shown, time_s: number) => void): HTMLElement | null {

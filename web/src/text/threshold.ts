@@ -6,8 +6,11 @@ import { formatExactly } from './numbers';
 /** In the words of those who made the input: 5 NM and 1,000 ft, then in metres. */
 export function tooClose(head: Head): string {
   const threshold = formatExactly(head.threshold_m);
-  if (head.vertical_m === undefined) return head.inclusive ? `at most ${threshold} apart` : `closer than ${threshold}`;
   const { horizontal, vertical } = limitsOf(head);
+  if (head.vertical_m === undefined) {
+    const text = head.inclusive ? `at most ${horizontal} apart` : `closer than ${horizontal}`;
+    return head.heights?.in_feet ? `${text} (${threshold})` : text;
+  }
   const text = head.inclusive
     ? `at most ${horizontal} apart horizontally and ${vertical} in height`
     : `closer than ${horizontal} horizontally and ${vertical} in height`;

@@ -1,6 +1,7 @@
 // How far apart the closest two are, moment by moment, and below it when any bee is in conflict.
 // The plot is the time line too: it says where one is, and takes one elsewhere.
 import { sampleAt } from '../data/recording';
+import type { Spans } from '../data/spans';
 import type { Shown } from '../panels/shown';
 import { drawing, element } from '../text/element';
 import { isolate } from '../text/names';
@@ -10,6 +11,7 @@ import { measuresOf, type Measure, type Recorded } from './measures';
 import { momentsWithin } from './moments';
 import { conflictColumns, plotScale, type PlotScale } from './plot_scales';
 import { cueMarks, excessColumns } from './show_marks';
+import { hatched, hatchPattern, isOpenAt, kUnknownHere, openBands, runsOf, timeName, unknownText } from './unknown';
 
 const kLeft = 66;
 const kRight = 12;
@@ -19,6 +21,9 @@ const kCurve = { alone: 64, ofTwo: 42 };
 const kStrip = 16;
 const kBottom = 18;
 const kGap = 9;
+
+/** How many are so in each of so many columns of the time. */
+type Counting = (columns: number, duration_s: number) => number[];
 
 export class SeparationPlot {
   readonly box: HTMLElement;
@@ -47,7 +52,7 @@ export class SeparationPlot {
         class: 'plot',
         role: 'slider',
         tabindex: '0',
-        'aria-label': 'Time',
+        'aria-label': timeName(this.#recorded),
         'aria-valuemin': String(clock.begins_s),
         'aria-valuemax': String(clock.ends_s),
       },
@@ -100,11 +105,13 @@ export class SeparationPlot {
       const within_s = time - this.times.clockTime(shown, 0);
       const sample = sampleAt(separation.time_s, within_s);
       const start = shown.label ? `${shown.label}: ` : '';
-      const risk = `${start}${formatCount(spans.beesAt(within_s).length)} in conflict`;
-      if (sample < 0) return [risk];
+      const unknown = unknownText(shown.swarm, within_s);
+      const risk = [`${start}${formatCount(spans.beesAt(within_s).length)} in conflict`, ...(unknown ? [unknown] : [])];
+      if (isOpenAt(separation, within_s)) return [...risk, `closest two ${kUnknownHere}: another may be closer`];
+      if (sample < 0) return risk;
       const apart = this.#measures.map(({ of, text }) => text(of(shown.swarm)[sample], shown.swarm)).join(', ');
       const pair = [separation.first[sample], separation.second[sample]].map((bee) => isolate(names.of(bee))).join(' and ');
-      return [risk, `${apart}: ${pair}`];
+      return [...risk, `${apart}: ${pair}`];
     });
     const when = formatTime(zero_s + time, since1970, decimalsWithin(clock.ends_s - clock.begins_s));
     this.#tip.replaceChildren(...[when, ...lines].map((line) => element('div', {}, line)));
@@ -121,7 +128,8 @@ export class SeparationPlot {
     this.#cursor.setAttribute('x1', x);
     this.#cursor.setAttribute('x2', x);
     this.box.setAttribute('aria-valuenow', time.toFixed(3));
-    this.box.setAttribute('aria-valuetext', formatTime(zero_s + time, since1970, decimalsFor(clock.step_s)));
+    const unknown = this.#recorded.flatMap((shown) => unknownText(shown.swarm, this.times.within(shown)) ?? []);
+    this.box.setAttribute('aria-valuetext', [formatTime(zero_s + time, since1970, decimalsFor(clock.step_s)), ...unknown].join(', '));
   }
 
   #xOf(time: number): number {
@@ -139,6 +147,7 @@ export class SeparationPlot {
     this.#svg.setAttribute('viewBox', `0 0 ${this.#width} ${height}`);
     this.#svg.setAttribute('height', String(height));
     this.#svg.replaceChildren(
+      hatchPattern(),
       ...this.#measures.flatMap((measure, i) => this.#panel(measure, this.#floor(i))),
       ...this.#moments(height),
       ...this.#recorded.flatMap((shown, row) => this.#strip(shown, row, floor)),
@@ -169,8 +178,10 @@ export class SeparationPlot {
     const from = floor - this.#curve_px;
     const frame = drawing('svg', { x: 0, y: from, width: this.#width, height: this.#curve_px + 1, viewBox: `0 ${from} ${this.#width} ${this.#curve_px + 1}` });
     frame.append(...this.#recorded.map((shown, row) => this.#curve(shown, measure, yOf, row)));
-    const name = drawing('text', { class: 'measure', x: this.#width - kRight, y: from - 4, 'text-anchor': 'end' }, scale.byPowersOfTen ? `${measure.name}, by powers of ten` : measure.name);
-    return [...this.#levels(scale, yOf, measure, from), frame, name];
+    const open = this.#recorded.flatMap((shown) => openBands(shown.swarm.separation, (time_s) => this.#xOf(this.times.clockTime(shown, time_s)), from, this.#curve_px));
+    const words = [measure.name, ...(scale.byPowersOfTen ? ['by powers of ten'] : []), ...(open.length > 0 ? ['unknown where hatched'] : [])];
+    const name = drawing('text', { class: 'measure', x: this.#width - kRight, y: from - 4, 'text-anchor': 'end' }, words.join(', '));
+    return [...this.#levels(scale, yOf, measure, from), ...open, frame, name];
   }
 
   #levels(scale: PlotScale, yOf: (metres: number) => number, { limit_m, unit }: Measure, from: number): SVGElement[] {
@@ -213,8 +224,9 @@ export class SeparationPlot {
 
   /** One point a pixel where there are more: the least of them, for that is what matters. */
   #curve(shown: Recorded, measure: Measure, yOf: (metres: number) => number, row: number): SVGElement {
-    const { time_s } = shown.swarm.separation;
+    const { time_s, open } = shown.swarm.separation;
     const metres = measure.of(shown.swarm);
+    let next = 0;
     const gap = 4 * ((time_s[time_s.length - 1] - time_s[0]) / Math.max(1, time_s.length - 1));
     let path = '';
     let column = -1;
@@ -227,7 +239,9 @@ export class SeparationPlot {
     };
     for (let i = 0; i < time_s.length; ++i) {
       const x = Math.round(this.#xOf(this.times.clockTime(shown, time_s[i])));
-      const broken = time_s[i] - before > gap && before > -Infinity;
+      while (next < open.ends_s.length && open.ends_s[next] <= before) ++next;
+      const unknown = next < open.begins_s.length && open.begins_s[next] < time_s[i];
+      const broken = before > -Infinity && (unknown || time_s[i] - before > gap);
       if (x !== column || broken) flush();
       if (broken) path += ' ';
       column = x;
@@ -239,26 +253,33 @@ export class SeparationPlot {
   }
 
   #strip(shown: Recorded, row: number, floor: number): SVGElement[] {
-    const { begins_s, ends_s } = shown.swarm.spans;
+    const { spans, unknown } = shown.swarm;
     const words = shown.label || 'in conflict';
-    return this.#columns(row, floor, words, shown.label ? 'in conflict, ' : '', (columns, duration_s) =>
-      conflictColumns(begins_s, ends_s, this.times.clockTime(shown, 0), duration_s, columns),
-    );
+    const columnsOf =
+      ({ begins_s, ends_s }: Spans) =>
+      (columns: number, duration_s: number): number[] =>
+        conflictColumns(begins_s, ends_s, this.times.clockTime(shown, 0), duration_s, columns);
+    return this.#columns(row, floor, words, shown.label ? 'in conflict, ' : '', columnsOf(spans), columnsOf(unknown));
   }
 
   #limitStrip(shown: Recorded, row: number, floor: number): SVGElement[] {
     const words = shown.label || 'over limits';
-    return this.#columns(row, floor, words, shown.label ? 'over limits, ' : '', (columns, duration_s) =>
+    const others = shown.swarm.head.limits_kept?.not_looked_at?.length ?? 0;
+    const what = [...(shown.label ? ['over limits, '] : []), ...(others > 0 ? ['of those looked at: '] : [])].join('');
+    return this.#columns(row, floor, words, what, (columns, duration_s) =>
       excessColumns(shown, this.times.clockTime(shown, 0), duration_s, columns),
     );
   }
 
   /** How many are so at one moment after the other. */
-  #columns(row: number, floor: number, words: string, what: string, count: (columns: number, duration_s: number) => number[]): SVGElement[] {
+  #columns(row: number, floor: number, words: string, what: string, count: Counting, countUnknown: Counting = () => []): SVGElement[] {
     const from = floor + kGap + row * (kStrip + 3);
     const columns = Math.max(1, Math.floor(this.#width - kLeft - kRight));
-    const counts = count(columns, Math.max(1e-9, this.times.clock.ends_s));
+    const duration_s = Math.max(1e-9, this.times.clock.ends_s);
+    const counts = count(columns, duration_s);
+    const unknown = countUnknown(columns, duration_s);
     const most = Math.max(1, ...counts);
+    const mostUnknown = Math.max(0, ...unknown);
     let path = '';
     counts.forEach((count, column) => {
       if (count === 0) return;
@@ -266,11 +287,14 @@ export class SeparationPlot {
       const tall = Math.max(3, (kStrip * count) / most);
       path += `M${kLeft + column} ${from + kStrip}h1v${-tall.toFixed(1)}h-1z`;
     });
+    const found = counts.some((count) => count > 0) ? `up to ${formatCount(Math.max(...counts))} at once` : mostUnknown > 0 ? 'none known' : 'none';
+    const hatch = mostUnknown > 0 ? `, up to ${formatCount(mostUnknown)} unknown (hatched)` : '';
     return [
       drawing('rect', { class: 'strip', x: kLeft, y: from, width: columns, height: kStrip }),
+      ...runsOf(unknown).map(([column, width]) => hatched(kLeft + column, from, width, kStrip)),
       ...(path ? [drawing('path', { class: 'strip-mark', d: path })] : []),
       drawing('text', { class: 'level-text', x: kLeft - 6, y: from + kStrip - 2, 'text-anchor': 'end' }, words.toLowerCase()),
-      drawing('text', { class: 'measure', x: this.#width - kRight - 2, y: from + kStrip - 4, 'text-anchor': 'end' }, `${what}${counts.some((count) => count > 0) ? `up to ${formatCount(Math.max(...counts))} at once` : 'none'}`),
+      drawing('text', { class: 'measure', x: this.#width - kRight - 2, y: from + kStrip - 4, 'text-anchor': 'end' }, `${what}${found}${hatch}`),
     ];
   }
 }

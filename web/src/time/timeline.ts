@@ -11,6 +11,7 @@ import { kSpeeds } from './clock';
 import { icon, type Icon } from './icons';
 import type { LinkedTimes } from './linked_times';
 import { SeparationPlot } from './separation_plot';
+import { isOpenAt, unknownText } from './unknown';
 
 /** When a conflict of any of the recordings begins, as the clock counts; ascending. */
 export function conflictBeginnings(all: Shown[], times: LinkedTimes): Float64Array {
@@ -33,11 +34,13 @@ function closestAt({ conflicts }: Recording, within_s: number): number {
 function statement(shown: Shown & { swarm: Recording }, within_s: number, inConflict: number): string {
   const { separation, names, conflicts, head } = shown.swarm;
   const start = shown.label ? `${shown.label}: ` : '';
-  const risk = `${formatCount(inConflict)} in conflict`;
+  const unknown = unknownText(shown.swarm, within_s);
+  const risk = [`${formatCount(inConflict)} in conflict`, unknown].filter(Boolean).join(' · ');
   const exact = closestAt(shown.swarm, within_s);
   const sample = sampleAt(separation.time_s, within_s);
   // Others may be closer to each other in that moment.
   const closest = exact >= 0 && (separation.apart !== null || sample < 0 || conflicts.distance_m[exact] <= separation.distance_m[sample]);
+  if (!closest && isOpenAt(separation, within_s)) return `${start}${risk} · closest two unknown here`;
   const [of, place] = closest ? [conflicts, exact] : [separation, sample];
   if (place < 0) return start + risk;
   // Between two samples the earlier one is shown, with its time; nothing of bees that have gone since.

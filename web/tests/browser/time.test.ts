@@ -1,7 +1,10 @@
 // Time: the line moves bees, plays, and goes to conflicts.
 import assert from 'node:assert/strict';
 import type { Page } from 'playwright-core';
-import { pageTest, projected } from './opened_page';
+import { kArtefacts, pageTest, projected } from './opened_page';
+
+/** Without what isolates names. */
+const plain = (text: string | null): string => (text ?? '').replace(/[\u2066-\u2069]/g, '').replace(/[\u202f\u00a0]/g, ' ');
 
 const kTime = (page: Page): Promise<number> => page.evaluate(() => Number(document.documentElement.dataset.timeS));
 
@@ -104,8 +107,38 @@ pageTest('says nothing of two bees that are away', 'again', {}, async ({ page })
   // From 40 to 60 of 120 s a and b are away; the plot has margins of 52 and 12 pixels.
   await page.mouse.click(box.x + 52 + (box.width - 64) * (50 / 120), box.y + 30);
   const says = await page.locator('.time-says').innerText();
-  assert.doesNotMatch(says, /\ba\b.*and.*\bb\b/);
-  assert.match(says, /^0 in conflict/);
+  assert.equal(plain(says), '0 in conflict · unknown where a and b are · closest two unknown here');
+});
+
+pageTest('time in which bees are unknown is hatched, and said', 'again', {}, async ({ page }) => {
+  const plot = page.locator('.plot');
+  // Of the closest two, and of who is in conflict.
+  const hatched = await plot.locator('.unknown').evaluateAll((all) => all.map((one) => one.getBoundingClientRect()).map(({ left, width }) => [left, width]));
+  const box = await plot.locator('> svg').boundingBox();
+  assert.ok(box && hatched.length === 2, JSON.stringify(hatched));
+  // The plot has margins of 66 and 12 pixels.
+  for (const [left, width] of hatched) {
+    assert.ok(Math.abs(left - box.x - 66 - (box.width - 78) * (40 / 120)) < 3, `begins at ${left}`);
+    assert.ok(Math.abs(width - (box.width - 78) * (20 / 120)) < 4, `${width} wide`);
+  }
+  const words = plain(await plot.locator('> svg').textContent());
+  assert.match(words, /closest two.*unknown where hatched/);
+  assert.match(words, /unknown here/);
+  assert.match(words, /at once, up to 2 unknown \(hatched\)/);
+  assert.match((await plot.getAttribute('aria-label')) ?? '', /^Time; in a stretch of it not all bees are known, which is hatched$/);
+
+  await page.mouse.move(hatched[0][0] + hatched[0][1] / 2, box.y + 30);
+  assert.match(plain(await plot.locator('.plot-tip').innerText()), /unknown where a and b are\s+closest two unknown here: another may be closer/);
+  await page.mouse.down();
+  await page.mouse.up();
+  assert.match(plain(await plot.getAttribute('aria-valuetext')), /, unknown where a and b are$/);
+  // At the fixes around the gap they are known.
+  await page.keyboard.press('Home');
+  assert.doesNotMatch(plain(await plot.getAttribute('aria-valuetext')), /unknown/);
+  for (const theme of ['dark', 'light'] as const) {
+    await page.emulateMedia({ colorScheme: theme });
+    await plot.screenshot({ path: `${kArtefacts}/unknown-${theme}.png` });
+  }
 });
 
 pageTest('names the closest, also where others are chosen', 'again', {}, async ({ page }) => {

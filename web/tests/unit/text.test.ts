@@ -5,6 +5,7 @@ import { axisUnits, formatHorizontal, formatVertical, lengthUnit, limitsOf } fro
 import { niceBelow, niceTicks } from '../../src/text/nice_steps';
 import { isolate, shorten } from '../../src/text/names';
 import * as numbers from '../../src/text/numbers';
+import { tooClose } from '../../src/text/threshold';
 
 const plain = (text: string): string => text.replace(/[\u202f\u00a0]/g, ' ').replaceAll('\u2212', '-');
 
@@ -37,6 +38,19 @@ test('separations are below their limits in every unit', () => {
   ]);
   assert.deepEqual(Object.values(limitsOf(head)).map(plain), ['5 NM', '1,000 ft']);
   assert.deepEqual(Object.values(limitsOf({ threshold_m: 9260, vertical_m: 304.8 } as Head)).map(plain), ['9,260 m', '304.8 m']);
+});
+
+test('what is a few feet apart is told in feet', () => {
+  const head = { threshold_m: 5 * 0.3048, heights: { in_feet: true, by_pressure: false } } as Head;
+  assert.equal(plain(formatHorizontal(0.35052, head)), '1.15 ft · 0.3505 m');
+  assert.equal(plain(formatVertical(1.05, head)), '3.44 ft · 1.050 m');
+  assert.equal(plain(lengthUnit(head).text(2.5)), '2.5 ft');
+  assert.equal(plain(axisUnits(head).horizontal.text(2.5)), '2.5 ft');
+  assert.equal(plain(tooClose(head)), 'closer than 5 ft (1.524 m)');
+  assert.equal(plain(tooClose({ threshold_m: 1.524 } as Head)), 'closer than 1.524 m');
+  const wide = { ...head, threshold_m: 500 * 0.3048, vertical_m: 100 * 0.3048 };
+  assert.deepEqual([formatHorizontal(41.76, wide), formatVertical(20, wide)].map(plain), ['137 ft · 41.76 m', '66 ft · 20.00 m']);
+  assert.equal(plain(tooClose(wide)), 'closer than 500 ft horizontally and 100 ft in height (152.4 m, 30.48 m)');
 });
 
 test('axes of the small are in millimetres', () => {

@@ -1,0 +1,103 @@
+#include "io/recording/show_ground.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace beespace::io {
+namespace {
+
+constexpr double kStandsBelow_m = 0.1;
+
+std::string counted_drones(std::uint64_t count, const char* one, const char* many) {
+  return std::to_string(count) + (count == 1 ? " drone" : " drones") + (count == 1 ? one : many);
+}
+
+// The lowest place at which any begins or ends.
+double ground_of_tables(const Recording& recording) {
+  double ground_m = recording.show->ground_m.value_or(std::numeric_limits<double>::infinity());
+  for (const RecordedBee& bee : recording.bees) {
+    if (bee.fixes.empty()) continue;
+    ground_m = std::min({ground_m, bee.fixes.front().position.z, bee.fixes.back().position.z});
+  }
+  return ground_m > kHighestShowGround_m ? 0.0 : ground_m;
+}
+
+// The fixes that are kept: from the last one before it takes off to the first one after landing.
+struct Flight {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+Flight flight_of(const std::vector<Fix>& fixes, double ground_m) {
+  const auto is_low = [&](const Fix& fix) { return fix.position.z - ground_m <= kStandsBelow_m; };
+  Flight flight{0, fixes.size() - 1};
+  while (flight.first < flight.last && is_low(fixes.front()) &&
+         fixes[flight.first + 1].position == fixes.front().position) {
+    ++flight.first;
+  }
+  while (flight.first < flight.last && is_low(fixes.back()) &&
+         fixes[flight.last - 1].position == fixes.back().position) {
+    --flight.last;
+  }
+  return flight;
+}
+
+template <class Value>
+void keep(std::vector<Value>& values, const Flight& flight) {
+  if (values.empty()) return;
+  values.resize(flight.last + 1);
+  values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(flight.first));
+}
+
+}  // namespace
+
+std::string standing_note(std::uint64_t drones) {
+  return counted_drones(drones, " stands", " stand") +
+         " on the ground before take-off or after landing: compared with those that fly then, and "
+         "not with others that stand; --grounded compares these, too";
+}
+
+std::string grounded_note(std::uint64_t drones) {
+  return counted_drones(drones, " never leaves", " never leave") + " the ground and " +
+         (drones == 1 ? "stands" : "stand") +
+         " there for those that fly; --grounded also compares drones that stand with each other";
+}
+
+void leave_ground_time_out(Recording& recording) {
+  if (!recording.show || recording.flat) return;
+  const double ground_m = ground_of_tables(recording);
+  std::vector<Flight> flights;
+  bool any_flies = false;
+  for (const RecordedBee& bee : recording.bees) {
+    flights.push_back(bee.fixes.empty() ? Flight{} : flight_of(bee.fixes, ground_m));
+    any_flies = any_flies || bee.path || flights.back().first < flights.back().last;
+  }
+  if (!any_flies) return;
+  std::uint64_t stood = 0;
+  std::uint64_t grounded = 0;
+  for (std::size_t i = 0; i < flights.size(); ++i) {
+    RecordedBee& bee = recording.bees[i];
+    const Flight& flight = flights[i];
+    if (bee.fixes.size() < 2 || (flight.first == 0 && flight.last + 1 == bee.fixes.size())) {
+      continue;
+    }
+    if (flight.first == flight.last) {
+      ++grounded;
+      bee.stands = bee.fixes.front().position;
+      bee.fixes.clear();
+      bee.velocities.clear();
+      bee.stated_heights.clear();
+      continue;
+    }
+    ++stood;
+    keep(bee.fixes, flight);
+    keep(bee.velocities, flight);
+    keep(bee.stated_heights, flight);
+  }
+  if (stood > 0) recording.notes.push_back(standing_note(stood));
+  if (grounded > 0) recording.notes.push_back(grounded_note(grounded));
+}
+
+}  // namespace beespace::io
