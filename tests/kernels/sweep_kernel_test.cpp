@@ -2,7 +2,7 @@
 // positions.
 #include "kernels/sweep.hpp"
 
-#include "tests/kernels/sweep_scene.hpp"
+#include "tests/kernels/kernel_scenes.hpp"
 #include "tests/support/scene_maker.hpp"
 
 #include <gtest/gtest.h>
@@ -11,130 +11,15 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <random>
-#include <sstream>
 #include <utility>
 #include <vector>
 
 namespace beespace::cpu {
 namespace {
 
-using test::PlacedPoints;
-using test::Spot;
-using test::SweepScene;
-using test::SweepShape;
-using PlacePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // asked, other
-
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// A fixed verdict on pairs that a kernel is unsure of.
-bool decided_near(std::uint32_t i, std::uint32_t j) {
-  return (i + j) % 3 == 0;
-}
-
-class EveryKernel : public testing::TestWithParam<InstructionSet> {
- protected:
-  [[nodiscard]] static const Kernels& kernels() { return cpu::kernels(GetParam()); }
-  [[nodiscard]] static auto collect(bool by_itself) {
-    return by_itself ? kernels().collect : kernels().collect_asked;
-  }
-
-  // Scenes of all shapes: rows shorter and longer than lanes and blocks, narrow and wide ones, of
-  // a unit a cell and of as many as there can be.
-  template <class Check>
-  static void for_each_scene(bool by_itself, Check&& check) {
-    for_each_scene(by_itself, false, check);
-  }
-  template <class Check>
-  static void for_each_scene(bool by_itself, bool all_rows, Check&& check) {
-    std::uint32_t seed = 0;
-    for (const unsigned row_shift : {0U, 1U, 3U}) {
-      for (const unsigned fraction_bits : {0U, 1U, 10U, 22U}) {
-        for (const std::int32_t cells_along_x : {2, 12}) {
-          for (std::uint32_t row_size = 1; row_size <= 33; ++row_size) {
-            // One cell, or as many as a row is wide.
-            const std::int32_t reach_cells = ++seed % 3 == 0 ? 1 << row_shift : 1;
-            run({by_itself, all_rows, fraction_bits, row_shift, cells_along_x, row_size,
-                 reach_cells},
-                seed, check);
-          }
-        }
-      }
-      run({by_itself, all_rows, 10, row_shift, 40, 700}, ++seed, check);
-    }
-  }
-
-  // Distances up to the reach: the kernel may ignore points that are farther. Where a unit is finer
-  // than a float resolves, no distance comes near a limit.
-  static Limits limits_of(const SweepShape& shape) {
-    const double share = shape.fraction_bits > 10 ? 0.97 : 1.0;
-    return {static_cast<float>(0.3 * shape.squared_reach()),
-            static_cast<float>(share * shape.squared_reach())};
-  }
-
- private:
-  template <class Check>
-  static void run(const SweepShape& shape, std::uint32_t seed, Check&& check) {
-    if (HasFatalFailure()) return;
-    SweepScene scene = test::random_sweep_scene(shape, seed);
-    if (seed % 4 == 0) scene.points.begin += shape.row_size / 3;
-    if (seed % 4 == 1) scene.points.end -= shape.row_size / 2;
-    std::ostringstream described;
-    described << shape;
-    SCOPED_TRACE(described.str());
-    check(scene);
-  }
-};
-
-struct Found {
-  PlacePairs near;
-  PlacePairs unsure;
-
-  // The near ones, with those of the unsure that are decided to be.
-  [[nodiscard]] PlacePairs all_near() const {
-    PlacePairs all = near;
-    std::copy_if(unsure.begin(), unsure.end(), std::back_inserter(all),
-                 [](const auto& pair) { return decided_near(pair.first, pair.second); });
-    std::sort(all.begin(), all.end());
-    return all;
-  }
-};
-
-Found expected_of(const SweepScene& scene, const Limits& limits, bool each_for_itself = false) {
-  Found found;
-  const auto add = [&](std::uint32_t i, std::uint32_t j, double squared) {
-    if (squared < static_cast<double>(limits.near)) {
-      found.near.emplace_back(i, j);
-    } else if (squared <= static_cast<double>(limits.far)) {
-      found.unsure.emplace_back(i, j);
-    }
-  };
-  if (each_for_itself) {
-    scene.for_each_pair_of_asked(add);
-  } else {
-    scene.for_each_pair(add);
-  }
-  std::sort(found.near.begin(), found.near.end());
-  std::sort(found.unsure.begin(), found.unsure.end());
-  return found;
-}
-
-// Remembers what a kernel was unsure of, and decides it: some of it is near.
-struct Open {
-  PlacePairs pairs;
-
-  Unsure unsure() {
-    return {[](void* context, std::uint32_t i, std::uint32_t j) {
-              static_cast<Open*>(context)->pairs.emplace_back(i, j);
-              return decided_near(i, j);
-            },
-            this};
-  }
-  const PlacePairs& sorted() {
-    std::sort(pairs.begin(), pairs.end());
-    return pairs;
-  }
-};
+class EveryKernel : public KernelScenes {};
 
 TEST_P(EveryKernel, MarksBothOfEveryNearPair) {
   std::size_t near = 0;
@@ -291,141 +176,6 @@ TEST_P(EveryKernel, CollectsEveryNearPairOnceInBuffersOfAnySize) {
       }
     });
   }
-}
-
-PositionBox box_of(const SweepScene& scene) {
-  PositionBox box{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto* const at = scene.asked().at[axis].data();
-    const auto [low, high] = std::minmax_element(at + scene.points.begin, at + scene.points.end);
-    box.low[axis] = *low;
-    box.high[axis] = *high;
-  }
-  return box;
-}
-
-double squared_between(const PositionBox& box, const PlacedPoints& set, std::uint32_t j) {
-  double sum = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double at = set.at[axis][j];
-    const double beside = std::max({box.low[axis] - at, at - box.high[axis], 0.0});
-    sum += beside * beside;
-  }
-  return sum;
-}
-
-TEST_P(EveryKernel, PicksWhatIsAroundABoxInItsOrder) {
-  std::size_t picked = 0;
-  std::size_t left_out = 0;
-  for_each_scene(false, [&](const SweepScene& scene) {
-    const Limits limits = limits_of(scene.shape);
-    const PlacedPoints& others = scene.others();
-    if (scene.points.begin == scene.points.end) return;
-    const PositionBox box = box_of(scene);
-    PlacedPoints out;
-    for (std::vector<std::int32_t>& axis : out.at) axis.resize(others.size());  // with padding
-    out.id.resize(others.size());
-    const std::uint32_t size = kernels().pick_around(
-        others.positions(), scene.size(), box, limits,
-        {out.at[0].data(), out.at[1].data(), out.at[2].data(), out.id.data()});
-    std::uint32_t next = 0;
-    for (std::uint32_t j = 0; j < scene.size(); ++j) {
-      const double squared = squared_between(box, others, j);
-      const auto far = static_cast<double>(limits.far);
-      const bool is_picked = next < size && out.id[next] == others.id[j];
-      // By floats, as the pairs themselves.
-      ASSERT_TRUE(is_picked || squared > far * (1.0 - 0x1p-20));
-      ASSERT_TRUE(!is_picked || squared < far * (1.0 + 0x1p-20));
-      if (!is_picked) {
-        ++left_out;
-        continue;
-      }
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        ASSERT_EQ(out.at[axis][next], others.at[axis][j]);
-      }
-      ++next;
-    }
-    ASSERT_EQ(next, size);
-    picked += size;
-  });
-  EXPECT_GT(picked, 1000U);
-  EXPECT_GT(left_out, 1000U);
-}
-
-// A point that is as far off as the limit says, by rounded arithmetic, is picked for every box that
-// the other one lies in.
-TEST_P(EveryKernel, PicksAllThatAreAtMostSoFarFromAPointOfTheBox) {
-  std::mt19937 random(7);
-  const auto below = [&](std::uint32_t limit) {
-    return static_cast<std::int32_t>(random() % limit);
-  };
-  for (int round = 0; round < 10'000; ++round) {
-    const Spot asked{below(1U << 30), below(1U << 30), below(1U << 30)};
-    PlacedPoints other;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::int32_t at = asked[axis] + below(1U << 23) - (1 << 22);
-      other.at[axis].assign(1 + core::kPadding, std::clamp(at, 0, (1 << 30) - 1));
-    }
-    other.id.assign(1 + core::kPadding, 0);
-    // The very distance that the kernel computes: the least limit for which the pair is open.
-    float limit = 0.0F;
-    for (float step = 0x1p60F; step > 0.0F; step /= 2.0F) {
-      Open open;
-      const RowQuery query{
-          asked[0],     asked[1], asked[2], 0, other.positions(), {0, 1}, {-1.0F, limit + step},
-          open.unsure()};
-      (void)kernels().count_row(query);
-      if (open.pairs.empty()) limit += step;
-    }
-    limit = std::nextafter(limit, kInfinity);
-    PositionBox box{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.low[axis] = asked[axis] - below(1U << 22);
-      box.high[axis] = asked[axis] + below(1U << 22);
-    }
-    PlacedPoints out = other;
-    ASSERT_EQ(kernels().pick_around(
-                  other.positions(), 1, box, {-1.0F, limit},
-                  {out.at[0].data(), out.at[1].data(), out.at[2].data(), out.id.data()}),
-              1U);
-  }
-}
-
-TEST_P(EveryKernel, CountsAndWritesTheRowOfOnePoint) {
-  std::size_t found = 0;
-  for_each_scene(false, [&](const SweepScene& scene) {
-    const Limits limits = limits_of(scene.shape);
-    const PlacedPoints& asked = scene.asked();
-    const PlacedPoints& others = scene.others();
-    std::vector<PointId> row(scene.size() + core::kPadding);
-    for (std::uint32_t i = scene.points.begin; i < scene.points.end; ++i) {
-      // All of the others, then parts that begin and end anywhere.
-      for (const Range range : {Range{0, scene.size()}, Range{scene.size() / 3, scene.size()},
-                                Range{1, scene.size() - scene.size() / 2}}) {
-        if (range.begin > range.end) continue;
-        std::vector<PointId> expected;
-        PlacePairs unsure;
-        for (std::uint32_t j = range.begin; j < range.end; ++j) {
-          const double squared = scene.squared(i, j);
-          bool is_near = squared < static_cast<double>(limits.near);
-          if (!is_near && squared <= static_cast<double>(limits.far)) {
-            unsure.emplace_back(i, j);
-            is_near = decided_near(i, j);
-          }
-          if (is_near) expected.push_back(others.id[j]);
-        }
-        Open open;
-        const RowQuery query{asked.at[0][i],     asked.at[1][i], asked.at[2][i], i,
-                             others.positions(), range,          limits,         open.unsure()};
-        ASSERT_EQ(kernels().count_row(query), expected.size());
-        ASSERT_EQ(open.sorted(), unsure);
-        const std::uint32_t size = kernels().write_row(query, row.data());
-        ASSERT_EQ(std::vector<PointId>(row.begin(), row.begin() + size), expected);
-        found += size;
-      }
-    }
-  });
-  EXPECT_GT(found, 1000U);
 }
 
 TEST_P(EveryKernel, StopsCollectingWhenThereIsNoMoreRoom) {
@@ -659,14 +409,6 @@ TEST_P(EveryKernel, SeesAUnitBeyondACellAlongX) {
       ASSERT_FALSE(expected.near.empty() || expected.unsure.empty());
     }
   }
-}
-
-std::vector<InstructionSet> available() {
-  std::vector<InstructionSet> sets;
-  for (const InstructionSet set : kInstructionSets) {
-    if (is_available(set)) sets.push_back(set);
-  }
-  return sets;
 }
 
 INSTANTIATE_TEST_SUITE_P(OfThisProcessor, EveryKernel, testing::ValuesIn(available()),
