@@ -16,7 +16,12 @@ KnownColumn perhaps(std::string_view name, Role role, Unit unit = Unit::kUnstate
   return {name, role, unit, datum, false};
 }
 
-// traffic: https://traffic-viz.github.io (columns of its Flight and Traffic tables).
+// What state vectors of OpenSky have, in units of the SI or not.
+constexpr std::string_view kNotOfTraffic =
+    "velocity vertrate baroaltitude origin_country position_source sensors";
+
+// traffic: https://traffic-viz.github.io (columns of its Flight and Traffic tables). State vectors
+// of OpenSky come from pyopensky and from traffic under the same names, in other units.
 // OpenSky: the history tables state_vectors_data4, as its documentation lists them.
 // BlueSky: its logs (bluesky/tools/datalog.py), which are in units of the SI.
 // Movebank: its attribute dictionary (https://www.movebank.org/cms/movebank-content/
@@ -26,10 +31,10 @@ KnownColumn perhaps(std::string_view name, Role role, Unit unit = Unit::kUnstate
 // PX4: vehicle_global_position, and vehicle_local_position, as ulog2csv of pyulog writes them.
 // Their times are those of each drone. QGroundControl: the table beside each .tlog, in the units of
 // its settings.
-const std::array<TableSource, 10>& known_sources() {
-  static const std::array<TableSource, 10> sources = {
+const std::array<TableSource, 11>& known_sources() {
+  static const std::array<TableSource, 11> sources = {
       TableSource{"traffic",
-                  "velocity vertrate baroaltitude",
+                  kNotOfTraffic,
                   {{"icao24"},
                    {"groundspeed", Role::kGroundSpeed, Unit::kKnot},
                    {"track", Role::kTrack},
@@ -38,7 +43,7 @@ const std::array<TableSource, 10>& known_sources() {
                    {"geoaltitude", Role::kHeight, Unit::kFoot, HeightDatum::kEllipsoid}}},
       TableSource{
           "traffic",  // without heights above the ellipsoid: all these together are no other's
-          "velocity vertrate baroaltitude",
+          kNotOfTraffic,
           {{"timestamp"},
            {"icao24"},
            {"callsign"},
@@ -48,6 +53,22 @@ const std::array<TableSource, 10>& known_sources() {
            {"track", Role::kTrack},
            {"vertical_rate", Role::kClimb, Unit::kFootPerMinute},
            {"altitude", Role::kHeight, Unit::kFoot, HeightDatum::kPressure}}},
+      TableSource{"OpenSky",
+                  "velocity vertrate baroaltitude",
+                  {{"icao24"},
+                   {"origin_country"},
+                   {"groundspeed", Role::kGroundSpeed},
+                   {"track", Role::kTrack},
+                   {"vertical_rate", Role::kClimb},
+                   {"altitude", Role::kHeight, Unit::kUnstated, HeightDatum::kPressure},
+                   perhaps("geoaltitude", Role::kHeight, Unit::kUnstated, HeightDatum::kEllipsoid)},
+                  false,
+                  false,
+                  false,
+                  false,
+                  false,
+                  "State vectors of OpenSky have such columns: pyopensky writes them in metres, "
+                  "and traffic in feet and knots"},
       TableSource{"OpenSky",
                   "groundspeed vertical_rate altitude",
                   {{"icao24"},
@@ -99,7 +120,7 @@ const std::array<TableSource, 10>& known_sources() {
                   false,
                   false,
                   false,
-                  true},
+                  "QGroundControl writes it as its settings say"},
       TableSource{"BlueSky",
                   "",
                   {{"simt", Role::kTime, Unit::kSecond},

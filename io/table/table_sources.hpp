@@ -29,10 +29,11 @@ struct TableSource {
   std::vector<KnownColumn> columns;
   bool in_utc = false;      // dates and times that name no zone
   bool of_animals = false;  // what else it has is neither a place nor an id, nor of aircraft
-  bool infinite_is_unknown = false;   // of places
-  bool since_1970 = false;            // what its times count from
-  bool since_start = false;           // or: since the vehicle of that table was switched on
-  bool in_units_of_settings = false;  // heights and speeds
+  bool infinite_is_unknown = false;  // of places
+  bool since_1970 = false;           // what its times count from
+  bool since_start = false;          // or: since the vehicle of that table was switched on
+  // Of heights and speeds whose units its headers leave open: why, as a sentence.
+  std::string_view units_differ = {};
 
   // Nothing for columns that say all by themselves. Of several of a role the first one counts.
   [[nodiscard]] const KnownColumn* find(std::string_view column) const;

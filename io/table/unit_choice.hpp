@@ -31,9 +31,11 @@ class UnitChoice {
 
  private:
   [[nodiscard]] Error unknown(UnitRole role, std::size_t column) const;
-  [[nodiscard]] bool of_settings() const {
-    return source_ != nullptr && source_->in_units_of_settings;
+  [[nodiscard]] bool units_differ() const {
+    return source_ != nullptr && !source_->units_differ.empty();
   }
+  [[nodiscard]] Unit by_convention(UnitRole role) const;
+  [[nodiscard]] Error contradicts(const KnownColumn& known, Unit said, std::size_t column) const;
 
   const std::vector<std::string>& names_;
   const UnitOverrides& overrides_;

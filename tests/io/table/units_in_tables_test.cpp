@@ -133,6 +133,30 @@ TEST(UnitsInTables, KnownSourcesAreRecognisedByTheirWholeHeader) {
                {ErrorCode::kInvalidArgument, "bees.csv:1:6", "but in which unit?"});
 }
 
+// The fault that this is about: metres were read as feet, and aircraft head-on kept their distance.
+TEST(UnitsInTables, StateVectorsOfOpenSkyComeInFeetAndInMetres) {
+  const std::string states =
+      "icao24,callsign,origin_country,last_position,timestamp,longitude,latitude,altitude,onground,"
+      "groundspeed,track,vertical_rate,sensors,geoaltitude,squawk,spi,position_source\n"
+      "a,AFR1,France,2024-05-01 12:00:00Z,2024-05-01 12:00:01Z,2,48,10668,False,200,90,0,,10668,"
+      "1000,False,0\n";
+  expect_error(record(states),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:14",
+                "State vectors of OpenSky have such columns: pyopensky writes them in metres, and "
+                "traffic in feet and knots, where it may be ft or m; "});
+  const Recording metres = recording_of(record(states, recording_units("metric")));
+  EXPECT_EQ(metres.bees.at(0).fixes.at(0).position.z, k35000Feet_m);
+  EXPECT_NEAR(metres.bees[0].velocities.at(0).x, 200.0, 1e-9);
+  EXPECT_EQ(recording_of(record(states, recording_units("aviation"))).height_unit, Unit::kFoot);
+  // With some of its columns only.
+  for (const char* name : {"origin_country", "position_source", "sensors"}) {
+    expect_error(load_text("timestamp,icao24,callsign,latitude,longitude,groundspeed,track,"
+                           "vertical_rate,altitude," +
+                           std::string(name) + "\n2024-05-01 12:00:00Z,a,AFR1,48,2,1,1,1,1,0\n"),
+                 {ErrorCode::kInvalidArgument, "bees.csv:1:9", "but in which unit?"});
+  }
+}
+
 // One word is enough, in the words of several languages and of two words too; and then positions
 // are not taken for metres either.
 TEST(UnitsInTables, AnyWordOfAviationMakesTheUnitAQuestion) {
@@ -386,8 +410,20 @@ TEST(UnitsInTables, AConventionHoldsWhereNothingElseSaysAUnit) {
             std::vector<Point>{at(k35000Feet_m)});
   EXPECT_EQ(points_of(load_text(asked, with_units("aviation,height=m"))),
             std::vector<Point>{at(35000)});
-  // A known source says more.
-  EXPECT_EQ(points_of(load_text(kOpenSky, with_units("aviation"))),
+  // A known source says another one: neither is passed over.
+  expect_error(load_text(kOpenSky, with_units("aviation")),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:11",
+                "'geoaltitude' is in m in tables of OpenSky, whose header this is, but --units "
+                "aviation says ft; leave that out, or, for answers in these units only, say "
+                "--units aviation,height=m,speed=m/s,climb=m/s, or, if the table is in them too, "
+                "--units aviation,height=ft,speed=kt,climb=ft/min"});
+  expect_error(load_text(kTraffic, with_units("metric")),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:7", "but --units metric says m;"});
+  EXPECT_EQ(points_of(load_text(kTraffic, with_units("metric,height=ft,speed=kt,climb=ft/min"))),
+            std::vector<Point>{at(k35000Feet_m)});
+  EXPECT_EQ(points_of(load_text(kTraffic, with_units("aviation"))),
+            std::vector<Point>{at(k35000Feet_m)});
+  EXPECT_EQ(points_of(load_text(kOpenSky, with_units("metric"))),
             std::vector<Point>{at(k35000Feet_m)});
   expect_error(
       load_text("x,y,z\n1,2,3\n", with_units("aviation")),
