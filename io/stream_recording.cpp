@@ -236,24 +236,29 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
       if (auto status = begin_source(); !status) return status;
     }
     if (auto status = read_lines(); !status) return status;
-    assembly_->tracks().drain(
-        [&](std::size_t bee, const Fix& fix, const std::optional<double>& stated, Origin origin) {
-          if (is_nowhere(fix)) {
-            assembly_->leave_out(kZeroPlace, id(bee));
-            return;
-          }
-          const bool follows =
-              last_ && last_->source == origin.source && last_->line + 1 == origin.line;
-          if (!follows) places_.push_back({fixes_, origin});
-          last_ = origin;
-          ++fixes_;
-          several_times_ = several_times_ || (first_s_ && *first_s_ != fix.time_s);
-          first_s_ = fix.time_s;
-          look_for_doubt(bee, fix, origin);
-          assembly_->reach(fix.position.z);
-          if (witness_) witness_->look_at(std::span(&fix.position, 1));
-          fixes.push_back({bee, fix, stated});
-        });
+    assembly_->tracks().drain([&](const TrackGathering::Taken& taken) {
+      const auto& [bee, fix, velocity, stated, origin] = taken;
+      if (is_nowhere(fix)) {
+        assembly_->leave_out(kZeroPlace, id(bee));
+        return;
+      }
+      if (bee >= stale_.size()) stale_.resize(bee + 1);
+      if (stale_[bee].take(fix, velocity)) {
+        assembly_->stale(id(bee), fix);
+        return;
+      }
+      const bool follows =
+          last_ && last_->source == origin.source && last_->line + 1 == origin.line;
+      if (!follows) places_.push_back({fixes_, origin});
+      last_ = origin;
+      ++fixes_;
+      several_times_ = several_times_ || (first_s_ && *first_s_ != fix.time_s);
+      first_s_ = fix.time_s;
+      look_for_doubt(bee, fix, origin);
+      assembly_->reach(fix.position.z);
+      if (witness_) witness_->look_at(std::span(&fix.position, 1));
+      fixes.push_back({bee, fix, stated});
+    });
     const bool over = ended_ && pending().empty();
     if (progress_ != nullptr) progress_->done = bytes_before_ + stream_->taken();
     if (!over) continue;

@@ -14,6 +14,7 @@
 #include "io/recording/recording_assembly.hpp"
 #include "io/recording/recording_options.hpp"
 #include "io/recording/shared_id.hpp"
+#include "io/recording/stale_places.hpp"
 #include "io/recording/zero_places.hpp"
 #include "io/tracks/track_table.hpp"
 
@@ -109,6 +110,7 @@ class RecordingStream {
   std::vector<SharedId> shared_;         // by bee
   std::vector<Jumps> jumps_;             // the same
   std::vector<bool> jumping_;            // whose jumps have been told
+  std::vector<StalePlaces> stale_;       // by bee
   ZeroPlaces zeros_;
 };
 

@@ -19,6 +19,11 @@ inline constexpr LeftOutReason kUnknownHeight = {
     "without a height", "--columns with x and y, or lon and lat, only takes all as flat"};
 inline constexpr LeftOutReason kOutlier = {
     "marked as outliers (visible=false, ...-marked-outlier=true)", {}, true};
+// By StalePlaces.
+inline constexpr LeftOutReason kStalePlace = {
+    "whose place stays exactly the same for more than 3 s though their speed is more than 3 m/s",
+    "where such a bee was is not known, as where the last place is said again after contact was "
+    "lost"};
 inline constexpr LeftOutReason kNoFix = {"of receivers that say that they had no fix"};
 inline constexpr LeftOutReason kNoReference = {
     "that do not know from where on the Earth they count (ref_lat, xy_global)",

@@ -174,6 +174,8 @@ class RecordingAssembly {
   // That bee jumps: where it is is not known all the time.
   void jump(const SharedTrack& track);
   // How many records without any id came before, over all inputs.
+  // The place of that fix is one that the bee had left (see stale_places.hpp): it counts for none.
+  void stale(const std::string& id, const Fix& fix);
   [[nodiscard]] std::uint64_t nameless() const { return nameless_; }
   void add_nameless(std::uint64_t count) { nameless_ += count; }
 
@@ -193,6 +195,7 @@ class RecordingAssembly {
   void settle_claim(const std::string& id, const GroundClaims::Run& run);
   // Of aircraft that take off from the ground, or land there, when they did.
   void settle_ground(RecordedBee& bee) const;
+  void leave_out_stale_places();
   void settle_unplaced(RecordedBee& bee) const;
   [[nodiscard]] MissingRecords missing() const;
   [[nodiscard]] std::optional<Error> doubtful_heights() const;

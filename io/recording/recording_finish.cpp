@@ -3,9 +3,11 @@
 #include "io/problems/excerpt.hpp"
 #include "io/problems/left_out.hpp"
 #include "io/problems/skipped_records.hpp"
+#include "io/problems/unplaced.hpp"
 #include "io/recording/doubled_drones.hpp"
 #include "io/recording/recording_assembly.hpp"
 #include "io/recording/show_ground.hpp"
+#include "io/recording/stale_places.hpp"
 #include "io/recording/swapped_degrees.hpp"
 #include "io/recording/unit_doubts.hpp"
 #include "io/recording/zero_places.hpp"
@@ -33,7 +35,8 @@ void RecordingAssembly::leave_out_zeros() {
   if (!facts_ || facts_->frame != Frame::kWgs84 || frame_is_settled_) return;
   ZeroPlaces zeros;
   for (const Point& at : tracks_.positions()) zeros.look_at(at);
-  const auto which = [&zeros](const std::vector<Fix>& fixes) {
+  const auto which = [&zeros](const RecordedBee& bee) {
+    const std::vector<Fix>& fixes = bee.fixes;
     std::vector<bool> none(fixes.size());
     bool any = false;
     for (std::size_t i = 0; i < fixes.size(); ++i) {
@@ -42,13 +45,36 @@ void RecordingAssembly::leave_out_zeros() {
     }
     return any ? none : std::vector<bool>();
   };
-  tracks_.leave_out(which, [this](const std::string& id) { leave_out(kZeroPlace, id); });
+  tracks_.leave_out(which,
+                    [this](const std::string& id, const Fix&) { leave_out(kZeroPlace, id); });
 }
 
 // The same in metres, once all are in order; plans are no measurements.
 void RecordingAssembly::leave_out_zero_runs() {
   if (!facts_ || facts_->frame != Frame::kMetres || frame_is_settled_ || is_show()) return;
-  tracks_.leave_out(zero_runs, [this](const std::string& id) { leave_out(kZeroRun, id); });
+  tracks_.leave_out([](const RecordedBee& bee) { return zero_runs(bee.fixes); },
+                    [this](const std::string& id, const Fix&) { leave_out(kZeroRun, id); });
+}
+
+// Once all are in order.
+void RecordingAssembly::leave_out_stale_places() {
+  const auto which = [](const RecordedBee& bee) {
+    if (bee.velocities.empty()) return std::vector<bool>();
+    StalePlaces places;
+    std::vector<bool> none(bee.fixes.size());
+    bool any = false;
+    for (std::size_t i = 0; i < none.size(); ++i) {
+      none[i] = places.take(bee.fixes[i], &bee.velocities[i]);
+      any = any || none[i];
+    }
+    return any ? none : std::vector<bool>();
+  };
+  tracks_.leave_out(which, [this](const std::string& id, const Fix& fix) { stale(id, fix); });
+}
+
+void RecordingAssembly::stale(const std::string& id, const Fix& fix) {
+  leave_out(kStalePlace, id);
+  unplaced(id, fix.time_s);
 }
 
 // Once all is settled.
@@ -263,6 +289,7 @@ Result<Recording> RecordingAssembly::finish() {
   if (auto error = settle_files()) return *std::move(error);
   leave_out_zero_runs();
   if (auto doubled = doubled_drone(tracks_)) {
+  if (!frame_is_settled_) leave_out_stale_places();
     return Error{ErrorCode::kInvalidArgument, std::move(doubled->problem),
                  location_of(tracks_.origin(doubled->fix))};
   }

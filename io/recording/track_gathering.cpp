@@ -123,8 +123,9 @@ void TrackGathering::drain(const Take& take) {
   });
   for (const auto& [number, at, origin] : places) {
     const RecordedBee& bee = bees_[number].recorded;
-    take(number, bee.fixes[at],
-         bee.stated_heights.empty() ? std::nullopt : std::optional(bee.stated_heights[at]), origin);
+    take({number, bee.fixes[at], bee.velocities.empty() ? nullptr : &bee.velocities[at],
+          bee.stated_heights.empty() ? std::nullopt : std::optional(bee.stated_heights[at]),
+          origin});
   }
   // The last one stays, which the next one is compared with.
   for (const std::size_t number : waiting_) {
@@ -286,16 +287,15 @@ std::vector<SharedTrack> TrackGathering::jumping(Frame frame) const {
   return jumping;
 }
 
-void TrackGathering::leave_out(const Which& which,
-                               const std::function<void(const std::string& id)>& told) {
+void TrackGathering::leave_out(const Which& which, const Told& told) {
   const auto empties = [&](Bee& bee) {
     RecordedBee& recorded = bee.recorded;
-    const std::vector<bool> none = which(recorded.fixes);
+    const std::vector<bool> none = which(recorded);
     if (none.empty()) return false;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < recorded.fixes.size(); ++i) {
       if (none[i]) {
-        told(recorded.id);
+        told(recorded.id, recorded.fixes[i]);
         continue;
       }
       recorded.fixes[kept] = recorded.fixes[i];

@@ -76,11 +76,17 @@ class TrackGathering {
   using TakeConflict = std::function<void(const TimeConflict&)>;
   void settle(Frame frame, const TakeConflict& conflict, const TakeConflict& far);
 
-  // Calls take(bee, fix, stated height, origin) with all fixes that were not taken before, in the
+  // Calls take() with all fixes that were not taken before, in the
   // order of the input; bees are counted in the order in which they came first. Bees stay, without
   // fixes to settle.
-  using Take = std::function<void(std::size_t bee, const Fix& fix,
-                                  const std::optional<double>& stated_height, Origin origin)>;
+  struct Taken {
+    std::size_t bee;
+    Fix fix;
+    const Velocity* velocity;  // or null
+    std::optional<double> stated_height;
+    Origin origin;
+  };
+  using Take = std::function<void(const Taken&)>;
   void drain(const Take& take);
   // Fixes that were taken, and found to come again.
   void add_repeated(std::uint64_t count) { repeated_ += count; }
@@ -97,10 +103,12 @@ class TrackGathering {
   // How many bees got another id since theirs was taken already ("drone", "drone#2").
   [[nodiscard]] std::uint64_t renamed() const { return renamed_; }
 
-  // Leaves out all fixes that are at no place, each of which `told` hears of by its bee; of who has
-  // no other fix nothing is left. `which` says it of all those of a bee; empty where none is.
-  using Which = std::function<std::vector<bool>(const std::vector<Fix>&)>;
-  void leave_out(const Which& which, const std::function<void(const std::string& id)>& told);
+  // Leaves out all fixes that are at no place, each of which `told` hears of with its bee's id; of
+  // who has no other fix nothing is left. `which` says it of all those of a bee; empty where none
+  // is.
+  using Which = std::function<std::vector<bool>(const RecordedBee&)>;
+  using Told = std::function<void(const std::string& id, const Fix& fix)>;
+  void leave_out(const Which& which, const Told& told);
 
   // Once all is settled; of each bee the first jump.
   [[nodiscard]] std::vector<SharedTrack> shared(Frame frame) const;
