@@ -255,7 +255,8 @@ class JsonLines final : public LineReader {
                          " where a date and time should be, as in the lines before; correct it",
                      {}};
       }
-      const std::string problem = read_wall_time(time, text, day, report.time_s);
+      double again_after_s = 0.0;
+      const std::string problem = read_wall_time(time, text, day, report.time_s, again_after_s);
       if (problem.empty()) return std::nullopt;
       return Error{ErrorCode::kNotANumber, excerpt(text) + " is not a time: " + problem, {}};
     }

@@ -37,7 +37,7 @@ constexpr std::string_view kHdf5 =
     "python3 -c \"import h5py; h5py.File('FILE').visititems(print)\"; docs/recipes/matlab.md has "
     "the lines that ask about arrays; poses of DeepLabCut become a table that is read: pip install "
     "pandas tables, then python3 -c \"import pandas; pandas.read_hdf('FILE').to_csv('poses.csv')\";"
-    " of SLEAP: export its analysis as CSV";
+    " of SLEAP: sleap-convert --format analysis.csv";
 constexpr std::string_view kParquet =
     ", which is not read; make CSV of it: pip install pandas pyarrow, then python3 -c \"import "
     "pandas; pandas.read_parquet('FILE').to_csv('bees.csv', index=False)\"";

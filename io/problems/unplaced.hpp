@@ -36,6 +36,7 @@ inline bool has_no_place(const LeftOutReason& reason) {
 inline constexpr LeftOutReason kNoAnimal = {
     "whose id of an animal is empty (of tags that are on none)",
     "where a tag was on one, fill it in, or take the tag's with --columns id=..."};
+inline constexpr LeftOutReason kNoTrack = {"of spots that are on no track"};
 inline constexpr LeftOutReason kNoTime = {"without the time of the position"};
 inline constexpr LeftOutReason kOnGround = {"of aircraft on the ground",
                                             "--grounded keeps those that tell a height", true};

@@ -253,6 +253,19 @@ std::optional<Error> RecordingAssembly::agree_on_zone(std::string_view stated,
                {}};
 }
 
+std::optional<Error> RecordingAssembly::agree_on_clock_zone(std::string_view zone) {
+  if (!clock_zone_) clock_zone_ = zone;
+  if (*clock_zone_ == zone) return std::nullopt;
+  return Error{ErrorCode::kInvalidArgument,
+               "this time is of zone " + excerpt(zone) + ", but those before are of " +
+                   excerpt(*clock_zone_) +
+                   ": they are not of one clock; write them in UTC, or with their offset behind "
+                   "them, as 2024-05-01T12:00:00+02:00; or, if the times are in UTC all the same, "
+                   "say --time-zone UTC, or if all are of one place whose clocks are turned, that "
+                   "place, as Europe/Madrid",
+               {}};
+}
+
 // Each is converted by its own; heights as they are stated can be compared only in one unit.
 void RecordingAssembly::agree_on_units(const SourceFacts& facts) {
   for (const UnitTaken& taken : facts.units) {

@@ -8,6 +8,7 @@
 #include "io/frames/frame_decision.hpp"
 #include "io/problems/left_out.hpp"
 #include "io/recording/address_names.hpp"
+#include "io/recording/doubled_hours.hpp"
 #include "io/recording/ground_claims.hpp"
 #include "io/recording/part_spans.hpp"
 #include "io/recording/recording.hpp"
@@ -118,6 +119,9 @@ class RecordingAssembly {
   // Of eastings and northings, as the input calls their zone and as all of that zone are called.
   // Errors: kUnknownFrame.
   std::optional<Error> agree_on_zone(std::string_view stated, std::string_view zone);
+  // Of times of a clock whose zone each record says: that of all must be one. Errors:
+  // kInvalidArgument.
+  std::optional<Error> agree_on_clock_zone(std::string_view zone);
   // What they agree on so far; null where nothing was read.
   [[nodiscard]] const SourceFacts* facts() const { return facts_ ? &*facts_ : nullptr; }
   // The midnight that all inputs without a time zone count from: that of the first of them.
@@ -143,6 +147,7 @@ class RecordingAssembly {
   TrackGathering& tracks() { return tracks_; }
   // As many records of that bee, or of an unknown one, may hide what it did.
   void miss(std::uint64_t records, std::string_view id);
+  DoubledHours& doubled_hours() { return doubled_hours_; }
   // A record of that bee is left out without being a mistake.
   void leave_out(const LeftOutReason& reason, std::string_view id);
   // A file, or a folder, beside those that are read: who may be in it is not known.
@@ -169,13 +174,13 @@ class RecordingAssembly {
   void heard_of(const LeftOutReason& reason, std::string_view id);
   // It was there, at no known place.
   void unplaced(std::string_view id, double time_s);
+  // The place of that fix is one that the bee had left (see stale_places.hpp): it counts for none.
+  void stale(const std::string& id, const Fix& fix);
   // Two bees seem to share that id: they are not known.
   void share(const SharedTrack& track);
   // That bee jumps: where it is is not known all the time.
   void jump(const SharedTrack& track);
   // How many records without any id came before, over all inputs.
-  // The place of that fix is one that the bee had left (see stale_places.hpp): it counts for none.
-  void stale(const std::string& id, const Fix& fix);
   [[nodiscard]] std::uint64_t nameless() const { return nameless_; }
   void add_nameless(std::uint64_t count) { nameless_ += count; }
 
@@ -190,12 +195,12 @@ class RecordingAssembly {
   std::optional<Error> settle_frame();
   void leave_out_zeros();
   void leave_out_zero_runs();
+  void leave_out_stale_places();
   void find_doubtful_tracks();
   void settle_heard();
   void settle_claim(const std::string& id, const GroundClaims::Run& run);
   // Of aircraft that take off from the ground, or land there, when they did.
   void settle_ground(RecordedBee& bee) const;
-  void leave_out_stale_places();
   void settle_unplaced(RecordedBee& bee) const;
   [[nodiscard]] MissingRecords missing() const;
   [[nodiscard]] std::optional<Error> doubtful_heights() const;
@@ -237,6 +242,7 @@ class RecordingAssembly {
   PartSpans trials_;
   PartSpans tags_;  // within each animal
   AddressNames address_names_;
+  DoubledHours doubled_hours_;
   std::unordered_map<std::string, double> times_of_day_s_;  // by bee: the last one
   // The same of dates and times, and how many records came in order.
   struct ClockTime {
@@ -260,6 +266,7 @@ class RecordingAssembly {
   double highest_m_ = 0.0;
   std::optional<std::string> zone_;
   std::string stated_zone_;
+  std::optional<std::string> clock_zone_;
   bool several_height_units_ = false;
 };
 

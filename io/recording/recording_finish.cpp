@@ -279,6 +279,7 @@ std::optional<Error> RecordingAssembly::own_grounds() const {
 Result<Recording> RecordingAssembly::finish() {
   settle_heard();
   claims_.finish([this](const auto&... of) { settle_claim(of...); });
+  if (auto error = doubled_hours_.unclear()) return *std::move(error);
   if (tracks_.empty()) return nothing_left();
   if (auto error = overlapping_trials()) return *std::move(error);
   if (auto error = overlapping_tags()) return *std::move(error);
@@ -288,8 +289,8 @@ Result<Recording> RecordingAssembly::finish() {
   if (auto error = settle_times()) return *std::move(error);
   if (auto error = settle_files()) return *std::move(error);
   leave_out_zero_runs();
-  if (auto doubled = doubled_drone(tracks_)) {
   if (!frame_is_settled_) leave_out_stale_places();
+  if (auto doubled = doubled_drone(tracks_)) {
     return Error{ErrorCode::kInvalidArgument, std::move(doubled->problem),
                  location_of(tracks_.origin(doubled->fix))};
   }

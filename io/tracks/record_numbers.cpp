@@ -38,7 +38,7 @@ std::size_t count_numbered(std::string_view text, const TrackLayout& layout) {
       several_times = several_times || (first_s && *first_s != record.time_s);
       first_s = record.time_s;
     }
-    if (record.left_out == &kNoAnimal) continue;
+    if (record.left_out != nullptr && record.left_out == layout.without_id) continue;
     if (!ids.insert(std::string(record.id) + '\0' + std::string(record.set)).second) return 0;
   }
   return several_times ? ids.size() : 0;

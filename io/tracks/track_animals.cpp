@@ -14,7 +14,7 @@ void settle_animals(const Header& header, TrackLayout& layout) {
   layout.places_may_be_unknown = of_animals || !layout.velocity;
   if (!of_animals) return;
   layout.no_height = &kUnknownHeight;
-  layout.ids_may_be_empty = true;
+  layout.without_id = &kNoAnimal;
   layout.infinite_is_unknown = source->infinite_is_unknown;
   for (std::size_t i = 0; i < header.size(); ++i) {
     const auto words = split_words(header.table().names[i]);

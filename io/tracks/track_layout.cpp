@@ -26,6 +26,7 @@
 #include "io/tracks/track_velocity.hpp"
 #include "io/tracks/unclear_id.hpp"
 #include "io/tracks/utm_zone.hpp"
+#include "io/tracks/wall_times.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -166,6 +167,7 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   if (layout.not_seen) fill(*layout.not_seen, TrackSlot::kNotSeen);
   if (layout.sensor) fill(*layout.sensor, TrackSlot::kSensor);
   if (layout.zone) fill(*layout.zone, TrackSlot::kZone);
+  if (layout.clock_zone) fill(*layout.clock_zone, TrackSlot::kClockZone);
   if (layout.no_height_yet) fill(*layout.no_height_yet, TrackSlot::kLateHeight);
   for (std::size_t i = 0; layout.velocity && i < layout.velocity->dimensions; ++i) {
     fill(layout.velocity->columns[i], TrackSlot::kVelocity + i);
@@ -260,6 +262,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
                            column_text(layout.table, layout.quality->column));
   }
   if (layout.frame != Frame::kWgs84) layout.zone = find_utm_zone(layout.table);
+  if (layout.time && layout.time->clock) layout.clock_zone = find_clock_zone(layout.table);
   if (!said || choice.id) {
     if (auto problem = unclear_id(text, header, layout)) return *std::move(problem);
   }

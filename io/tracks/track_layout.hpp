@@ -96,7 +96,6 @@ struct TrackLayout {
   bool places_may_be_unknown = false;
   bool infinite_is_unknown = false;
   bool scaled_degrees = false;     // longitude and latitude are whole numbers of 1e-7 degrees
-  bool ids_may_be_empty = false;   // of who is none of the animals
   bool show = false;               // of a drone show: a path with colours
   bool supposed_metres = false;    // its positions: nothing says so
   bool ids_are_addresses = false;  // of aircraft, in capitals or not
@@ -109,6 +108,7 @@ struct TrackLayout {
   std::vector<std::size_t> marked = {};          // who says yes there is one, too,
   std::optional<std::size_t> marked_valid = {};  // unless here
   std::optional<std::size_t> tag = {};           // of animals, of which each should have one
+  const LeftOutReason* without_id = nullptr;     // the same, where an id may be empty
   const LeftOutReason* no_height = nullptr;      // what to say of such a record
   std::optional<std::size_t> label = {};         // what each is called beside its id: the flight
   std::optional<std::size_t> on_ground = {};     // of those that are left out
@@ -121,6 +121,7 @@ struct TrackLayout {
   std::optional<std::size_t> not_seen = {};       // of TRex: "missing"
   std::optional<std::size_t> sensor = {};         // of Movebank: which found the place
   std::optional<std::size_t> zone = {};           // of UTM, in which x and y are counted
+  std::optional<std::size_t> clock_zone = {};     // of times of a clock: which is to be one
   std::vector<std::size_t> sets = {};             // within which ids are unique: studies, days
   std::vector<std::size_t> trials = {};           // which of `sets` times may begin again with
   std::optional<std::size_t> no_height_yet = {};  // of heights that the beginning has none of
@@ -155,7 +156,8 @@ struct TrackSlot {
   static constexpr std::size_t kSensor = 19;
   static constexpr std::size_t kTag = 20;
   static constexpr std::size_t kValid = 21;
-  static constexpr std::size_t kMarked = 22;  // as many as kMostMarked
+  static constexpr std::size_t kClockZone = 22;
+  static constexpr std::size_t kMarked = 23;  // as many as kMostMarked
   static constexpr std::size_t kMostMarked = 3;
   static constexpr std::size_t kSets = kMarked + kMostMarked;  // as many as kMostSets
   static constexpr std::size_t kMostSets = 6;

@@ -83,8 +83,8 @@ std::optional<Error> TrackRecordReader::read_id(TrackRecord& record) {
   const ColumnChoice& choice = layout_.table.choice;
   if (!choice.id) return std::nullopt;
   const Field& field = fields_[TrackSlot::kId];
-  if (layout_.ids_may_be_empty && is_unknown(field.text)) {
-    record.left_out = &kNoAnimal;
+  if (layout_.without_id != nullptr && is_unknown(field.text)) {
+    record.left_out = layout_.without_id;
     return std::nullopt;
   }
   if (layout_.ids_within_file && field.text.empty()) return std::nullopt;
@@ -219,11 +219,15 @@ std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
   const std::string_view text = without_padding(fields_[TrackSlot::kTime].text);
   if (time.form == TimeForm::kDatesAndTimes || time.form == TimeForm::kClock) {
     const std::string_view day = without_padding(fields_[TrackSlot::kDate].text);
-    const std::string problem = read_wall_time(time, text, day, record.time_s);
+    double again_after_s = 0.0;
+    const std::string problem = read_wall_time(time, text, day, record.time_s, again_after_s);
     if (problem.empty()) return std::nullopt;
-    return at_column(ErrorCode::kNotANumber,
-                     excerpt(text) + " is not a time: " + problem + std::string(kOrLeaveOut),
-                     time.column);
+    Error error = at_column(ErrorCode::kNotANumber,
+                            excerpt(text) + " is not a time: " + problem + std::string(kOrLeaveOut),
+                            time.column);
+    if (!takes_doubled_ || again_after_s == 0.0) return error;
+    record.doubled = TrackRecord::Doubled{again_after_s, std::move(error)};
+    return std::nullopt;
   }
   if (time.nanoseconds) return read_stamp(text, record);
   double value = 0.0;
@@ -380,6 +384,7 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   }
   if (auto problem = record_problem(line, layout_.table, count, cursor.problem())) return problem;
   record.left_out = nullptr;
+  record.doubled.reset();
   record.is_timed = false;
   record.is_rough = layout_.sensor && is_of_argos(fields_[TrackSlot::kSensor].text);
   read_sets(record);
@@ -389,6 +394,9 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   record.tag = {};
   if (layout_.tag) record.tag = without_padding(fields_[TrackSlot::kTag].text);
   if (layout_.zone) record.zone = without_padding(fields_[TrackSlot::kZone].text);
+  if (layout_.clock_zone) {
+    record.clock_zone = without_padding(fields_[TrackSlot::kClockZone].text);
+  }
   if (layout_.axes_name) record.axes_name = without_padding(fields_[TrackSlot::kAxesName].text);
   record.left_out = reason_to_leave_out();
   record.flies_on_ground = record.left_out == nullptr && layout_.on_ground &&

@@ -20,29 +20,40 @@
 namespace beespace::io {
 
 struct TrackRecord {
+  // Of a time that clocks show twice: time_s is the first, and the other one so much later.
+  struct Doubled {
+    double by_s;
+    Error unclear;  // what is wrong where nothing tells which is meant
+  };
+
   // Why the record of an aircraft is left out, and read no further; or nothing.
   const LeftOutReason* left_out = nullptr;
-  bool claim_is_placed = false;     // of one that is on the ground: time and position are known
-  bool flies_on_ground = false;     // says that it is on the ground, but flies; it is kept
-  std::string_view label = {};      // what it is called beside its id; as long as that
-  std::string_view id = {};         // as long as the line and the reader live
-  double time_s = 0.0;              // 0 where there is no time
-  bool is_rough = false;            // a place of Argos' Doppler shifts
-  bool is_timed = false;            // of a record that is left out since it has no place
-  Point position = {};              // metres, or degrees and a height in metres
-  double stated_height = 0.0;       // or z, as the input has it
-  Velocity velocity = {};           // not-a-number where it is unknown
-  std::string_view set = {};        // study, trial: within which the id is unique; as the line
-  std::string_view trial = {};      // what of that times may begin again with; as the line
-  std::string_view tag = {};        // by which the place of an animal is known; as the line
-  std::string_view axes_name = {};  // of ROS: what the position is counted in; as long as the line
-  std::string_view zone = {};       // of UTM; as long as the line
+  bool claim_is_placed = false;  // of one that is on the ground: time and position are known
+  bool flies_on_ground = false;  // says that it is on the ground, but flies; it is kept
+  std::string_view label = {};   // what it is called beside its id; as long as that
+  std::string_view id = {};      // as long as the line and the reader live
+  double time_s = 0.0;           // 0 where there is no time
+  std::optional<Doubled> doubled = {};
+  bool is_rough = false;             // a place of Argos' Doppler shifts
+  bool is_timed = false;             // of a record that is left out since it has no place
+  Point position = {};               // metres, or degrees and a height in metres
+  double stated_height = 0.0;        // or z, as the input has it
+  Velocity velocity = {};            // not-a-number where it is unknown
+  std::string_view set = {};         // study, trial: within which the id is unique; as the line
+  std::string_view trial = {};       // what of that times may begin again with; as the line
+  std::string_view tag = {};         // by which the place of an animal is known; as the line
+  std::string_view axes_name = {};   // of ROS: what the position is counted in; as long as the line
+  std::string_view zone = {};        // of UTM; as long as the line
+  std::string_view clock_zone = {};  // of the time; the same
   std::string_view late_height = {};  // where there were none before (TrackLayout::no_height_yet)
 };
 
 class TrackRecordReader {
  public:
   explicit TrackRecordReader(const TrackLayout& layout);
+
+  // From here on a time that clocks show twice is no mistake.
+  void take_doubled() { takes_doubled_ = true; }
 
   // `line` has no line end. The error has its column, but no line, record or source yet.
   // Errors: those of read_record(), kInvalidLongitude, kInvalidLatitude, kInvalidHeight,
@@ -64,6 +75,7 @@ class TrackRecordReader {
   void read_claim(TrackRecord& record);
 
   const TrackLayout& layout_;
+  bool takes_doubled_ = false;
   std::vector<std::uint8_t> slots_;  // by column: which slot it fills
   std::array<Field, TrackSlot::kNothing + 1> fields_ = {};
   std::string unquoted_id_;

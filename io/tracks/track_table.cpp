@@ -68,6 +68,19 @@ Error height_after_all(std::string_view text, std::size_t column) {
   return error;
 }
 
+// Which of two times is meant that clocks show alike, as the order of the records tells.
+std::optional<Error> settle_doubled(TrackRecord& record, RecordingAssembly& assembly) {
+  DoubledHours& hours = assembly.doubled_hours();
+  if (!record.doubled) return hours.take(record.id, record.time_s);
+  Error& unclear = record.doubled->unclear;
+  unclear.location.source = assembly.source_name();
+  const auto time_s =
+      hours.take_doubled(record.id, record.time_s, record.doubled->by_s, std::move(unclear));
+  if (!time_s) return time_s.error();
+  record.time_s = *time_s;
+  return std::nullopt;
+}
+
 // The bee of a record whose id another file may give to another bee, in `id`.
 void name_within_file(const std::string& file, bool several, TrackRecord& record, std::string& id) {
   if (record.id.empty()) {
@@ -126,6 +139,9 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
   const bool times_of_day = layout.time && layout.time->clock && !layout.time->clock->dated;
   if (layout.time && layout.time->of_position) assembly.tracks().round_times(0.0);
   const bool dated = layout.time && layout.time->clock && layout.time->clock->dated;
+  const bool turned = layout.time && layout.time->zone && layout.time->zone->is_turned() &&
+                      !assembly.options().skip_bad;
+  if (turned) reader.take_doubled();
   TrackRecord record;
   record.id = stem;
   std::string row_id;
@@ -184,6 +200,11 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       if (record.is_timed) assembly.unplaced(record.id, record.time_s);
       continue;
     }
+    if (turned) {
+      if (record.doubled)
+        place(record.doubled->unclear, line, rows_before + walk.row(), place_of, layout);
+      if (auto error = settle_doubled(record, assembly)) return error;
+    }
     if (times_of_day && assembly.goes_back(record.id, record.time_s)) {
       Error error = goes_back(record, *layout.time);
       place(error, line, rows_before + walk.row(), place_of, layout);
@@ -206,6 +227,13 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     }
     if (layout.zone) {
       if (auto error = assembly.agree_on_zone(record.zone, utm_zone_of(record.zone))) {
+        place(*error, line, rows_before + walk.row(), place_of, layout);
+        return error;
+      }
+    }
+    if (layout.clock_zone) {
+      if (auto error = assembly.agree_on_clock_zone(record.clock_zone)) {
+        error->location.column = *layout.clock_zone + 1;
         place(*error, line, rows_before + walk.row(), place_of, layout);
         return error;
       }

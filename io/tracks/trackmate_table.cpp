@@ -200,7 +200,7 @@ std::optional<Error> read_trackmate_table(std::string_view text, RecordingAssemb
     error.location.column.reset();
     return error;
   }
-  layout->ids_may_be_empty = true;
+  layout->without_id = &kNoTrack;
   if (auto error = lengths_problem(layout->table, options)) return error;
   assembly.note("a table of spots, as TrackMate writes them: each track is a bee");
   if (auto error = assembly.agree(facts_of(*layout, "text, spots"))) return error;

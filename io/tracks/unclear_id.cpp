@@ -155,6 +155,7 @@ bool may_hold_ids(const Header& header, const TrackLayout& layout, std::size_t c
       role == Role::kNone || role == Role::kId || (role == Role::kTrack && !layout.velocity);
   const bool taken = column == layout.table.choice.id || column == layout.axes_name ||
                      column == layout.visible || column == layout.zone ||
+                     column == layout.clock_zone ||
                      (layout.quality && column == layout.quality->column) ||
                      std::find(layout.sets.begin(), layout.sets.end(), column) != layout.sets.end();
   return unclear && !taken && !names_other_quantity(layout.table.names[column]);

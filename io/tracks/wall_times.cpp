@@ -9,11 +9,16 @@
 #include "io/units/iso_time.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <utility>
 
 namespace beespace::io {
 namespace {
+
+// In names of columns, between others.
+constexpr std::array<std::string_view, 7> kClockZones = {
+    "_timezone_", "_time_zone_", "_tz_", "_tzone_", "_utc_offset_", "_gmt_offset_", "_zeitzone_"};
 
 bool looks_like_date(std::string_view text) {
   return looks_like_iso_time(text) || looks_like_other_date(text);
@@ -32,6 +37,13 @@ bool names_utc(const std::string& name) {
   return utc && name.find_first_of("+-") == std::string::npos;
 }
 
+// "study-local-timestamp", which tables of Movebank may have beside the time in UTC.
+bool names_local(const Header& header, std::size_t column) {
+  if (column >= header.size()) return false;
+  const auto words = split_words(header.table().names[column]);
+  return std::find(words.begin(), words.end(), "local") != words.end();
+}
+
 // Which zone dates and times are of that name none: the caller's, or that of a known source, or of
 // the header.
 void choose_zone(const Header& header, const RecordingOptions& options, TimeChoice& time) {
@@ -39,7 +51,7 @@ void choose_zone(const Header& header, const RecordingOptions& options, TimeChoi
   if (options.time_zone) {
     time.zone = options.time_zone;
     time.zone_reason = "as --time-zone says";
-  } else if (source != nullptr && source->in_utc) {
+  } else if (source != nullptr && source->in_utc && !names_local(header, time.column)) {
     time.zone = TimeZone::utc();
     time.zone_reason = "the header is that of " + std::string(source->name);
   } else if (time.column < header.size() && names_utc(header.table().names[time.column])) {
@@ -192,7 +204,8 @@ std::optional<Error> choose_wall_times(std::string_view text, const Header& head
 }
 
 std::string read_wall_time(const TimeChoice& time, std::string_view text, std::string_view day,
-                           double& seconds) {
+                           double& seconds, double& again_after_s) {
+  again_after_s = 0.0;
   WallTime wall;
   const bool clock = time.form == TimeForm::kClock;
   const std::string_view problem =
@@ -219,10 +232,24 @@ std::string read_wall_time(const TimeChoice& time, std::string_view text, std::s
     return "it has no time zone; write Z for UTC behind it, or an offset such as +02:00, or say "
            "with --time-zone which it is";
   } else if (std::string what = time.zone->offset_of_local(wall.seconds, offset_s); !what.empty()) {
+    again_after_s = static_cast<double>(time.zone->shown_again_after(wall.seconds));
+    seconds = seconds_after(wall, offset_s);
     return what;
   }
   seconds = seconds_after(wall, offset_s);
   return {};
+}
+
+std::optional<std::size_t> find_clock_zone(const TableLayout& table) {
+  const auto found =
+      std::find_if(table.names.begin(), table.names.end(), [](const std::string& name) {
+        const std::string joined = "_" + plain_name(name) + "_";
+        return std::any_of(kClockZones.begin(), kClockZones.end(), [&](std::string_view words) {
+          return joined.find(words) != std::string::npos;
+        });
+      });
+  if (found == table.names.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - table.names.begin());
 }
 
 std::string dates_note(const TimeChoice& time) {

@@ -32,9 +32,13 @@ std::optional<Error> choose_wall_times(std::string_view text, const Header& head
                                        TimeChoice& time);
 
 // A field of the time, and of the day where that has a column of its own, as seconds. What is
-// wrong, as a sentence; nothing when all is well.
+// wrong, as a sentence; nothing when all is well. Where clocks show it twice `seconds` is the first
+// time, and the other one is `again_after_s` later; otherwise that is 0.
 std::string read_wall_time(const TimeChoice& time, std::string_view text, std::string_view day,
-                           double& seconds);
+                           double& seconds, double& again_after_s);
+
+// The column that says in which zone, or how far ahead of UTC, each time is.
+std::optional<std::size_t> find_clock_zone(const TableLayout& table);
 
 // How dates are read, for the notes.
 std::string dates_note(const TimeChoice& time);

@@ -100,6 +100,12 @@ std::string TimeZone::offset_of_local(std::int64_t local_s, std::int64_t& offset
   return {};
 }
 
+std::int64_t TimeZone::shown_again_after(std::int64_t local_s) const {
+  if (zone_ == nullptr) return 0;
+  const LocalTime there = local_time(*zone_, local_s);
+  return there.shown == LocalTime::Shown::kTwice ? there.offset_s - there.later_s : 0;
+}
+
 std::int64_t TimeZone::offset_at(std::int64_t since_1970_s) const {
   return zone_ == nullptr ? offset_s_ : io::offset_at(*zone_, since_1970_s);
 }

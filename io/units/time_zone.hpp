@@ -26,7 +26,11 @@ class TimeZone {
   // 1970-01-01 00:00:00 on them. What is wrong, as a sentence, where they show it twice or never,
   // or where how they are turned is not known any more; nothing when all is well.
   [[nodiscard]] std::string offset_of_local(std::int64_t local_s, std::int64_t& offset_s) const;
-  // The same at an instant, in seconds since 1970 (UTC).
+  // By how much later clocks there show that local time again; 0 where they do not.
+  [[nodiscard]] std::int64_t shown_again_after(std::int64_t local_s) const;
+  // Whether clocks there are turned.
+  [[nodiscard]] bool is_turned() const { return zone_ != nullptr; }
+  // The offset at an instant, in seconds since 1970 (UTC).
   [[nodiscard]] std::int64_t offset_at(std::int64_t since_1970_s) const;
 
  private:

@@ -23,6 +23,7 @@ TEST(TrackMateTable, TracksAreAnimalsAndUnitsAreThoseOfTheirRow) {
   EXPECT_EQ(times_of(read.bees[0]), (std::vector<double>{0, 0.5}));
   EXPECT_EQ(read.bees[0].fixes[1].position, (Point{10.5e-6, 20e-6, 0}));
   EXPECT_EQ(read.missing.without_id, 1u);
+  EXPECT_TRUE(has_note(read, "1 record of spots that are on no track is left out"));
   EXPECT_TRUE(has_note(read, "a table of spots, as TrackMate writes them: each track is a bee"));
   expect_error(record(kNames + kMoreNames + units + "ID0,0,0,5,x,20,0,0,0\n" + kSpots),
                {ErrorCode::kNotANumber, "bees.csv:5", "'x' is not a number"});
