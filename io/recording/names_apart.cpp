@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
+#include <unordered_set>
 
 namespace beespace::io {
 namespace {
@@ -37,6 +38,7 @@ std::unordered_map<std::string, std::string> names_apart(const std::vector<std::
   std::unordered_map<std::string, std::vector<std::size_t>> by_stem;
   for (std::size_t i = 0; i < sources.size(); ++i) by_stem[stem_of(sources[i])].push_back(i);
   std::unordered_map<std::string, std::string> names;
+  std::unordered_map<std::string, std::unordered_set<std::string>> stems;  // by name
   for (const auto& [stem, same] : by_stem) {
     if (same.size() < 2) continue;
     std::vector<PathParts> all;
@@ -55,8 +57,14 @@ std::unordered_map<std::string, std::string> names_apart(const std::vector<std::
       for (std::size_t i = before; i + behind < all[k].size(); ++i) {
         name.append(name.empty() ? "" : "/").append(all[k][i]);
       }
-      if (!name.empty()) names.emplace(sources[same[k]], std::move(name));
+      if (name.empty()) continue;
+      stems[name].insert(stem);
+      names.emplace(sources[same[k]], std::move(name));
     }
+  }
+  // Folders that hold several each: which of them is said, too.
+  for (auto& [source, name] : names) {
+    if (stems[name].size() > 1) name += "/" + stem_of(source);
   }
   return names;
 }

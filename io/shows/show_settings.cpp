@@ -178,7 +178,7 @@ std::optional<Error> read_place(ShowDocuments& documents, RecordingAssembly& ass
   const JsonElement element = (*location)->element;
   const auto not_taken = [&](std::string_view what) {
     assembly.note("the location of the show is not taken, as " + std::string(what) +
-                  "; to see it on a map say where it is with --origin");
+                  "; on a map it is shown by 'beespace export' with --origin");
     return std::nullopt;
   };
   ShowPlace read;

@@ -1,3 +1,4 @@
+#include "io/recording/names_apart.hpp"
 #include "tests/io/tracks/recording_loading.hpp"
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 
 #include <filesystem>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace beespace::io {
@@ -54,6 +56,19 @@ TEST(RecordingFiles, FilesOfTheSameNameAreSeveralBees) {
   const std::string json = R"([{"time_s": 1, "x": 1, "y": 2, "z": 3}])";
   const std::string third = folder.write("d1/pose.json", json);
   EXPECT_EQ(ids_of(recording_of(load_recording({first, third}))), (Ids{"pose.csv", "pose.json"}));
+}
+
+// Of two folders with several files each, the folder alone names none of them.
+TEST(RecordingFiles, FoldersOfTheSameNamesSayFolderAndName) {
+  EXPECT_EQ(names_apart({"two/draft/1.csv", "two/draft/2.csv", "two/final/1.csv", "two/final/2.csv",
+                         "two/final/3.csv"}),
+            (std::unordered_map<std::string, std::string>{{"two/draft/1.csv", "draft/1"},
+                                                          {"two/draft/2.csv", "draft/2"},
+                                                          {"two/final/1.csv", "final/1"},
+                                                          {"two/final/2.csv", "final/2"}}));
+  EXPECT_EQ(names_apart({"one/log.csv", "two/log.csv"}),
+            (std::unordered_map<std::string, std::string>{{"one/log.csv", "one"},
+                                                          {"two/log.csv", "two"}}));
 }
 
 TEST(RecordingFiles, TablesOfTheSameNameInAnArchiveAreSeveralBees) {
