@@ -126,6 +126,14 @@ io::Unit small_unit(const MovingRequest& request, const io::Recording& recording
   return io::Unit::kUnstated;
 }
 
+// Rather than in nautical miles, of which little is nothing.
+bool in_feet(const MovingRequest& request, double threshold_m) {
+  constexpr double kLeastInMiles_NM = 0.1;
+  if (request.threshold && request.threshold->unit == io::Unit::kFoot) return true;
+  return !(request.threshold && request.threshold->unit == io::Unit::kNauticalMile) &&
+         io::from_metric(threshold_m, io::Unit::kNauticalMile) < kLeastInMiles_NM;
+}
+
 std::string in_unit(double metres, double limit_m, io::Unit unit, int decimals) {
   const double value = io::from_metric(metres, unit);
   const double limit = io::from_metric(limit_m, unit);
@@ -179,7 +187,7 @@ Distances distances_of(const MovingRequest& request, const io::Recording& record
   Distances distances;
   distances.aviation = in_aviation(request, recording);
   if (!distances.aviation) distances.small = small_unit(request, recording);
-  distances.feet = request.threshold && request.threshold->unit == io::Unit::kFoot;
+  distances.feet = in_feet(request, threshold_m);
   distances.threshold_m = threshold_m;
   distances.vertical_m = request.vertical_m;
   return distances;

@@ -6,6 +6,7 @@
 #include "cli/output/coverage_output.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/recording/moment_text.hpp"
+#include "io/units/units.hpp"
 
 #include <algorithm>
 #include <array>
@@ -190,6 +191,38 @@ std::string bars_over_time(const analysis::Findings& findings, double threshold_
   return text;
 }
 
+// Of a threshold that is wider than all that was recorded, in units of small things: they may have
+// been meant, as 10 um and not 10 m.
+void append_wide_threshold(std::string& out, const analysis::Findings& findings,
+                           const MovingRequest& request) {
+  const auto& units = findings.recording.units;
+  const auto taken = std::find_if(units.begin(), units.end(), [](const io::UnitTaken& one) {
+    return one.of.starts_with('x') && one.unit != io::Unit::kMetre;
+  });
+  if (taken == units.end() || !request.threshold || request.threshold->unit != io::Unit::kMetre) {
+    return;
+  }
+  Point least{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  Point greatest{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  for (const Track& track : findings.tracks) {
+    for (const Fix& fix : track.fixes) {
+      const Point& at = fix.position;
+      least = {std::min(least.x, at.x), std::min(least.y, at.y), std::min(least.z, at.z)};
+      greatest = {std::max(greatest.x, at.x), std::max(greatest.y, at.y),
+                  std::max(greatest.z, at.z)};
+    }
+  }
+  const double wide_m =
+      std::hypot(greatest.x - least.x, greatest.y - least.y, greatest.z - least.z);
+  if (!(wide_m < request.threshold->metric)) return;
+  const std::string unit(io::symbol_of(taken->unit));
+  append_summary_line(
+      out, "note",
+      "all of it is " + io::grouped(io::from_metric(wide_m, taken->unit), 1) + " " + unit +
+          " wide, and the threshold is " + io::exact(request.threshold->metric) + " m: if " + unit +
+          " are meant, say --threshold " + io::exact(request.threshold->value) + unit);
+}
+
 std::string bars_legend(const std::string& bars) {
   const bool any_open = bars.find('?') != std::string::npos;
   return std::string("(how far apart the closest two are: a full bar is twice the threshold, ") +
@@ -222,6 +255,7 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
   append_summary_line(
       out, "threshold",
       separation_summary(request, figures.threshold_m, recording, distances.aviation));
+  append_wide_threshold(out, findings, request);
   const auto pairs = analysis::pairs_in_conflict(findings.recorded.conflicts);
   append_summary_line(out, "verdict", verdict(findings, pairs));
   append_closest(out, findings, distances);

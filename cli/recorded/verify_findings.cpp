@@ -171,13 +171,14 @@ std::string verify_summary(const Verification& verification, const MovingRequest
                       options.straight ? "not known of straight lines"
                                        : io::grouped(verdict.peak_acceleration_mps2, 3) + " m/s^2");
   append_summary_line(out, "losses",
-                      found_text(verdict.losses, "pair in a step", "pairs, a step each"));
+                      found_text(verdict.losses, "pair in a step", "times a pair in a step"));
   if (options.obstacles != nullptr) {
-    append_summary_line(out, "clearance",
-                        found_text(verdict.clearance_losses, "bee in a step", "bees, a step each"));
+    append_summary_line(
+        out, "clearance",
+        found_text(verdict.clearance_losses, "bee in a step", "times a bee in a step"));
   }
   append_summary_line(out, "breaches",
-                      found_text(verdict.breaches, "limit in a step", "limits, a step each"));
+                      found_text(verdict.breaches, "limit in a step", "times a limit in a step"));
   append_summary_line(out, "verdict", verdict_text(verdict, verification.coverage));
   append_summary_line(out, "time",
                       "read " + io::duration(verification.read_s) + ", check " +

@@ -159,6 +159,19 @@ TEST(AnswersForPeople, WhoSpeaksOfFeetIsToldInFeet) {
   expect_parts(run({"replay", "--threshold", "5ft"}, show).err, {"1.15 ft (0.351 m) apart"});
   expect_parts(run({"replay", "--threshold", "500ft"}, show).err, {"1 ft (0.351 m) apart"});
   expect_parts(run({"replay", "--threshold", "0.05NM"}, show).err, {" NM (0.351 m) apart"});
+  const std::string feet = "id,time_s,x_ft,y_ft,z_ft\na,0,0,0,5\na,9,0,0,5\nb,0,2,0,5\nb,9,2,0,5\n";
+  expect_parts(run({"replay", "--threshold", "2"}, feet).err, {"2.00 ft (0.610 m) apart"});
+}
+
+TEST(AnswersForPeople, AThresholdThatIsWiderThanTheSceneIsPointedOut) {
+  const std::string small = "id,time_s,x_um,y_um\na,0,0,0\na,9,0,0\nb,0,30,40\nb,9,30,40\n";
+  expect_parts(run({"replay", "--threshold", "10"}, small).err,
+               {"note       all of it is 50.0 um wide, and the threshold is 10 m: if um are meant, "
+                "say --threshold 10um\n"});
+  for (const char* const threshold : {"10um", "0.00001"}) {
+    const Finished finished = run({"replay", "--threshold", threshold}, small);
+    EXPECT_EQ(finished.err.find("wide"), std::string::npos) << finished.err;
+  }
 }
 
 TEST(AnswersForPeople, UnitsOfAviationMayBeAskedForOrNot) {

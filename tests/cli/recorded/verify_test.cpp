@@ -66,7 +66,7 @@ TEST(Verify, ABeeThatIsTooFastIsFound) {
                                       {"speed", "a", "", "1", "2", "20"},
                                       {"speed", "b", "", "1", "2", "20"}});
   expect_parts(finished.err,
-               {"breaches   4 limits, a step each\n", "verdict    breaks the limits\n"});
+               {"breaches   4 times a limit in a step\n", "verdict    breaks the limits\n"});
 }
 
 TEST(Verify, VelocitiesBendTheWayBetweenFixes) {
@@ -134,8 +134,9 @@ TEST(Verify, OfManyFindingsTheFirstThousandAreListed) {
   const Finished finished = run({"verify"}, crowd);
   EXPECT_EQ(finished.exit_code, 1);
   EXPECT_EQ(rows_of(finished.out).size(), 1000u);
-  expect_parts(finished.err,
-               {"losses     1,225 pairs, a step each, of which the answer has the first 1,000\n"});
+  expect_parts(
+      finished.err,
+      {"losses     1,225 times a pair in a step, of which the answer has the first 1,000\n"});
   expect_parts(run({"verify", "--json"}, crowd).out, {R"("loss_count": 1225)"});
 }
 
