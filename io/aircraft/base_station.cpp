@@ -129,8 +129,9 @@ std::optional<Error> shape_problem(const Fields& fields, std::size_t count) {
                    kAddress);
 }
 
+// mlat-client writes places that were found by the times of several receivers as MLAT.
 bool is_message(std::string_view word) {
-  return word == "MSG";
+  return word == "MSG" || word == "MLAT";
 }
 
 // Others than MSG say nothing of positions: who is selected, seen first, or lost.

@@ -83,7 +83,7 @@ NamePattern speeds_over_ground() {
       {Says::kPart, "speed-over-ground", Role::kGroundSpeed, "shipping"},
       {Says::kPart,
        "vertical-rate verticalrate vert-rate vertrate vertical-speed climb-rate climb "
-       "rate-of-climb roc rocd baro-rate geom-rate",
+       "rate-of-climb roc rocd baro-rate geom-rate v-s",
        Role::kClimb, "aviation"},
   };
   pattern.whole = true;
@@ -95,8 +95,8 @@ NamePattern speeds_over_ground() {
 NamePattern directions_over_ground() {
   NamePattern pattern;
   pattern.words = {
-      {Says::kPart, "track track-deg track-degrees true-track track-angle", Role::kTrack,
-       "aviation"},
+      {Says::kPart, "track track-deg track-degrees track-\u00b0 true-track track-angle",
+       Role::kTrack, "aviation"},
       {Says::kPart, "course-over-ground cog", Role::kTrack, "shipping"},
   };
   pattern.whole = true;

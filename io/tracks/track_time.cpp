@@ -387,8 +387,9 @@ std::string no_time_text(std::string_view text, const Header& header) {
   }
   return "there is neither a time nor a velocity; name the column of the time with --columns " +
          which +
-         ", or those of the velocity, with which 'beespace predict' needs no time, with vx=N,vy=N; "
-         "where all are at one time, ask 'beespace detect' (" +
+         ", or those of the velocity, with which 'beespace predict' needs no time, with vx=N,vy=N"
+         " or in the header as 'groundspeed', 'track' and 'vertical_rate'; where all are at one "
+         "time, ask 'beespace detect' (" +
          list_columns(header.table()) + ")";
 }
 

@@ -1,7 +1,9 @@
 #include "io/tracks/track_velocity.hpp"
 
+#include "io/bytes/characters.hpp"
 #include "io/frames/track_domain.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/table/column_names.hpp"
 #include "io/table/record_problems.hpp"
 
 #include <beespace/geodesy.hpp>
@@ -116,6 +118,26 @@ std::optional<VelocityChoice> choose_over_ground(const VelocityQuestion& questio
   return choice;
 }
 
+// A velocity along axes that is said to be in a column of directions.
+std::optional<Error> direction_as_speed(const Header& header) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto column = header.override_of(part_of(Role::kVelocityX, i));
+    if (!column || *column >= header.size()) continue;
+    const std::vector<std::string> words = split_words(header.table().names[*column]);
+    const bool direction = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+      return is_one_of("track heading course direction bearing azimuth cog", word);
+    });
+    if (!direction) continue;
+    return at_column(ErrorCode::kInvalidArgument,
+                     column_text(header.table(), *column) +
+                         " holds a direction, which is no speed along an axis; a speed, its "
+                         "direction and a climb rate are read by their names in the header, as "
+                         "'groundspeed [kt]', 'track' and 'vertical_rate [ft/min]'",
+                     *column);
+  }
+  return std::nullopt;
+}
+
 std::optional<VelocityChoice> choose_columns_of(const VelocityQuestion& question,
                                                 std::vector<std::string>& notes) {
   const auto east = question.header.override_of(Role::kVelocityX);
@@ -168,6 +190,7 @@ std::optional<Error> settle_units(const VelocityQuestion& question, VelocityChoi
 Result<std::optional<VelocityChoice>> choose_velocity(const VelocityQuestion& question,
                                                       std::vector<std::string>& notes,
                                                       std::vector<UnitTaken>& taken) {
+  if (auto error = direction_as_speed(question.header)) return *std::move(error);
   const std::size_t said = notes.size();
   auto choice = choose_columns_of(question, notes);
   if (!choice) return choice;
