@@ -21,6 +21,7 @@
 #include "io/table/coordinate_units.hpp"
 #include "io/table/decimal_comma.hpp"
 #include "io/table/position_columns.hpp"
+#include "io/tracks/sides.hpp"
 #include "io/tracks/utm_zone.hpp"
 
 #include <cmath>
@@ -221,10 +222,15 @@ std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
         source.bytes.view.size() - source.text.size() + source.table->data_offset;
   }
   const auto& choice = source.table->choice;
-  if (const auto column = find_utm_zone(*source.table)) {
+  const std::string_view records = source.text.substr(source.table->data_offset);
+  if (auto error =
+          southern_or_western(records, *source.table, find_sides(source.text, *source.table))) {
+    *error->location.line += source.table->lines_before;
+    return *std::move(error);
+  }
+  if (const auto column = find_utm_zone(source.text, *source.table)) {
     std::optional<std::string> zone;
-    auto error =
-        other_zone(source.text.substr(source.table->data_offset), *source.table, *column, zone);
+    auto error = other_zone(records, *source.table, *column, zone);
     if (error) {
       *error->location.line += source.table->lines_before;
       return error;

@@ -5,6 +5,7 @@
 #include "io/problems/skipped_records.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
+#include "io/tracks/sides.hpp"
 #include "io/tracks/utm_zone.hpp"
 #include "io/units/heights.hpp"
 
@@ -156,8 +157,9 @@ Status PointStream::settle_table() {
   header_ = std::make_shared<const std::string>(table_->header);
   table_->header = *header_;
   at_ += pending().size() - beginning->text.size() + table_->data_offset;
+  utm_column_ = find_utm_zone(beginning->text, *table_);
+  sides_ = find_sides(beginning->text, *table_);
   table_->data_offset = 0;
-  utm_column_ = find_utm_zone(*table_);
   const ColumnChoice& choice = table_->choice;
   return settle_frame({choice.evidence, choice.reason},
                       choice.naming == Naming::kSure || choice.naming == Naming::kBareAxes);
@@ -262,6 +264,10 @@ Result<std::optional<LoadedPoints>> PointStream::next_of_table() {
     if (!lines) return std::move(lines).error();
     if (lines->view.empty()) break;
     const std::uint64_t count = lines_in(lines->view, table_->line_end);
+    if (auto error = southern_or_western(lines->view, *table_, sides_)) {
+      *error->location.line += table_->lines_before;
+      return *std::move(error);
+    }
     if (utm_column_) {
       if (auto error = other_zone(lines->view, *table_, *utm_column_, utm_zone_)) {
         *error->location.line += table_->lines_before;

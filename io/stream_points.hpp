@@ -14,6 +14,7 @@
 #include "io/points/loaded_points.hpp"
 #include "io/points/zero_points.hpp"
 #include "io/table/table_layout.hpp"
+#include "io/tracks/sides.hpp"
 
 #include <beespace/points_view.hpp>
 #include <beespace/result.hpp>
@@ -102,7 +103,8 @@ class PointStream {
   FrameDecision frame_;
   std::optional<TableLayout> table_;           // of the lines that come next
   std::shared_ptr<const std::string> header_;  // that it views
-  std::optional<std::size_t> utm_column_;      // of the zone beside eastings and northings
+  Sides sides_ = {};
+  std::optional<std::size_t> utm_column_;  // of the zone beside eastings and northings
   std::optional<std::string> utm_zone_;
   std::optional<ArrayLayout> array_;
   Bytes mapped_;         // of an array

@@ -36,6 +36,10 @@ inline bool has_no_place(const LeftOutReason& reason) {
 inline constexpr LeftOutReason kNoAnimal = {
     "whose id of an animal is empty (of tags that are on none)",
     "where a tag was on one, fill it in, or take the tag's with --columns id=..."};
+inline constexpr double kOldPlace_s = 2.0;
+inline constexpr LeftOutReason kOldPlace = {
+    "whose place is more than 2 s old (seen_pos)",
+    "aircraft.json of readsb is read with the time of each place"};
 inline constexpr LeftOutReason kNoTrack = {"of spots that are on no track"};
 inline constexpr LeftOutReason kNoTime = {"without the time of the position"};
 inline constexpr LeftOutReason kOnGround = {"of aircraft on the ground",

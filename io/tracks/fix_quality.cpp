@@ -15,7 +15,7 @@ namespace {
 
 // sensor_msgs/NavSatFix: STATUS_NO_FIX is -1. GPS_FIX_TYPE of MAVLink, and of PX4 and Movebank: 0
 // and 1 are no fix, 2 is one without a height; so is the Status of ArduPilot's GPS messages. NMEA's
-// GGA: a quality of 0 is no fix.
+// GGA: a quality of 0 is no fix. Loggers of QStarz have "NO FIX" for VALID.
 constexpr double kLeastOfRos = 0.0;
 constexpr double kLeastType = 2.0;
 constexpr double kLeastQuality = 1.0;
@@ -41,7 +41,7 @@ std::optional<FixQuality> find_fix_quality(const TableLayout& table) {
     if (ends("status_status")) return FixQuality{i, kLeastOfRos};
     if (ardupilot && ends("status")) return FixQuality{i, kLeastType};
     if (ends("fix_type") || ends("fixtype")) return FixQuality{i, kLeastType};
-    if (name == "fix" || name == "gps_fix" || ends("fix_quality")) {
+    if (name == "fix" || name == "gps_fix" || name == "valid" || ends("fix_quality")) {
       return FixQuality{i, kLeastQuality};
     }
   }

@@ -114,6 +114,9 @@ void settle_aircraft(const Header& header, const RecordingOptions& options, Trac
     layout.label.reset();
   }
   settle_other_height(header, layout);
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (plain_name(layout.table.names[i]) == "seen_pos") layout.age = i;
+  }
   if (!options.grounded) layout.on_ground = choose_on_ground(header);
 }
 

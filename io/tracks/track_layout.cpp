@@ -167,6 +167,10 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   if (layout.not_seen) fill(*layout.not_seen, TrackSlot::kNotSeen);
   if (layout.sensor) fill(*layout.sensor, TrackSlot::kSensor);
   if (layout.zone) fill(*layout.zone, TrackSlot::kZone);
+  for (std::size_t i = 0; i < layout.sides.size(); ++i) {
+    if (layout.sides[i]) fill(*layout.sides[i], TrackSlot::kSide + i);
+  }
+  if (layout.age) fill(*layout.age, TrackSlot::kAge);
   if (layout.clock_zone) fill(*layout.clock_zone, TrackSlot::kClockZone);
   if (layout.no_height_yet) fill(*layout.no_height_yet, TrackSlot::kLateHeight);
   for (std::size_t i = 0; layout.velocity && i < layout.velocity->dimensions; ++i) {
@@ -261,7 +265,14 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
     layout.notes.push_back("whether there was a fix is read from " +
                            column_text(layout.table, layout.quality->column));
   }
-  if (layout.frame != Frame::kWgs84) layout.zone = find_utm_zone(layout.table);
+  if (layout.frame != Frame::kWgs84) layout.zone = find_utm_zone(text, layout.table);
+  if (layout.frame == Frame::kWgs84) layout.sides = find_sides(text, layout.table);
+  for (const auto& side : layout.sides) {
+    if (!side) continue;
+    layout.notes.push_back("on which side of " +
+                           std::string(side == layout.sides[0] ? "Greenwich" : "the equator") +
+                           " places are is read from " + column_text(layout.table, *side));
+  }
   if (layout.time && layout.time->clock) layout.clock_zone = find_clock_zone(layout.table);
   if (!said || choice.id) {
     if (auto problem = unclear_id(text, header, layout)) return *std::move(problem);

@@ -8,6 +8,7 @@
 #include "io/recording/wall_clock.hpp"
 #include "io/table/table_layout.hpp"
 #include "io/tracks/fix_quality.hpp"
+#include "io/tracks/sides.hpp"
 #include "io/units/iso_time.hpp"
 #include "io/units/time_zone.hpp"
 #include "io/units/unit_taken.hpp"
@@ -121,6 +122,8 @@ struct TrackLayout {
   std::optional<std::size_t> not_seen = {};       // of TRex: "missing"
   std::optional<std::size_t> sensor = {};         // of Movebank: which found the place
   std::optional<std::size_t> zone = {};           // of UTM, in which x and y are counted
+  Sides sides = {};                               // of degrees without a sign
+  std::optional<std::size_t> age = {};            // of aircraft: how old the place is
   std::optional<std::size_t> clock_zone = {};     // of times of a clock: which is to be one
   std::vector<std::size_t> sets = {};             // within which ids are unique: studies, days
   std::vector<std::size_t> trials = {};           // which of `sets` times may begin again with
@@ -157,7 +160,9 @@ struct TrackSlot {
   static constexpr std::size_t kTag = 20;
   static constexpr std::size_t kValid = 21;
   static constexpr std::size_t kClockZone = 22;
-  static constexpr std::size_t kMarked = 23;  // as many as kMostMarked
+  static constexpr std::size_t kSide = 23;  // two of them
+  static constexpr std::size_t kAge = 25;
+  static constexpr std::size_t kMarked = 26;  // as many as kMostMarked
   static constexpr std::size_t kMostMarked = 3;
   static constexpr std::size_t kSets = kMarked + kMostMarked;  // as many as kMostSets
   static constexpr std::size_t kMostSets = 6;

@@ -174,9 +174,18 @@ const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
     return layout_.no_height != nullptr ? layout_.no_height : &kHalfPlace;
   }
   if (layout_.time && unknown(TrackSlot::kTime)) return &kNoTime;
+  if (layout_.age && is_old()) return &kOldPlace;
   const bool height = layout_.table.choice.dimensions == 3;
   if (height && unknown(TrackSlot::kPosition + 2)) return layout_.no_height;
   return height && layout_.other_height && heights_contradict() ? &kHeightsContradict : nullptr;
+}
+
+// Or of an age that is not known.
+bool TrackRecordReader::is_old() const {
+  double age_s = 0.0;
+  return read_number(without_padding(fields_[TrackSlot::kAge].text), age_s) !=
+             NumberKind::kNumber ||
+         age_s > kOldPlace_s;
 }
 
 // Of an aircraft that tells both; what is no number is judged where it is read. A height of 0 that
@@ -305,6 +314,14 @@ std::optional<Error> TrackRecordReader::read_position(TrackRecord& record) {
                          choice.axes[axis]);
       }
       values[axis] /= kScaledPerDegree;
+    }
+    if (axis < layout_.sides.size() && layout_.sides[axis]) {
+      const std::string problem =
+          take_side(axis, fields_[TrackSlot::kSide + axis].text, values[axis]);
+      if (!problem.empty()) {
+        return at_column(ErrorCode::kMalformedRecord, problem + std::string(kOrLeaveOut),
+                         *layout_.sides[axis]);
+      }
     }
     values[axis] = without_dust(values[axis]);
     if (!in_motion_domain(values[axis])) {

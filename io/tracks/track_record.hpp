@@ -68,6 +68,7 @@ class TrackRecordReader {
   [[nodiscard]] bool is_outlier() const;
   [[nodiscard]] bool flies() const;
   [[nodiscard]] bool heights_contradict() const;
+  [[nodiscard]] bool is_old() const;
   std::optional<Error> read_time(TrackRecord& record);
   std::optional<Error> read_stamp(std::string_view text, TrackRecord& record);
   std::optional<Error> read_position(TrackRecord& record);

@@ -1,10 +1,12 @@
 #include "io/tracks/utm_zone.hpp"
 
 #include "io/bytes/characters.hpp"
+#include "io/bytes/number.hpp"
 #include "io/points/record_reading.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/table/column_names.hpp"
 #include "io/table/record_walk.hpp"
+#include "io/tracks/first_fields.hpp"
 
 #include <algorithm>
 
@@ -16,12 +18,24 @@ bool has_word(const std::vector<std::string>& words, std::string_view any_of) {
                      [any_of](const std::string& word) { return is_one_of(any_of, word); });
 }
 
+// As eastings and northings in metres are.
+bool is_first_between(std::string_view text, const TableLayout& table, std::size_t column,
+                      double least, double most) {
+  const FirstFields fields = first_fields(text, table, column);
+  double number = 0.0;
+  return !fields.empty() &&
+         parse_number(without_padding(fields.front()), number) == NumberKind::kNumber &&
+         number >= least && number < most;
+}
+
 }  // namespace
 
-std::optional<std::size_t> find_utm_zone(const TableLayout& table) {
+std::optional<std::size_t> find_utm_zone(std::string_view text, const TableLayout& table) {
   const std::size_t x = table.choice.axes[0];
   if (x >= table.names.size()) return std::nullopt;
-  const bool easting = has_word(split_words(table.names[x]), "easting east utm e rechtswert");
+  const bool easting = has_word(split_words(table.names[x]), "easting east utm e rechtswert") ||
+                       (is_first_between(text, table, x, 100'000.0, 1e6) &&
+                        is_first_between(text, table, table.choice.axes[1], 100'000.0, 1e7));
   for (std::size_t i = 0; i < table.names.size(); ++i) {
     const auto words = split_words(table.names[i]);
     const bool zone = has_word(words, "zone utmzone");

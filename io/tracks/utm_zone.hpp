@@ -14,7 +14,7 @@
 namespace beespace::io {
 
 // Of a table whose position is chosen; nothing where it is no easting and northing.
-std::optional<std::size_t> find_utm_zone(const TableLayout& table);
+std::optional<std::size_t> find_utm_zone(std::string_view text, const TableLayout& table);
 
 // The same text for the same coordinates: a number, and the hemisphere, as far as that is clear.
 // "32N", "32 n", "32T" and "32U" are one; "32S" may be one of the north or of the south.

@@ -62,6 +62,16 @@ TEST(BaseStation, ALastLineThatIsCutIsCounted) {
   EXPECT_TRUE(recording_of(record(all.substr(0, all.size() - 2))).missing.none());
 }
 
+// As mlat-client writes them.
+TEST(BaseStation, PlacesByMultilaterationAreMessagesToo) {
+  std::string found = airborne("A", "12:00:01.000", "8.501");
+  ASSERT_EQ(found.substr(0, 4), "MSG,");
+  found.replace(0, 3, "MLAT");
+  const Recording recording = recording_of(record(airborne("A", "12:00:00.000") + found));
+  EXPECT_EQ(recording.bees.at(0).fixes.size(), 2u);
+  EXPECT_TRUE(recording.missing.none());
+}
+
 TEST(BaseStation, VelocitiesAreJoinedByAddressWhileTheyAreFresh) {
   const auto recording =
       recording_of(record(velocity("A", "12:00:00.000") + airborne("B", "12:00:01.000") +

@@ -28,6 +28,16 @@ TEST(UtmZone, SeveralAreRefused) {
                {ErrorCode::kUnknownFrame, "bees.csv:3", "of UTM zone ''"});
 }
 
+// Of the size of eastings and northings, whatever they are called.
+TEST(UtmZone, EastingsMayBeCalledXAndY) {
+  RecordingOptions flat;
+  flat.columns = "x=3,y=4";
+  expect_error(
+      record("id,time_s,x,y,zone\na,0,756091.11,4432068.77,29\nb,0,243908,4432068,30\n", flat),
+      {ErrorCode::kUnknownFrame, "bees.csv:3",
+       "this easting and northing are of UTM zone '30', but those before are of '29'"});
+}
+
 TEST(UtmZone, OfOtherCoordinatesSaysNothing) {
   EXPECT_TRUE(
       recording_of(record("id,time_s,x_m,y_m,zone\na,0,1,1,A\nb,0,2,2,B\n")).missing.none());
