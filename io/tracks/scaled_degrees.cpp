@@ -87,4 +87,18 @@ std::optional<Error> settle_heights_beside(std::string_view text, const TableLay
                    position.axes[2]);
 }
 
+Error with_millimetres(Error error, std::string_view text, const Header& header) {
+  if (error.code != ErrorCode::kInvalidArgument) return error;
+  if (!header.has(Role::kLongitude) || !header.has(Role::kLatitude)) return error;
+  ColumnChoice position;
+  position.axes = {header.columns(Role::kLongitude).front(),
+                   header.columns(Role::kLatitude).front(), 0};
+  if (are_scaled_degrees(text, header.table(), position)) {
+    error.message +=
+        "; beside whole numbers of 1e-7 degrees, as MAVLink has them, heights are mostly in mm: "
+        "--units height=mm";
+  }
+  return error;
+}
+
 }  // namespace beespace::io

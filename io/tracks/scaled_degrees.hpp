@@ -29,4 +29,7 @@ std::optional<Error> scaled_degrees_as_metres(std::string_view text, const Heade
 std::optional<Error> settle_heights_beside(std::string_view text, const TableLayout& table,
                                            ColumnChoice& position);
 
+// An error about units, which names those of aviation, with what MAVLink has for its aircraft.
+Error with_millimetres(Error error, std::string_view text, const Header& header);
+
 }  // namespace beespace::io

@@ -232,7 +232,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   const auto id = choose_id(header, layout.notes);
   if (auto problem = nameless_position(header)) return *std::move(problem);
   auto position = choose_position(header);
-  if (!position) return position.error();
+  if (!position) return with_millimetres(std::move(position).error(), text, header);
   layout.table.choice = std::move(position).value();
   ColumnChoice& choice = layout.table.choice;
   choice.id = id;

@@ -72,6 +72,11 @@ TEST(ScaledDegrees, HaveHeightsInMillimetresBesideThem) {
     EXPECT_EQ(recording.bees[0].fixes[0].position.z, other == "alt_ellipsoid" ? 20.0 : 9.0);
     EXPECT_EQ(recording.units[0].unit, Unit::kMillimetre);
   }
+  const std::string aircraft =
+      "timestamp,ICAO_address,lat,lon,altitude,callsign\n"
+      "1716300000,4242,473977420,85455940,9000000,DLH1\n";
+  expect_error(record(aircraft, seconds),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:5", "in mm: --units height=mm"});
   // As ulog2csv writes vehicle_gps_position of PX4 1.13.
   const auto px4 =
       recording_of(record("timestamp,time_utc_usec,lat,lon,alt,alt_ellipsoid\n"
