@@ -59,7 +59,12 @@ class TelemetryReading {
       : walk_(bytes), assembly_(assembly) {}
 
   std::optional<Error> read(std::string_view path) {
-    if (auto error = fixed_layout_problem(assembly_.options(), "MAVLink telemetry")) return error;
+    // Of several inputs, what is said may be of the tables among them.
+    if (!assembly_.has_several()) {
+      if (auto error = fixed_layout_problem(assembly_.options(), "MAVLink telemetry")) {
+        return error;
+      }
+    }
     gather();
     if (auto error = choose_kind()) return error;
     if (auto error = assembly_.agree(facts())) return error;

@@ -28,10 +28,16 @@ inline constexpr LeftOutReason kNoFix = {"of receivers that say that they had no
 inline constexpr LeftOutReason kNoReference = {
     "that do not know from where on the Earth they count (ref_lat, xy_global)",
     "--crs metres takes all as counted from one place"};
+// By a column that says so of each record: xy_valid, alt_valid.
+inline constexpr LeftOutReason kDoubtedPlace = {
+    "in which a drone says itself that it does not know its place"};
+inline constexpr LeftOutReason kDoubtedHeight = {
+    "in which a drone says itself that it does not know its height"};
 // Whether the bee was there, but it is not known where.
 inline bool has_no_place(const LeftOutReason& reason) {
   return &reason == &kUnknownPlace || &reason == &kHalfPlace || &reason == &kOutlier ||
-         &reason == &kNoFix || &reason == &kNoReference;
+         &reason == &kNoFix || &reason == &kNoReference || &reason == &kDoubtedPlace ||
+         &reason == &kDoubtedHeight;
 }
 inline constexpr LeftOutReason kNoAnimal = {
     "whose id of an animal is empty (of tags that are on none)",

@@ -4,6 +4,7 @@
 #include "io/frames/map_projection.hpp"
 #include "io/frames/track_domain.hpp"
 #include "io/problems/skipped_records.hpp"
+#include "io/problems/unplaced.hpp"
 #include "io/px4/flight_log.hpp"
 #include "io/recording/recording_sources.hpp"
 
@@ -17,10 +18,6 @@
 namespace beespace::io {
 namespace {
 
-constexpr LeftOutReason kNotKnown = {
-    "in which a drone says itself that it does not know its place"};
-constexpr LeftOutReason kHeightNotKnown = {
-    "in which a drone says itself that it does not know its height"};
 constexpr LeftOutReason kNoReference = {
     "of local positions whose place on the Earth is not known yet",
     "--crs metres takes local positions as they are"};
@@ -69,10 +66,11 @@ class FlightReading {
   [[nodiscard]] const LeftOutReason* lacks(const Px4Place& place, Source source) const {
     const Point& at = source == Source::kReferred ? place.origin : place.position;
     if (place.micros == 0 || place.micros >= std::uint64_t{1} << 53u) return &kNoTimeOfIt;
-    if (!place.known) return &kNotKnown;
-    if (!place.height_known) return &kHeightNotKnown;
-    if (!std::isfinite(place.position.x + place.position.y + place.position.z)) return &kNotKnown;
-    if (source == Source::kGlobal && at.x == 0.0 && at.y == 0.0) return &kNotKnown;
+    if (!place.known) return &kDoubtedPlace;
+    if (!place.height_known) return &kDoubtedHeight;
+    if (!std::isfinite(place.position.x + place.position.y + place.position.z))
+      return &kDoubtedPlace;
+    if (source == Source::kGlobal && at.x == 0.0 && at.y == 0.0) return &kDoubtedPlace;
     if (source == Source::kGlobal && by_ellipsoid() && !std::isfinite(place.ellipsoid_height)) {
       return &kNoEllipsoid;
     }
@@ -317,7 +315,10 @@ class FlightReading {
 
 std::optional<Error> read_flight(std::string_view bytes, std::string_view path,
                                  RecordingAssembly& assembly) {
-  if (auto error = fixed_layout_problem(assembly.options(), "a PX4 log")) return error;
+  // Of several inputs, what is said may be of the tables among them.
+  if (!assembly.has_several()) {
+    if (auto error = fixed_layout_problem(assembly.options(), "a PX4 log")) return error;
+  }
   auto log = read_flight_log(bytes);
   if (!log) return std::move(log).error();
   return FlightReading(*std::move(log), assembly).read(path);

@@ -131,7 +131,10 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
     facts_->frame_reason = facts.frame_reason;
   }
   if (facts.named_time != facts_->named_time) facts_->named_time = Unit::kUnstated;
-  facts_->supposed_metres = facts_->supposed_metres || facts.supposed_metres;
+  if (facts.doubted_above_mps) {
+    facts_->doubted_above_mps = std::min(
+        *facts.doubted_above_mps, facts_->doubted_above_mps.value_or(*facts.doubted_above_mps));
+  }
   // The least that any of them says.
   facts_->naming = std::min(facts_->naming, facts.naming);
   if (auto error = agree_on_heights(facts.heights)) return error;
@@ -146,12 +149,13 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
 std::optional<Error> RecordingAssembly::agree_on_origins(const SourceFacts& facts) {
   constexpr double kMostClocksDiffer_s = 0.5;
   if (facts.own_origin && facts_->own_origin && options_.frame == Frame::kAuto) {
-    return Error{ErrorCode::kUnknownFrame,
-                 "this trajectory and another one before it, as in " + facts_source_ +
-                     ", both begin at 0, 0, 0, as if each were counted from where "
-                     "its robot was switched on: if all have one origin and direction, say so with "
-                     "--crs metres; else bring all into one",
-                 {sources_.back()}};
+    return Error{
+        ErrorCode::kUnknownFrame,
+        "this trajectory and another one before it, as in " + facts_source_ +
+            ", both begin at 0, 0, 0, or within 0.1 m of it, as if each were counted from where "
+            "its robot was switched on: if all have one origin and direction, say so with "
+            "--crs metres; else bring all into one",
+        {sources_.back()}};
   }
   facts_->own_origin = facts_->own_origin || facts.own_origin;
   if (!facts_->stamps_ahead_s) facts_->stamps_ahead_s = facts.stamps_ahead_s;

@@ -50,7 +50,8 @@ struct SourceFacts {
   bool begins_at_zero = false;                // those of the one bee that is in it
   Unit time_unit = Unit::kUnstated;           // in which times are numbers
   Unit named_time = Unit::kUnstated;  // that of the times, where nothing but the header says it
-  bool supposed_metres = false;       // positions: nothing says so
+  // Of positions, where nothing says that they are in metres: see doubt_of_metres().
+  std::optional<double> doubted_above_mps = {};
   HeightDatum heights = HeightDatum::kUnstated;
   Unit height_unit = Unit::kMetre;  // in which TrackGathering is told them as they are stated
   std::vector<UnitTaken> units = {};

@@ -248,8 +248,9 @@ Error RecordingAssembly::nothing_left() const {
 
 // Headers are wrong about units now and then, and speeds show it.
 std::optional<Error> RecordingAssembly::doubtful_units() const {
-  if (facts_ && facts_->supposed_metres) {
-    if (auto error = doubt_of_metres(recording_)) {
+  // Two of one id are not fast.
+  if (facts_ && facts_->doubted_above_mps && recording_.missing.shared == 0) {
+    if (auto error = doubt_of_metres(recording_, *facts_->doubted_above_mps)) {
       error->location.source = facts_source_;
       return error;
     }

@@ -51,6 +51,25 @@ void keep(std::vector<Value>& values, const Flight& flight) {
   values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(flight.first));
 }
 
+// Whether any is ever above the ground, by its fixes or a path.
+bool any_takes_off(const Recording& recording, double ground_m) {
+  return std::any_of(
+      recording.bees.begin(), recording.bees.end(), [ground_m](const RecordedBee& bee) {
+        return bee.path ||
+               std::any_of(bee.fixes.begin(), bee.fixes.end(), [ground_m](const Fix& fix) {
+                 return fix.position.z - ground_m > kStandsBelow_m;
+               });
+      });
+}
+
+bool any_moves(const Recording& recording) {
+  return std::any_of(recording.bees.begin(), recording.bees.end(), [](const RecordedBee& bee) {
+    return std::any_of(bee.fixes.begin(), bee.fixes.end(), [&bee](const Fix& fix) {
+      return !(fix.position == bee.fixes.front().position);
+    });
+  });
+}
+
 }  // namespace
 
 std::string standing_note(std::uint64_t drones) {
@@ -68,6 +87,14 @@ std::string grounded_note(std::uint64_t drones) {
 void leave_ground_time_out(Recording& recording) {
   if (!recording.show || recording.flat) return;
   const double ground_m = ground_of_tables(recording);
+  if (!any_takes_off(recording, ground_m)) {
+    if (any_moves(recording)) {
+      recording.notes.emplace_back(
+          "heights never change: nobody takes off, and all are compared all the time; where y "
+          "points up, as in Unity, Maya or Cinema 4D, exchange y and z with --columns");
+    }
+    return;
+  }
   std::vector<Flight> flights;
   bool any_flies = false;
   for (const RecordedBee& bee : recording.bees) {

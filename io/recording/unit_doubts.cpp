@@ -145,19 +145,19 @@ std::optional<Error> doubt_of_heights(const std::vector<UnitTaken>& units, doubl
   }
   return Error{ErrorCode::kInvalidArgument,
                up_to +
-                   ", but no unit is named: are they metres, or feet? Say it in the header, or "
-                   "with --units height=ft or height=m",
+                   ", but no unit is named: are they metres, feet, or millimetres? Say it in the "
+                   "header, or with --units height=ft, height=mm or height=m",
                {}};
 }
 
-std::optional<Error> doubt_of_metres(const Recording& recording) {
-  constexpr double kFast_mps = 20.0;  // as half of all steps of no show
+std::optional<Error> doubt_of_metres(const Recording& recording, double fastest_mps) {
+  if (recording.frame != Frame::kMetres) return std::nullopt;
   const Steps steps = steps_of(recording);
   if (steps.speeds.size() < kFewest) return std::nullopt;
   const double speed = median(steps.speeds);
-  if (!(speed > kFast_mps)) return std::nullopt;
+  if (!(speed > fastest_mps)) return std::nullopt;
   return Error{ErrorCode::kInvalidArgument,
-               "are x, y, z in metres? Nothing names their unit, and in metres the drones fly at " +
+               "are x, y, z in metres? Nothing names their unit, and in metres they move at " +
                    short_number(speed) +
                    " m/s; say it with --units position=cm, position=mm, or "
                    "position=m if they do",

@@ -19,9 +19,15 @@ namespace beespace::io {
 // source.
 std::optional<Error> doubt_of_time_unit(const Recording& recording, Unit named);
 
-// Doubts that positions of drones, whose unit nothing names, are in metres, where these make them
-// faster than any show. Errors: kUnitNeeded, without source.
-std::optional<Error> doubt_of_metres(const Recording& recording);
+// Nothing is faster, as half of all its steps: in a show, before cameras, and below space but for
+// jets and what is shot.
+inline constexpr double kFastestShow_mps = 20.0;
+inline constexpr double kFastestFilmed_mps = 100.0;
+inline constexpr double kFastestUsual_mps = 340.0;
+
+// Doubts that positions, whose unit nothing names, are in metres, where these make them faster than
+// that. Errors: kInvalidArgument, without source.
+std::optional<Error> doubt_of_metres(const Recording& recording, double fastest_mps);
 
 // Heights of positions in degrees, whose greatest is that, in a unit that is not said, or that only
 // the words of a known source tell: higher than anything flies, they may be feet. Errors:

@@ -15,15 +15,24 @@
 namespace beespace::io {
 namespace {
 
-// What the column's name says of a coordinate, whatever the caller takes it for.
+bool is_pixel(std::string_view word) {
+  return word == "px" || word == "pixel" || word == "pixels";
+}
+
+// What the column's name says of a coordinate, whatever the caller takes it for. One that is not
+// understood may name its unit all the same: "posx(cm)".
 ColumnMeaning stated(const ColumnSchema& schema, const TableLayout& table, std::size_t column) {
   if (column >= table.names.size()) return {};
   ColumnMeaning meaning = read_column_name(schema, table.names[column]);
-  return meaning.role <= Role::kZ ? std::move(meaning) : ColumnMeaning();
-}
-
-bool is_pixel(std::string_view word) {
-  return word == "px" || word == "pixel" || word == "pixels";
+  if (meaning.role != Role::kNone && meaning.role <= Role::kZ) return meaning;
+  std::vector<std::string> words = split_words(table.names[column]);
+  ColumnMeaning last;
+  if (const auto unit = take_unit(words, Quantity::kLength)) {
+    last.unit = *unit;
+  } else if (words.size() > 1 && is_pixel(words.back())) {
+    last.foreign_unit = words.back();
+  }
+  return last;
 }
 
 // Of what is named: a unit that is not read, or one of length where degrees are.

@@ -75,7 +75,8 @@ NamePattern coordinate() {
       {Says::kBeside, "baro barometric pressure", Role::kNone, "aviation", HeightDatum::kPressure},
       {Says::kBeside, "geo geom geometric geodetic ellipsoidal ellipsoid", Role::kNone, "aviation",
        HeightDatum::kEllipsoid},
-      {Says::kBeside, "msl amsl", Role::kNone, "aviation", HeightDatum::kMeanSeaLevel},
+      {Says::kBeside, "msl amsl sealevel sea", Role::kNone, "aviation", HeightDatum::kMeanSeaLevel},
+      {Says::kBeside, "level", Role::kNone, "sea level"},
       // "height-above-ellipsoid"
       {Says::kBeside, "above", Role::kNone, "Movebank"},
       {Says::kForeign, "px pixel pixels"},

@@ -5,6 +5,7 @@
 #include "io/frames/frame_decision.hpp"
 #include "io/points/record_reading.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/recording/unit_doubts.hpp"
 #include "io/table/column_overrides.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
@@ -72,7 +73,11 @@ Unit unit_of_stamps(std::string_view text, const TableLayout& table) {
   return by_size == Unit::kUnstated ? Unit::kSecond : by_size;
 }
 
-// Whether the first place of a table is 0, 0, 0, as where a robot was switched on.
+// Places are measured with some noise. Two robots of one frame cannot both stand there.
+constexpr double kNearZero_m = 0.1;
+constexpr double kHardlyTurned = 0.02;  // by numbers of a quaternion
+
+// Whether the first place of a table is 0, 0, 0, or near it, as where a robot was switched on.
 bool begins_at_zero(std::string_view text, const TableLayout& table) {
   const auto& axes = table.choice.axes;
   return std::all_of(axes.begin(), axes.end(), [&](std::size_t column) {
@@ -80,17 +85,21 @@ bool begins_at_zero(std::string_view text, const TableLayout& table) {
     double number = 0.0;
     return !fields.empty() &&
            parse_number(without_padding(fields.front()), number) == NumberKind::kNumber &&
-           number == 0.0;
+           std::abs(number) <= kNearZero_m;
   });
 }
 
-// Whether a trajectory begins at 0, 0, 0 without a turn, as where a robot was switched on.
+// Whether a trajectory begins at 0, 0, 0, or near it, without a turn, as where a robot was switched
+// on.
 bool begins_at_its_own_origin(std::string_view text, const TableLayout& table) {
   for (std::size_t column = 1; column < 8; ++column) {
     const FirstFields fields = first_fields(text, table, column);
     double number = 0.0;
     if (fields.empty() || parse_number(fields.front(), number) != NumberKind::kNumber) return false;
-    if (std::abs(number) != (column == 7 ? 1.0 : 0.0)) return false;
+    const bool within = column < 4    ? std::abs(number) <= kNearZero_m
+                        : column == 7 ? std::abs(number) >= 1.0 - kHardlyTurned
+                                      : std::abs(number) <= kHardlyTurned;
+    if (!within) return false;
   }
   return true;
 }
@@ -181,12 +190,12 @@ Result<TrackLayout> skybrush_layout(TableLayout table, std::string_view text,
                  "leave other units out, or name the columns with --columns",
                  {}};
   }
-  layout.supposed_metres = said == Unit::kUnstated;
-  const Unit unit = layout.supposed_metres ? Unit::kMetre : said;
+  const bool supposed = said == Unit::kUnstated;
+  if (supposed) layout.doubted_above_mps = kFastestShow_mps;
+  const Unit unit = supposed ? Unit::kMetre : said;
   choice.units = {unit, unit, unit};
-  choice.units_taken = {
-      {"x, y and z", unit, UnitEvidence::kNamed,
-       layout.supposed_metres ? "a Skybrush CSV is in metres" : "--units says so"}};
+  choice.units_taken = {{"x, y and z", unit, UnitEvidence::kNamed,
+                         supposed ? "a Skybrush CSV is in metres" : "--units says so"}};
   layout.units = choice.units_taken;
   const FrameDecision frame =
       frame_before_values(options.frame, {Frame::kMetres, "a Skybrush CSV is in metres"});
@@ -260,6 +269,7 @@ Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::stri
   if (options.frame == Frame::kAuto && layout->frame == Frame::kMetres) {
     layout->frame_reason = "positions of ROS are in metres";
   }
+  layout->doubted_above_mps = std::nullopt;
   for (UnitTaken& taken : layout->units) {
     if (taken.evidence == UnitEvidence::kUsual) {
       taken.evidence = UnitEvidence::kNamed;
@@ -316,6 +326,7 @@ Result<TrackLayout> layout_of_poses(TableLayout table, std::string_view text,
   auto layout = choose_track_layout(std::move(table), text, options, seen);
   if (!layout) return layout;
   layout->own_origin = own_origin;
+  layout->doubted_above_mps = std::nullopt;
   if (!asked) layout->frame_reason = "trajectories as of TUM are in metres";
   TimeChoice& time = *layout->time;
   const std::string told = time_note(layout->table, time, true);

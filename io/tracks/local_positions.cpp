@@ -31,6 +31,21 @@ std::optional<std::size_t> column_called(std::string_view name,
 
 }  // namespace
 
+void settle_known_places(TrackLayout& layout) {
+  const bool geographic = layout.frame == Frame::kWgs84;
+  const std::string place = geographic ? "lat_lon_valid" : "xy_valid";
+  const std::string height = geographic ? "alt_valid" : "z_valid";
+  const std::vector<std::string>& names = layout.table.names;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string name = plain_name(names[i]);
+    const auto is = [&name](const std::string& wanted) {  // behind the name of the topic, perhaps
+      return name == wanted || name.ends_with("position_" + wanted);
+    };
+    if (is(place)) layout.place_known = i;
+    if (is(height) && layout.table.choice.dimensions == 3) layout.height_known = i;
+  }
+}
+
 std::optional<LocalOrigin> local_origin_of(const TrackLayout& layout) {
   const std::vector<std::string>& names = layout.table.names;
   const ColumnChoice& choice = layout.table.choice;
@@ -44,7 +59,7 @@ std::optional<LocalOrigin> local_origin_of(const TrackLayout& layout) {
   const auto height = column_called("ref_alt", names);
   if (!latitude || !longitude || !height) return std::nullopt;
   LocalOrigin origin{*latitude, *longitude, *height};
-  for (const std::string_view name : {"xy_global", "z_global", "xy_valid", "z_valid"}) {
+  for (const std::string_view name : {"xy_global", "z_global"}) {
     if (const auto column = column_called(name, names)) origin.known.push_back(*column);
   }
   return origin;

@@ -11,6 +11,10 @@
 
 namespace beespace::io {
 
+// Sets the columns in which each record says whether the drone knows its place, in degrees or not,
+// and its height.
+void settle_known_places(TrackLayout& layout);
+
 // Where it is told; nothing where the table is of another kind.
 std::optional<LocalOrigin> local_origin_of(const TrackLayout& layout);
 

@@ -251,6 +251,20 @@ std::optional<RosTable> by_content(std::string_view text, const TableLayout& tab
 
 }  // namespace
 
+std::optional<std::size_t> find_axes_name(const TableLayout& table) {
+  const auto names_axes = [](const Words& words) {
+    if (words.empty() || has(words, "child")) return false;
+    if (words.back() == "frameid" || words.back() == "frame") return true;
+    return is_axes_name(words);
+  };
+  for (std::size_t i = 0; i < table.names.size() && i < table.contents.size(); ++i) {
+    // Numbers are those of pictures.
+    if (table.contents[i] != ColumnContent::kText) continue;
+    if (names_axes(split_words(table.names[i]))) return i;
+  }
+  return std::nullopt;
+}
+
 std::optional<RosTable> find_ros_table(std::string_view text, const TableLayout& table, bool free) {
   return table.names.empty() ? by_content(text, table) : by_names(text, table, free);
 }

@@ -21,6 +21,9 @@ struct RosTable {
   std::string note;
 };
 
+// The column of words, of any table, that says in which frame of reference each position is.
+std::optional<std::size_t> find_axes_name(const TableLayout& table);
+
 // `text` are records of the table. Nothing where it is of another kind, or, where the position is
 // not said (`free`), where it has several.
 std::optional<RosTable> find_ros_table(std::string_view text, const TableLayout& table, bool free);

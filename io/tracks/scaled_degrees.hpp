@@ -23,4 +23,13 @@ bool are_scaled_degrees(std::string_view text, const TableLayout& table,
 std::optional<Error> scaled_degrees_as_metres(std::string_view text, const Header& header,
                                               const ColumnChoice& position);
 
+// Of heights beside them, in whole numbers of which nobody names the unit: they are in millimetres
+// where the header is that of a message that has them so. Errors: kInvalidArgument, with column,
+// where the unit must be said.
+std::optional<Error> settle_heights_beside(std::string_view text, const TableLayout& table,
+                                           ColumnChoice& position);
+
+// An error about units, which names those of aviation, with what MAVLink has for its aircraft.
+Error with_millimetres(Error error, std::string_view text, const Header& header);
+
 }  // namespace beespace::io

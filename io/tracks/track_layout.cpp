@@ -5,6 +5,7 @@
 #include "io/bytes/number_text.hpp"
 #include "io/points/record_reading.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/recording/unit_doubts.hpp"
 #include "io/table/column_choice.hpp"
 #include "io/table/column_names.hpp"
 #include "io/table/fields.hpp"
@@ -14,6 +15,8 @@
 #include "io/table/unit_choice.hpp"
 #include "io/tracks/first_fields.hpp"
 #include "io/tracks/known_tables.hpp"
+#include "io/tracks/local_positions.hpp"
+#include "io/tracks/motion_capture.hpp"
 #include "io/tracks/record_numbers.hpp"
 #include "io/tracks/ros_table.hpp"
 #include "io/tracks/scaled_degrees.hpp"
@@ -151,6 +154,17 @@ bool names_one_colour(const TableLayout& table) {
   });
 }
 
+// How fast nothing like that moves, where the unit of positions is but the usual one.
+std::optional<double> doubted_above(const TrackLayout& layout) {
+  const auto& units = layout.table.choice.units_taken;
+  const bool usual = std::any_of(units.begin(), units.end(), [](const UnitTaken& taken) {
+    return taken.evidence == UnitEvidence::kUsual;
+  });
+  if (!usual || !layout.time || layout.frame == Frame::kWgs84) return std::nullopt;
+  if (layout.show || names_one_colour(layout.table)) return kFastestShow_mps;
+  return layout.time->form == TimeForm::kFrames ? kFastestFilmed_mps : kFastestUsual_mps;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
@@ -164,6 +178,8 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   if (layout.on_ground) fill(*layout.on_ground, TrackSlot::kOnGround);
   if (layout.axes_name) fill(*layout.axes_name, TrackSlot::kAxesName);
   if (layout.quality) fill(layout.quality->column, TrackSlot::kQuality);
+  if (layout.place_known) fill(*layout.place_known, TrackSlot::kPlaceKnown);
+  if (layout.height_known) fill(*layout.height_known, TrackSlot::kHeightKnown);
   if (layout.not_seen) fill(*layout.not_seen, TrackSlot::kNotSeen);
   if (layout.sensor) fill(*layout.sensor, TrackSlot::kSensor);
   if (layout.zone) fill(*layout.zone, TrackSlot::kZone);
@@ -222,7 +238,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   const auto id = choose_id(header, layout.notes);
   if (auto problem = nameless_position(header)) return *std::move(problem);
   auto position = choose_position(header);
-  if (!position) return position.error();
+  if (!position) return with_millimetres(std::move(position).error(), text, header);
   layout.table.choice = std::move(position).value();
   ColumnChoice& choice = layout.table.choice;
   choice.id = id;
@@ -237,6 +253,8 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
     layout.notes.emplace_back(
         "longitude and latitude are whole numbers of 1e-7 degrees, as MAVLink and PX4 have them: "
         "their size tells");
+    if (auto problem = settle_heights_beside(text, layout.table, choice))
+      return *std::move(problem);
   }
   if (seen != SeenRecords::kSome && layout.time && layout.frame == Frame::kWgs84 &&
       !header.override_of(Role::kHeight) && is_empty_throughout(text, layout.table, 2)) {
@@ -265,6 +283,12 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
     layout.notes.push_back("whether there was a fix is read from " +
                            column_text(layout.table, layout.quality->column));
   }
+  settle_known_places(layout);
+  if (layout.frame != Frame::kWgs84) {
+    layout.axes_name = find_axes_name(layout.table);
+    const bool is_id = layout.axes_name && layout.axes_name == choice.id;
+    if (is_id && options.frame == Frame::kMetres) layout.axes_name = std::nullopt;
+  }
   if (layout.frame != Frame::kWgs84) layout.zone = find_utm_zone(text, layout.table);
   if (layout.frame == Frame::kWgs84) layout.sides = find_sides(text, layout.table);
   for (const auto& side : layout.sides) {
@@ -282,6 +306,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
     layout.perhaps_numbers = std::move(problem);
   }
   layout.show = layout.time && layout.frame != Frame::kWgs84 && names_colours(layout.table);
+  layout.doubted_above_mps = doubted_above(layout);
   if (layout.time) {
     layout.time->begins_at_zero = options.time_unit == Unit::kUnstated && !choice.id &&
                                   header.source() == nullptr && !layout.show &&
@@ -296,6 +321,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
 
 Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOptions& options,
                                       bool bare_skybrush, SeenRecords seen) {
+  if (auto problem = is_motion_capture(text)) return *std::move(problem);
   auto table = find_table(text, options.skip_bad);
   if (!table) return table.error();
   if (auto error = no_record_problem(text, *table)) return *std::move(error);

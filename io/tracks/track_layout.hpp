@@ -96,9 +96,10 @@ struct TrackLayout {
   // it is as good as none.
   bool places_may_be_unknown = false;
   bool infinite_is_unknown = false;
-  bool scaled_degrees = false;     // longitude and latitude are whole numbers of 1e-7 degrees
-  bool show = false;               // of a drone show: a path with colours
-  bool supposed_metres = false;    // its positions: nothing says so
+  bool scaled_degrees = false;  // longitude and latitude are whole numbers of 1e-7 degrees
+  bool show = false;            // of a drone show: a path with colours
+  // Of positions, where nothing says that they are in metres: see doubt_of_metres().
+  std::optional<double> doubted_above_mps = {};
   bool ids_are_addresses = false;  // of aircraft, in capitals or not
   bool ids_within_file = false;    // of ROS: another file may call another bee so
   // Of aircraft with two kinds of heights, that which is not taken, and its unit: where it
@@ -119,6 +120,8 @@ struct TrackLayout {
   // Of ROS: by how much the stamps of the header are later than the times of recording.
   std::optional<double> stamps_ahead_s = {};
   std::optional<FixQuality> quality = {};         // whether there was a fix
+  std::optional<std::size_t> place_known = {};    // of PX4: who says no there does not know it,
+  std::optional<std::size_t> height_known = {};   // or its height
   std::optional<std::size_t> not_seen = {};       // of TRex: "missing"
   std::optional<std::size_t> sensor = {};         // of Movebank: which found the place
   std::optional<std::size_t> zone = {};           // of UTM, in which x and y are counted
@@ -162,7 +165,9 @@ struct TrackSlot {
   static constexpr std::size_t kClockZone = 22;
   static constexpr std::size_t kSide = 23;  // two of them
   static constexpr std::size_t kAge = 25;
-  static constexpr std::size_t kMarked = 26;  // as many as kMostMarked
+  static constexpr std::size_t kPlaceKnown = 26;
+  static constexpr std::size_t kHeightKnown = 27;
+  static constexpr std::size_t kMarked = 28;  // as many as kMostMarked
   static constexpr std::size_t kMostMarked = 3;
   static constexpr std::size_t kSets = kMarked + kMostMarked;  // as many as kMostSets
   static constexpr std::size_t kMostSets = 6;

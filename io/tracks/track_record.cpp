@@ -153,6 +153,10 @@ const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
   if (layout_.quality && says_no_fix(*layout_.quality, fields_[TrackSlot::kQuality].text)) {
     return &kNoFix;
   }
+  if (layout_.place_known && says_no(fields_[TrackSlot::kPlaceKnown].text)) return &kDoubtedPlace;
+  if (layout_.height_known && says_no(fields_[TrackSlot::kHeightKnown].text)) {
+    return &kDoubtedHeight;
+  }
   if (layout_.not_seen && says_yes(fields_[TrackSlot::kNotSeen].text)) return &kUnknownPlace;
   if (!layout_.of_aircraft && !layout_.places_may_be_unknown) return nullptr;
   const auto unknown = [this](std::size_t slot) {
@@ -414,7 +418,10 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   if (layout_.clock_zone) {
     record.clock_zone = without_padding(fields_[TrackSlot::kClockZone].text);
   }
-  if (layout_.axes_name) record.axes_name = without_padding(fields_[TrackSlot::kAxesName].text);
+  if (layout_.axes_name) {
+    const bool is_id = layout_.axes_name == layout_.table.choice.id;
+    record.axes_name = without_padding(fields_[is_id ? TrackSlot::kId : TrackSlot::kAxesName].text);
+  }
   record.left_out = reason_to_leave_out();
   record.flies_on_ground = record.left_out == nullptr && layout_.on_ground &&
                            says_yes(fields_[TrackSlot::kOnGround].text);

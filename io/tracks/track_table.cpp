@@ -120,7 +120,7 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   if (layout.time && layout.time->named && layout.time->form == TimeForm::kNumbers) {
     facts.named_time = layout.time->unit;
   }
-  facts.supposed_metres = layout.supposed_metres;
+  facts.doubted_above_mps = layout.doubted_above_mps;
   facts.heights = choice.datum;
   facts.height_unit = choice.height_unit();
   facts.units = layout.units;
@@ -221,6 +221,11 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     }
     if (layout.axes_name) {
       if (auto error = assembly.agree_on_axes(record.axes_name, record.id)) {
+        if (layout.axes_name == layout.table.choice.id) {
+          error->message +=
+              "; if it is but a name, and all have one origin and direction, say so "
+              "with --crs metres";
+        }
         place(*error, line, rows_before + walk.row(), place_of, layout);
         return error;
       }

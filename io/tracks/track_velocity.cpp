@@ -161,7 +161,11 @@ std::optional<Error> settle_units(const VelocityQuestion& question, VelocityChoi
   for (std::size_t i = 0; i < choice.dimensions; ++i) {
     if (choice.over_ground && i == 1) continue;
     const std::size_t column = choice.columns[i];
-    const Unit unit = if_unit_of(question.header.stated(column).unit, Quantity::kSpeed);
+    Unit unit = if_unit_of(question.header.stated(column).unit, Quantity::kSpeed);
+    if (unit == Unit::kUnstated && column < names.size()) {
+      std::vector<std::string> words = split_words(names[column]);
+      unit = take_unit(words, Quantity::kSpeed).value_or(Unit::kUnstated);
+    }
     const bool climb = i == 2;
     auto one = question.units.choose(climb ? UnitRole::kClimb : UnitRole::kSpeed,
                                      climb ? "climb rates" : "speeds", column, unit);

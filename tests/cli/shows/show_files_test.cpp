@@ -405,8 +405,8 @@ TEST(ShowFolders, CentimetresWithoutAHeaderAreAskedAbout) {
   }
   const Finished finished = run({"replay"}, table);
   EXPECT_EQ(finished.exit_code, 2);
-  expect_parts(finished.err, {"are x, y, z in metres? Nothing names their unit, and in metres the "
-                              "drones fly at 100 m/s; say it with --units position=cm"});
+  expect_parts(finished.err, {"are x, y, z in metres? Nothing names their unit, and in metres they "
+                              "move at 100 m/s; say it with --units position=cm"});
   const Finished said = run({"verify", "--units", "position=cm", "--max-height", "9"}, table);
   EXPECT_EQ(said.exit_code, 1) << said.err;
   expect_parts(said.err, {"height 10.000 m"});

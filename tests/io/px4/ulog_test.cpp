@@ -384,6 +384,19 @@ TEST_F(SeveralLogs, BesideTablesInAFolderAreSaidToBeLeftOut) {
   EXPECT_TRUE(has_note(recording, "b.ulg and 1 more are left out; name them, too"));
 }
 
+// What is said of units is said of the table.
+TEST_F(SeveralLogs, BesideATableOfWhichTheUnitsAreSaid) {
+  const std::string log = write("a.ulg", small_log().bytes());
+  const std::string table = write("b.csv", "id,timestamp,lat,lon,alt\nd,1795000000,47,8,5000\n");
+  RecordingOptions options;
+  options.time_unit = Unit::kSecond;
+  options.units.height = Unit::kMillimetre;
+  EXPECT_FALSE(load_recording({log}, options));
+  const auto recording = recording_of(load_recording({log, table}, options));
+  ASSERT_EQ(recording.bees.size(), 2u);
+  EXPECT_EQ(recording.bees[1].fixes[0].position.z, 5.0);
+}
+
 TEST_F(SeveralLogs, WithoutATimeOfGpsShareNoClock) {
   UlogMaking other = px4_log();
   other.data(kGlobalNumber, global_message({.micros = 2'000'000}));

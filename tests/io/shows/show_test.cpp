@@ -265,5 +265,21 @@ TEST(Show, ItsGroundIsItsLowestPlace) {
   EXPECT_EQ(ground_of(R"(, "home": [0, 0, -2])"), -2.0);
 }
 
+// As programs export it in which y points up: nobody ever takes off.
+TEST(ShowTables, WhoseHeightsNeverChangeLeaveNoTimeOut) {
+  const std::string header = "Time [msec],x [m],y [m],z [m],Red,Green,Blue\n";
+  const auto table = [&header](const std::string& height) {
+    return header + "0,1,0,0,9,9,9\n1000,1,9," + height + ",9,9,9\n2000,1,9," + height +
+           ",9,9,9\n3000,1,0,0,9,9,9\n4000,1,0,0,9,9,9\n";
+  };
+  const Recording flat = recording_of(record(table("0")));
+  ASSERT_TRUE(flat.show);
+  EXPECT_EQ(flat.bees[0].fixes.size(), 5u);
+  EXPECT_TRUE(has_note(flat, "heights never change: nobody takes off"));
+  const Recording flying = recording_of(record(table("9")));
+  EXPECT_EQ(flying.bees[0].fixes.size(), 4u);
+  EXPECT_FALSE(has_note(flying, "heights never change"));
+}
+
 }  // namespace
 }  // namespace beespace::io

@@ -51,9 +51,11 @@ ColumnSchema with_polish_words() {
 TEST(ColumnSchema, AnotherCommunityIsAFewLines) {
   constexpr std::string_view kTable =
       "id,szerokość geograficzna,długość geograficzna,wysokość [ft]\n7,52.5,21.25,1000\n";
-  const auto unknown = read_with(position_columns(), kTable);
+  const auto unknown =
+      read_with(position_columns(), "id,szerokość,długość,wysokość\n7,52.5,21.25,9\n");
   ASSERT_TRUE(unknown.has_value()) << unknown.error().message;
   EXPECT_EQ(unknown->layout.choice.naming, Naming::kNone) << "taken in their order";
+  EXPECT_FALSE(read_with(position_columns(), kTable)) << "one of them is in feet";
   const auto read = read_with(with_polish_words(), kTable);
   ASSERT_TRUE(read.has_value()) << read.error().message;
   EXPECT_EQ(read->points, (std::vector<Point>{{21.25, 52.5, 1000.0}}));

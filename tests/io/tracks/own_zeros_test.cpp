@@ -127,6 +127,24 @@ TEST(LocalPositions, WithoutAnOriginAreNone) {
             Frame::kMetres);
 }
 
+TEST(LocalPositions, ThatADroneSaysNotToKnowAreLeftOut) {
+  for (const std::string known : {"0,1", "1,0", "False,True"}) {
+    for (const std::string names : {"time_s,lon,lat,alt_m,lat_lon_valid,alt_valid\n",
+                                    "time_s,x_m,y_m,z_m,xy_valid,z_valid\n"}) {
+      const Recording recording = recording_of(
+          record(names + "1700000000,8.5,47.3,400," + known + "\n1700000001,8.5,47.3,400,1,1\n"));
+      EXPECT_EQ(recording.missing.count, 1u) << names << known;
+      EXPECT_EQ(recording.bees[0].fixes.size(), 1u);
+      EXPECT_TRUE(has_note(recording, "in which a drone says itself that it does not know its "));
+    }
+  }
+  // Of heights that are not read nothing needs to be known.
+  const Recording flat =
+      recording_of(record("time_s,x_m,y_m,xy_valid,z_valid,v_xy_valid\n1,1,2,1,0,0\n",
+                          columns_are("time=1,x=2,y=3", Unit::kUnstated)));
+  EXPECT_EQ(flat.missing.count, 0u);
+}
+
 TEST(LocalPositions, WithTimesSinceEachWasSwitchedOnAreRefused) {
   const std::string boot = "0000000050000000";
   expect_problem(
@@ -231,8 +249,10 @@ TEST(MessagesOfRos, WithoutAHeaderOfReceiversAndPoints) {
 TEST(Trajectories, ThatEachBeginAtZeroAreAskedAbout) {
   const std::string own = "1700000000.0 0 0 0 0 0 0 1\n1700000001.0 1 0 0 0 0 0 1\n";
   const std::string placed = "1700000000.0 5 0 0 0 0 0 1\n1700000001.0 6 0 0 0 0 0 1\n";
-  expect_problem(several({own, own}), "begin at 0, 0, 0, as if each");
+  expect_problem(several({own, own}), "begin at 0, 0, 0, or within 0.1 m of it, as if each");
   EXPECT_TRUE(several({own, own}, in_frame(Frame::kMetres)));
+  const std::string noisy = "1700000000.0 0.03 -0.02 0.01 0 0.001 0 0.999\n";
+  expect_problem(several({own, noisy}), "begin at 0, 0, 0, or within 0.1 m of it");
   const Recording recording = recording_of(several({own, placed}));
   EXPECT_EQ(recording.frame_reason, "trajectories as of TUM are in metres");
   EXPECT_TRUE(has_note(recording, "in seconds, since 1970, as their size tells"));

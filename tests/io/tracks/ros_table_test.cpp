@@ -60,8 +60,10 @@ TEST(RosTable, SeveralThatBeginAtZeroAreAskedAbout) {
   const std::string second = folder.write("b.csv", at_zero);
   const std::string elsewhere = folder.write("c.csv", header + "1700000001,0,map,1,0,0\n");
   expect_error(load_recording({first, second}),
-               {ErrorCode::kUnknownFrame, second, "both begin at 0, 0, 0, as if each"});
+               {ErrorCode::kUnknownFrame, second, "both begin at 0, 0, 0, or within 0.1 m"});
   EXPECT_TRUE(load_recording({first, elsewhere}));
+  const std::string noisy = folder.write("d.csv", header + "1700000001,0,map,0.06,-0.02,0.01\n");
+  expect_error(load_recording({first, noisy}), {ErrorCode::kUnknownFrame, noisy, "both begin at"});
   RecordingOptions said;
   said.frame = Frame::kMetres;
   EXPECT_TRUE(load_recording({first, second}, said));

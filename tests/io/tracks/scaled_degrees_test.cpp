@@ -57,6 +57,48 @@ TEST(ScaledDegrees, AreNotTakenForMetres) {
                {ErrorCode::kUnknownFrame, "bees.csv:1", "no coordinate in metres"});
 }
 
+// Whole heights beside them are in millimetres where the message is known, and asked for otherwise.
+TEST(ScaledDegrees, HaveHeightsInMillimetresBesideThem) {
+  RecordingOptions seconds;
+  seconds.time_unit = Unit::kSecond;
+  expect_error(record(log_of("-1"), seconds),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:4",
+                "in which unit? Most messages of MAVLink and PX4 have millimetres there, some "
+                "metres; say it with --units height=mm or height=m"});
+  const std::string low = "1716300000.25,473977420,85455940,9000,20000\n";
+  for (const std::string other : {"GLOBAL_POSITION_INT.relative_alt", "alt_ellipsoid"}) {
+    const auto recording =
+        recording_of(record("timestamp,lat,lon,alt," + other + "\n" + low, seconds));
+    EXPECT_EQ(recording.bees[0].fixes[0].position.z, other == "alt_ellipsoid" ? 20.0 : 9.0);
+    EXPECT_EQ(recording.units[0].unit, Unit::kMillimetre);
+  }
+  const std::string aircraft =
+      "timestamp,ICAO_address,lat,lon,altitude,callsign\n"
+      "1716300000,4242,473977420,85455940,9000000,DLH1\n";
+  expect_error(record(aircraft, seconds),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:5", "in mm: --units height=mm"});
+  // As ulog2csv writes vehicle_gps_position of PX4 1.13.
+  const auto px4 =
+      recording_of(record("timestamp,time_utc_usec,lat,lon,alt,alt_ellipsoid\n"
+                          "12300000,1795000000000000,470000045,189992088,25000,-3000\n",
+                          columns_are("time=2", Unit::kUnstated)));
+  EXPECT_EQ(px4.bees[0].fixes[0].position.z, -3.0);
+  // Who says the unit knows it, and so does a header; fractions are no millimetres.
+  seconds.units.height = Unit::kMetre;
+  EXPECT_EQ(recording_of(record(log_of("-1"), seconds)).bees[0].fixes[0].position.z, 488000.0);
+  seconds.units.height = Unit::kUnstated;
+  EXPECT_EQ(recording_of(record("time,lat,lon,alt_m\n1,473977420,85455940,488\n", seconds))
+                .bees[0]
+                .fixes[0]
+                .position.z,
+            488.0);
+  EXPECT_EQ(recording_of(record("time,lat,lon,alt\n1,473977420,85455940,488.5\n", seconds))
+                .bees[0]
+                .fixes[0]
+                .position.z,
+            488.5);
+}
+
 TEST(TimesSinceTheStart, OfSeveralVehiclesCannotBeCompared) {
   const TemporaryFolder folder;
   const std::string table =
