@@ -166,8 +166,8 @@ TEST(AnswersForPeople, WhoSpeaksOfFeetIsToldInFeet) {
 TEST(AnswersForPeople, AThresholdThatIsWiderThanTheSceneIsPointedOut) {
   const std::string small = "id,time_s,x_um,y_um\na,0,0,0\na,9,0,0\nb,0,30,40\nb,9,30,40\n";
   expect_parts(run({"replay", "--threshold", "10"}, small).err,
-               {"note       all of it is 50.0 um wide, and the threshold is 10 m: if um are meant, "
-                "say --threshold 10um\n"});
+               {"note       all of it is 50.0 µm wide, and the threshold is 10 m: if µm are meant, "
+                "say --threshold 10µm\n"});
   for (const char* const threshold : {"10um", "0.00001"}) {
     const Finished finished = run({"replay", "--threshold", threshold}, small);
     EXPECT_EQ(finished.err.find("wide"), std::string::npos) << finished.err;
