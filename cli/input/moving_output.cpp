@@ -128,10 +128,10 @@ io::Unit small_unit(const MovingRequest& request, const io::Recording& recording
 
 // Rather than in nautical miles, of which little is nothing.
 bool in_feet(const MovingRequest& request, double threshold_m) {
-  constexpr double kLeastInMiles_NM = 0.1;
+  constexpr double kLeastInMiles = 0.1;
   if (request.threshold && request.threshold->unit == io::Unit::kFoot) return true;
   return !(request.threshold && request.threshold->unit == io::Unit::kNauticalMile) &&
-         io::from_metric(threshold_m, io::Unit::kNauticalMile) < kLeastInMiles_NM;
+         io::from_metric(threshold_m, io::Unit::kNauticalMile) < kLeastInMiles;
 }
 
 std::string in_unit(double metres, double limit_m, io::Unit unit, int decimals) {

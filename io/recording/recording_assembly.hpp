@@ -38,20 +38,20 @@ namespace beespace::io {
 // What an input says of all its bees.
 struct SourceFacts {
   Frame frame = Frame::kAuto;  // kAuto: the values must tell
-  std::string frame_reason = {};
   Naming naming = Naming::kSure;
+  std::string frame_reason = {};
   std::size_t dimensions = 3;
   bool has_time = true;
   bool since_1970 = false;
   std::optional<WallClock> clock = {};
   bool own_origin = false;  // places may count from where the vehicle was switched on
+  // Of positions, where nothing says that they are in metres: see doubt_of_metres().
+  std::optional<double> doubted_above_mps = {};
   std::optional<double> stamps_ahead_s = {};  // of ROS, of the times of recording
   bool since_start = false;                   // times count since the one vehicle was switched on
   bool begins_at_zero = false;                // those of the one bee that is in it
   Unit time_unit = Unit::kUnstated;           // in which times are numbers
   Unit named_time = Unit::kUnstated;  // that of the times, where nothing but the header says it
-  // Of positions, where nothing says that they are in metres: see doubt_of_metres().
-  std::optional<double> doubted_above_mps = {};
   HeightDatum heights = HeightDatum::kUnstated;
   Unit height_unit = Unit::kMetre;  // in which TrackGathering is told them as they are stated
   std::vector<UnitTaken> units = {};

@@ -186,7 +186,9 @@ TEST(GenerateMoving, TheExtremesAreReadBack) {
        {Arguments{"--size", "0.000001", "--speed", "0.000001", "--duration", "0.000001"},
         Arguments{"--size", "1e15", "--speed", "1e6", "--duration", "1e9", "--interval", "1e8"}}) {
     for (const char* scene : {"flight", "head-on", "crossing", "sphere-swap"}) {
-      const Finished found = run({"replay", "--quiet"}, generated(scene, extreme));
+      // So fast that it would be asked whether it is in metres.
+      const Finished found =
+          run({"replay", "--quiet", "--units", "position=m"}, generated(scene, extreme));
       EXPECT_EQ(found.exit_code, 0) << scene << ": " << found.err;
     }
   }
