@@ -4,6 +4,7 @@
 #include "io/points/record_reading.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/table/column_names.hpp"
+#include "io/table/column_overrides.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/table/record_walk.hpp"
