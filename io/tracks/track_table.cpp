@@ -9,6 +9,7 @@
 #include "io/table/fields.hpp"
 #include "io/table/record_walk.hpp"
 #include "io/tracks/local_positions.hpp"
+#include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_record.hpp"
 #include "io/tracks/track_sets.hpp"

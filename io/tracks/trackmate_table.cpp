@@ -4,6 +4,7 @@
 #include "io/bytes/number.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/problems/text_check.hpp"
+#include "io/problems/unplaced.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_walk.hpp"
 #include "io/tracks/track_layout.hpp"
