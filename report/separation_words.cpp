@@ -1,5 +1,6 @@
 #include "report/separation_words.hpp"
 
+#include "io/bytes/number_text.hpp"
 #include "report/number_label.hpp"
 
 #include <cmath>
@@ -13,13 +14,6 @@ constexpr AxisUnit kKilometre{1e3, "km"};
 constexpr AxisUnit kMillimetre{1e-3, "mm"};
 constexpr double kSmall_m = 0.1;  // what is shorter is told in millimetres
 constexpr double kLongInMillimetres_m = 10.0;
-
-// As many as tell lengths around this limit: 1.15 ft below 5 ft, 137 ft below 500 ft.
-int decimals_of_feet(double limit_m) {
-  const double limit = limit_m / kFoot.metres;
-  if (!(limit > 0.0) || limit >= 100.0) return 0;
-  return limit >= 10.0 ? 1 : 2;
-}
 
 // With as many more decimals as it takes to be below a limit that it is below.
 std::string in_unit(double metres, double limit_m, const AxisUnit& unit, int decimals) {
@@ -62,7 +56,8 @@ std::string distance_words(const SwarmFacts& swarm, double metres) {
   const AxisUnit unit = distance_unit(swarm);
   const double value = metres / unit.metres;
   const bool whole = value == std::round(value);
-  const int decimals = unit.metres < 1.0 ? decimals_of_feet(swarm.threshold_m) : 2;
+  const int decimals =
+      unit.metres < 1.0 ? io::decimals_around(swarm.threshold_m / kFoot.metres) : 2;
   return in_unit(metres, swarm.threshold_m, unit, whole ? 0 : decimals);
 }
 
@@ -71,7 +66,7 @@ std::string height_words(const SwarmFacts& swarm, double metres) {
   if (!swarm.aviation) return length_label_below(limit_m, metres);
   const double value = metres / kFoot.metres;
   return in_unit(metres, limit_m, kFoot,
-                 value == std::round(value) ? 0 : decimals_of_feet(limit_m));
+                 value == std::round(value) ? 0 : io::decimals_around(limit_m / kFoot.metres));
 }
 
 std::string apart_words(const SwarmFacts& swarm, double metres, const std::optional<Apart>& apart) {

@@ -149,13 +149,6 @@ std::string length_text(double metres, double limit_m) {
                                         : io::length_below(limit_m, metres);
 }
 
-// As many as tell lengths around this limit.
-int decimals_of_feet(double limit_m) {
-  const double limit = io::from_metric(limit_m, io::Unit::kFoot);
-  if (limit >= 100.0) return 0;
-  return limit >= 10.0 ? 1 : 2;
-}
-
 std::string horizontal_text(double metres, const Distances& distances) {
   const double limit_m = distances.threshold_m;
   if (distances.small != io::Unit::kUnstated) {
@@ -169,7 +162,8 @@ std::string horizontal_text(double metres, const Distances& distances) {
   }
   if (!distances.aviation) return length_text(metres, limit_m);
   const std::string miles_or_feet =
-      distances.feet ? in_unit(metres, limit_m, io::Unit::kFoot, decimals_of_feet(limit_m))
+      distances.feet ? in_unit(metres, limit_m, io::Unit::kFoot,
+                               io::decimals_around(io::from_metric(limit_m, io::Unit::kFoot)))
                      : in_unit(metres, limit_m, io::Unit::kNauticalMile, 3);
   return miles_or_feet + " (" + length_text(metres, limit_m) + ")";
 }

@@ -82,6 +82,11 @@ std::string length_below(double limit_m, double metres) {
   return grouped_below(limit_km, value_km, 1) + " km";
 }
 
+int decimals_around(double limit) {
+  if (!(limit > 0.0) || limit >= 100.0) return 0;
+  return limit >= 10.0 ? 1 : 2;
+}
+
 std::string length(double metres) {
   if (metres == 0.0) return "0 m";
   if (metres < 0.001) return exact(metres) + " m";

@@ -29,6 +29,8 @@ std::string length(double metres);
 // is below the limit up to it.
 std::string grouped_below(double limit, double value, int decimals);
 std::string length_below(double limit_m, double metres);
+// How many decimals tell values around a limit: 1.15 around 5, 137 around 500; none without one.
+int decimals_around(double limit);
 
 // "0.4 ms", "12.3 ms", "1.25 s".
 std::string duration(double seconds);

@@ -90,7 +90,7 @@ void leave_ground_time_out(Recording& recording) {
   if (!any_takes_off(recording, ground_m)) {
     if (any_moves(recording)) {
       recording.notes.emplace_back(
-          "heights never change: nobody takes off, and all are compared all the time; where y "
+          "heights never change: no drone takes off, and all are compared all the time; where y "
           "points up, as in Unity, Maya or Cinema 4D, exchange y and z with --columns");
     }
     return;

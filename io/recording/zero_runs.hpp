@@ -11,8 +11,8 @@
 namespace beespace::io {
 
 inline constexpr LeftOutReason kZeroRun = {
-    "at 0, 0, 0 exactly, which is written where no place is known (the bee gets there only three "
-    "times as fast as it ever is elsewhere),",
+    "at 0, 0, 0 exactly, which is written where no place is known (the bee would get there more "
+    "than three times as fast as it ever moves elsewhere),",
     "the bee was somewhere else then"};
 
 // Which of the fixes of a bee, in the order of time, are such; empty where none is. Of a few fixes

@@ -24,7 +24,7 @@ std::string_view program_of(std::string_view text) {
 
 }  // namespace
 
-std::optional<Error> is_motion_capture(std::string_view text) {
+std::optional<Error> motion_capture_problem(std::string_view text) {
   const std::string_view program = program_of(text);
   if (program.empty()) return std::nullopt;
   return Error{

@@ -10,6 +10,6 @@
 namespace beespace::io {
 
 // What to write instead; nothing where the text is no such. Errors: kUnsupportedFormat.
-std::optional<Error> is_motion_capture(std::string_view text);
+std::optional<Error> motion_capture_problem(std::string_view text);
 
 }  // namespace beespace::io

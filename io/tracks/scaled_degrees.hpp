@@ -23,7 +23,7 @@ bool are_scaled_degrees(std::string_view text, const TableLayout& table,
 std::optional<Error> scaled_degrees_as_metres(std::string_view text, const Header& header,
                                               const ColumnChoice& position);
 
-// Of heights beside them, in whole numbers of which nobody names the unit: they are in millimetres
+// Of heights beside them, in whole numbers whose unit is not named: they are in millimetres
 // where the header is that of a message that has them so. Errors: kInvalidArgument, with column,
 // where the unit must be said.
 std::optional<Error> settle_heights_beside(std::string_view text, const TableLayout& table,

@@ -321,7 +321,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
 
 Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOptions& options,
                                       bool bare_skybrush, SeenRecords seen) {
-  if (auto problem = is_motion_capture(text)) return *std::move(problem);
+  if (auto problem = motion_capture_problem(text)) return *std::move(problem);
   auto table = find_table(text, options.skip_bad);
   if (!table) return table.error();
   if (auto error = no_record_problem(text, *table)) return *std::move(error);

@@ -42,7 +42,7 @@ struct TimeChoice {
   bool named = false;        // the header alone, or the format, says the unit
   bool of_position = false;  // when it was measured: records in between say the position again
   bool since_start = false;  // of the vehicle whose table it is: those of others have other zeros
-  bool begins_at_zero = false;  // the first one is 0, of the one bee of a table, and nobody says
+  bool begins_at_zero = false;  // the first one is 0, of the one bee of a table, and nothing says
                                 // that others have the same zero
   bool to_the_minute = false;   // the first time has no seconds
   DateOrder dates = DateOrder::kUnsaid;  // where the year is last
@@ -110,8 +110,8 @@ struct TrackLayout {
   std::vector<std::size_t> marked = {};          // who says yes there is one, too,
   std::optional<std::size_t> marked_valid = {};  // unless here
   std::optional<std::size_t> tag = {};           // of animals, of which each should have one
-  const LeftOutReason* without_id = nullptr;     // the same, where an id may be empty
-  const LeftOutReason* no_height = nullptr;      // what to say of such a record
+  const LeftOutReason* no_height = nullptr;      // what to say of a record without a height,
+  const LeftOutReason* without_id = nullptr;     // or without an id, where that may be empty
   std::optional<std::size_t> label = {};         // what each is called beside its id: the flight
   std::optional<std::size_t> on_ground = {};     // of those that are left out
   std::optional<std::size_t> axes_name = {};     // of ROS: what x, y, z are counted in ("map")

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/buffer.hpp"
-#include "base/chunk_places.hpp"
 #include "base/resources.hpp"
 
 #include <beespace/pairs.hpp>
@@ -14,6 +13,12 @@
 #include <functional>
 
 namespace beespace::core {
+
+// How many pairs a chunk has room for. Later ones fill huge pages: in pages of 4 KiB, of tens of
+// millions of pairs, touching new memory took a third of the time.
+inline constexpr std::uint32_t kFirstChunk = 1U << 15;  // what a cache holds
+inline constexpr std::size_t kFirstChunks = 16;
+inline constexpr std::uint32_t kLaterChunk = 1U << 19;
 
 // Pairs of one worker, in the order in which they were found: first and second ids in arrays of
 // their own, a chunk at a time, so that nothing is copied as their number grows.
@@ -37,7 +42,7 @@ class FoundPairs {
 
   // An empty chunk, to be filled and given its size before the next one.
   Chunk& open_chunk() {
-    const std::uint32_t places = chunk_places(chunks_.size());
+    const std::uint32_t places = chunks_.size() < kFirstChunks ? kFirstChunk : kLaterChunk;
     chunks_.push_back(
         {Buffer<PointId>(memory_, places), Buffer<PointId>(memory_, places), places, 0});
     return chunks_.back();

@@ -144,8 +144,9 @@ class RowWalk {
   RowWalk& operator=(const RowWalk&) = delete;
   ~RowWalk() = default;
 
-  // Calls task(i, below, above) for the sorted points [begin, end) that have others around: what is
-  // to be compared with point i, in two parts. Where the task says no, it leaves the tile.
+  // Calls task(query, below, above) for those of the sorted points [begin, end) that are wanted and
+  // have others around: what each is to be compared with, in two parts, of which the task sets the
+  // query's range. Ends where the task says no.
   template <class Wanted, class Task>
   void for_each(std::uint32_t begin, std::uint32_t end, const Wanted& is_wanted, const Task& task) {
     RowSweeps(question_, decided_by(question_), RowSweeps::Around::kOwnRowToo)

@@ -265,7 +265,7 @@ TEST(Show, ItsGroundIsItsLowestPlace) {
   EXPECT_EQ(ground_of(R"(, "home": [0, 0, -2])"), -2.0);
 }
 
-// As programs export it in which y points up: nobody ever takes off.
+// As programs export it in which y points up: no drone ever takes off.
 TEST(ShowTables, WhoseHeightsNeverChangeLeaveNoTimeOut) {
   const std::string header = "Time [msec],x [m],y [m],z [m],Red,Green,Blue\n";
   const auto table = [&header](const std::string& height) {
@@ -275,7 +275,7 @@ TEST(ShowTables, WhoseHeightsNeverChangeLeaveNoTimeOut) {
   const Recording flat = recording_of(record(table("0")));
   ASSERT_TRUE(flat.show);
   EXPECT_EQ(flat.bees[0].fixes.size(), 5u);
-  EXPECT_TRUE(has_note(flat, "heights never change: nobody takes off"));
+  EXPECT_TRUE(has_note(flat, "heights never change: no drone takes off"));
   const Recording flying = recording_of(record(table("9")));
   EXPECT_EQ(flying.bees[0].fixes.size(), 4u);
   EXPECT_FALSE(has_note(flying, "heights never change"));
