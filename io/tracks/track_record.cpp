@@ -19,7 +19,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <ranges>
 #include <span>
 #include <utility>
 
@@ -123,18 +122,18 @@ void TrackRecordReader::read_sets(TrackRecord& record) {
   record.set = {};
   record.trial = {};
   if (layout_.sets.empty()) return;
-  const auto joined = [this](const auto& sets, std::string& text) {
-    text.clear();
-    for (const std::size_t i : sets) {
-      if (i != *std::begin(sets)) text += ", ";
-      text.append(without_padding(fields_[TrackSlot::kSets + i].text));
-    }
-    return std::string_view(text);
+  const auto append = [this](std::string& text, std::size_t i, bool first) {
+    if (!first) text += ", ";
+    text.append(without_padding(fields_[TrackSlot::kSets + i].text));
   };
-  record.set = joined(std::views::iota(std::size_t{0}, layout_.sets.size()), joined_sets_);
-  record.trial = layout_.trials.size() == layout_.sets.size()
-                     ? record.set
-                     : joined(layout_.trials, joined_trials_);
+  joined_sets_.clear();
+  for (std::size_t i = 0; i < layout_.sets.size(); ++i) append(joined_sets_, i, i == 0);
+  record.set = joined_sets_;
+  joined_trials_.clear();
+  for (const std::size_t i : layout_.trials) {
+    append(joined_trials_, i, i == layout_.trials.front());
+  }
+  record.trial = joined_trials_;
 }
 
 // As the owner of the data has marked it.
