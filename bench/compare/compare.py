@@ -171,6 +171,15 @@ def kept_rows(path, sections, only):
              (row["section"] not in by_swarm or is_one_of(row["swarm"], only)))]
 
 
+def check_all_are_here(programs):
+    """A table without the best of the others would praise us for nothing."""
+    missing = [contender.key for contender in plan.CONTENDERS
+               if programs.description(contender) is None]
+    if missing:
+        sys.exit(f"compare: without {', '.join(missing)} nothing is written: "
+                 "scripts/install-packages compare brings them")
+
+
 def measure(options, rows_path):
     sections = options.sections or SECTIONS
     kept = kept_rows(rows_path, sections, options.only) if options.sections else []
@@ -179,8 +188,10 @@ def measure(options, rows_path):
             open(unfinished, "w", encoding="utf-8") as rows_file:
         rows_file.writelines(kept)
         rows_file.write(json.dumps({"section": "machine", **describe_machine()}) + "\n")
-        comparison = Comparison(Programs(options.build, workspace), rows_file, options.quick,
-                                options.only)
+        programs = Programs(options.build, workspace)
+        if not (options.quick or options.only):
+            check_all_are_here(programs)
+        comparison = Comparison(programs, rows_file, options.quick, options.only)
         for section in sections:
             getattr(comparison, section)()
     unfinished.replace(rows_path)

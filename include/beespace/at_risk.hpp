@@ -23,8 +23,8 @@ namespace beespace {
 /// @brief Finds the points that are closer than the threshold to any other point.
 ///
 /// Complexity: time and memory grow with the number of points, not with the space between them.
-/// Beyond the input at most 48 bytes a point while it runs, and up to 72 more where the points
-/// spread over more than 2^20 thresholds along an axis.
+/// Beyond the input at most 48 bytes a point while it runs, and up to 48 more where the points
+/// spread over more than 2^24 thresholds along an axis.
 ///
 /// Thread safety: no state is kept; any number of threads may call it at the same time.
 ///

@@ -49,6 +49,16 @@ class FoundPairs {
   }
 
   [[nodiscard]] const Vector<Chunk>& chunks() const { return chunks_; }
+  // Ids are those of other points from now on.
+  template <class IdOf>
+  void renumber(const IdOf& id_of) {
+    for (Chunk& chunk : chunks_) {
+      for (std::uint32_t i = 0; i < chunk.size; ++i) {
+        chunk.first[i] = id_of(chunk.first[i]);
+        chunk.second[i] = id_of(chunk.second[i]);
+      }
+    }
+  }
   [[nodiscard]] std::uint64_t size() const {
     std::uint64_t size = 0;
     for (const Chunk& chunk : chunks_) size += chunk.size;

@@ -53,10 +53,7 @@ double margin_for(double extent, double reach) {
 
 Lattice::Lattice(std::span<const PointsView> sets, const Bounds& bounds, double reach,
                  Memory& memory, std::uint64_t fold_beyond_cells, std::uint64_t most_cells)
-    : axes_{Axis{0.0, 1, Vector<Stretch>(&memory), Vector<std::uint32_t>(&memory)},
-            Axis{0.0, 1, Vector<Stretch>(&memory), Vector<std::uint32_t>(&memory)},
-            Axis{0.0, 1, Vector<Stretch>(&memory), Vector<std::uint32_t>(&memory)}},
-      most_cells_(most_cells) {
+    : axes_{Axis(memory), Axis(memory), Axis(memory)}, most_cells_(most_cells) {
   double longest_stretch = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     axes_[axis].low = bounds.low[axis];
@@ -68,11 +65,15 @@ Lattice::Lattice(std::span<const PointsView> sets, const Bounds& bounds, double 
     }
   }
   cell_m_ = reach * (1.0 + margin_for(longest_stretch, reach));
-  while (!number_cells(bounds)) {
+  while (!count_cells(bounds)) {
     cell_m_ *= 2.0;  // larger cells are as right, only slower
     for (Axis& axis : axes_) join_stretches(axis, 4.0 * cell_m_);
   }
-  for (Axis& axis : axes_) make_guide(axis);
+  for (Axis& axis : axes_) {
+    if (!axis.folded()) continue;
+    number_cells(axis);
+    make_guide(axis);
+  }
 
   std::uint64_t most = 1;
   for (const Axis& axis : axes_) most = std::max(most, axis.cells);
@@ -96,14 +97,16 @@ double Lattice::fold(std::span<const PointsView> sets, std::size_t axis, double 
   Axis& folded = axes_[axis];
   std::size_t gaps = 0;
   for (std::size_t i = 1; i < size; ++i) gaps += sorted[i] - sorted[i - 1] > gap ? 1U : 0U;
-  folded.stretches.reserve(gaps + 1);
+  folded.first.reserve(gaps + 1);
+  folded.last.reserve(gaps + 1);
   double longest = 0.0;
   for (std::size_t i = 0; i < size; ++i) {
     if (i == 0 || sorted[i] - sorted[i - 1] > gap) {
-      folded.stretches.push_back({sorted[i], sorted[i], 0});
+      folded.first.push_back(sorted[i]);
+      folded.last.push_back(sorted[i]);
     }
-    folded.stretches.back().last = sorted[i];
-    longest = std::max(longest, sorted[i] - folded.stretches.back().first);
+    folded.last.back() = sorted[i];
+    longest = std::max(longest, sorted[i] - folded.first.back());
   }
   return longest;
 }
@@ -111,31 +114,31 @@ double Lattice::fold(std::span<const PointsView> sets, std::size_t axis, double 
 // A stretch takes at least three cells; with larger cells, narrower gaps are cells too.
 void Lattice::join_stretches(Axis& axis, double gap) {
   if (!axis.folded()) return;
-  std::size_t last = 0;
-  for (std::size_t i = 1; i < axis.stretches.size(); ++i) {
-    if (axis.stretches[i].first - axis.stretches[last].last > gap) {
-      axis.stretches[++last] = axis.stretches[i];
-    } else {
-      axis.stretches[last].last = axis.stretches[i].last;
-    }
+  std::size_t stretch = 0;
+  for (std::size_t i = 1; i < axis.first.size(); ++i) {
+    if (axis.first[i] - axis.last[stretch] > gap) axis.first[++stretch] = axis.first[i];
+    axis.last[stretch] = axis.last[i];
   }
-  axis.stretches.resize(last + 1);
+  axis.first.resize(stretch + 1);
+  axis.last.resize(stretch + 1);
 }
 
-bool Lattice::number_cells(const Bounds& bounds) {
+// One cell more than the quotient says: the last point may be rounded up into it.
+std::uint64_t Lattice::cells_of(double extent) const {
+  return static_cast<std::uint64_t>(extent / cell_m_) + 2;
+}
+
+// Whether they are not too many.
+bool Lattice::count_cells(const Bounds& bounds) {
   for (std::size_t i = 0; i < 3; ++i) {
     Axis& axis = axes_[i];
-    // One cell more than the quotient says: the last point may be rounded up into it.
-    const auto cells_of = [this](double extent) {
-      return static_cast<std::uint64_t>(extent / cell_m_) + 2;
-    };
     if (!axis.folded()) {
       axis.cells = cells_of(bounds.high[i] - bounds.low[i]);
     } else {
       axis.cells = 0;
-      for (Stretch& stretch : axis.stretches) {
-        stretch.first_cell = axis.cells;
-        axis.cells += cells_of(stretch.last - stretch.first) + 1;  // and an empty one behind it
+      for (std::size_t stretch = 0; stretch < axis.first.size(); ++stretch) {
+        // And an empty one behind it.
+        axis.cells += cells_of(axis.last[stretch] - axis.first[stretch]) + 1;
       }
     }
     if (axis.cells > most_cells_) return false;
@@ -143,22 +146,29 @@ bool Lattice::number_cells(const Bounds& bounds) {
   return true;
 }
 
+void Lattice::number_cells(Axis& axis) const {
+  axis.first_cell.resize(axis.first.size());
+  std::uint64_t next = 0;
+  for (std::size_t stretch = 0; stretch < axis.first.size(); ++stretch) {
+    axis.first_cell[stretch] = static_cast<std::uint32_t>(next);
+    next += cells_of(axis.last[stretch] - axis.first[stretch]) + 1;
+  }
+  axis.last.clear();
+  axis.last.shrink_to_fit();
+}
+
 void Lattice::make_guide(Axis& axis) {
-  if (!axis.folded()) return;
-  const auto key_of_first = [](const Stretch& stretch) { return key_of(stretch.first + 0.0); };
-  axis.lowest_key = key_of_first(axis.stretches.front());
-  const std::uint64_t range = key_of_first(axis.stretches.back()) - axis.lowest_key;
-  const unsigned bits = static_cast<unsigned>(std::bit_width(axis.stretches.size())) + 1;
+  const auto key_of_first = [&](std::size_t stretch) { return key_of(axis.first[stretch] + 0.0); };
+  axis.lowest_key = key_of_first(0);
+  const std::uint64_t range = key_of_first(axis.first.size() - 1) - axis.lowest_key;
+  const unsigned bits = static_cast<unsigned>(std::bit_width(axis.first.size())) - 1;
   const unsigned range_bits = static_cast<unsigned>(std::bit_width(range));
   axis.key_shift = range_bits > bits ? range_bits - bits : 0;
   axis.guide.resize(static_cast<std::size_t>(range >> axis.key_shift) + 1);
   std::size_t stretch = 0;
   for (std::size_t place = 0; place < axis.guide.size(); ++place) {
     const std::uint64_t lowest = axis.lowest_key + (std::uint64_t{place} << axis.key_shift);
-    while (stretch + 1 < axis.stretches.size() &&
-           key_of_first(axis.stretches[stretch + 1]) <= lowest) {
-      ++stretch;
-    }
+    while (stretch + 1 < axis.first.size() && key_of_first(stretch + 1) <= lowest) ++stretch;
     axis.guide[place] = static_cast<std::uint32_t>(stretch);
   }
 }
@@ -205,15 +215,12 @@ std::int32_t Lattice::folded_position(const Axis& axis, double value) const {
   const std::uint64_t place = (key_of(value + 0.0) - axis.lowest_key) >> axis.key_shift;
   const std::size_t known = axis.guide.size() - 1;
   const std::uint32_t first_stretch = axis.guide[std::min<std::size_t>(place, known)];
-  const std::size_t end = place < known ? axis.guide[place + 1] + 1U : axis.stretches.size();
-  const Stretch* const stretches = axis.stretches.data();
-  const Stretch* const after = std::upper_bound(
-      stretches + first_stretch + 1, stretches + end, value,
-      [](double coordinate, const Stretch& stretch) { return coordinate < stretch.first; });
-  const Stretch& stretch = *(after - 1);
-  const std::uint64_t first = stretch.first_cell << fraction_bits_;
-  return static_cast<std::int32_t>(first) +
-         static_cast<std::int32_t>((value - stretch.first) * units_per_m_);
+  const std::size_t end = place < known ? axis.guide[place + 1] + 1U : axis.first.size();
+  const double* const first = axis.first.data();
+  const double* const after = std::upper_bound(first + first_stretch + 1, first + end, value);
+  const auto stretch = static_cast<std::size_t>(after - first) - 1;
+  return static_cast<std::int32_t>(axis.first_cell[stretch] << fraction_bits_) +
+         static_cast<std::int32_t>((value - first[stretch]) * units_per_m_);
 }
 
 }  // namespace beespace::core

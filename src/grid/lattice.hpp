@@ -9,9 +9,11 @@
 // positions of two points are as far apart as the points, give or take less than
 // 4 * 2^-53 * extent / reach cells.
 //
-// Empty space costs nothing: an axis that would have more than 2^20 cells is folded, which cuts
-// out every gap that no point lies in. There are then at most a handful of cells a point, on each
-// axis.
+// Empty space costs nothing: an axis that would have more than 2^24 cells (the whole earth, of a
+// metre each) is folded, which cuts out every gap that no point lies in. There are then at most a
+// handful of cells a point, on each axis. More cells have fewer bits for what is within: 5 here,
+// with which one pair in eight of those around the reach is too close to it to be decided by
+// positions; a lower limit would sort the coordinates of many a swarm that is merely wide.
 #pragma once
 
 #include "base/bounds.hpp"
@@ -29,12 +31,13 @@ namespace beespace::core {
 
 class Lattice {
  public:
-  static constexpr std::uint64_t kFoldBeyondCells = std::uint64_t{1} << 20;
+  static constexpr std::uint64_t kFoldBeyondCells = std::uint64_t{1} << 24;
 
   static constexpr std::uint64_t kMostCells = std::uint64_t{1} << 29;  // positions below 2^30
 
   // For all points of the `sets`, whose bounds are `bounds`. The last two are lowered by tests
-  // only. Working memory: 16 bytes a point while an axis is folded.
+  // only. Working memory: 16 bytes for each stretch of a folded axis, and 16 a point while one is
+  // folded.
   Lattice(std::span<const PointsView> sets, const Bounds& bounds, double reach, Memory& memory,
           std::uint64_t fold_beyond_cells = kFoldBeyondCells,
           std::uint64_t most_cells = kMostCells);
@@ -72,28 +75,30 @@ class Lattice {
   [[nodiscard]] double cell_m() const { return cell_m_; }
 
  private:
-  // A run of coordinates without a wide gap.
-  struct Stretch {
-    double first = 0.0;
-    double last = 0.0;
-    std::uint64_t first_cell = 0;
-  };
+  // Stretches are runs of coordinates without a wide gap, ascending; a folded axis has some.
   struct Axis {
+    explicit Axis(Memory& memory)
+        : first(&memory), last(&memory), first_cell(&memory), guide(&memory) {}
+
     double low = 0.0;
     std::uint64_t cells = 1;
-    Vector<Stretch> stretches;  // ascending; empty unless folded
+    Vector<double> first;  // the lowest coordinate of each stretch
+    Vector<double> last;   // and the highest, until its cells are numbered
+    Vector<std::uint32_t> first_cell;
     // By the high bits of a coordinate's key, from that of the lowest on: the last stretch that
     // begins at or below the lowest coordinate with these bits.
     Vector<std::uint32_t> guide;
     std::uint64_t lowest_key = 0;
     unsigned key_shift = 0;
 
-    [[nodiscard]] bool folded() const { return !stretches.empty(); }
+    [[nodiscard]] bool folded() const { return !first.empty(); }
   };
 
   double fold(std::span<const PointsView> sets, std::size_t axis, double gap, Memory& memory);
   static void join_stretches(Axis& axis, double gap);
-  bool number_cells(const Bounds& bounds);
+  bool count_cells(const Bounds& bounds);
+  void number_cells(Axis& axis) const;
+  [[nodiscard]] std::uint64_t cells_of(double extent) const;
   static void make_guide(Axis& axis);
   [[nodiscard]] std::int32_t folded_position(const Axis& axis, double value) const;
 

@@ -1,4 +1,7 @@
 // Leaves out points that surely have no neighbour, at the cost of a few table look-ups a point.
+//
+// Source: the sieve of S. Khuller and Y. Matias, A simple randomized sieve algorithm for the
+// closest-pair problem, 1995.
 #pragma once
 
 #include "base/resources.hpp"

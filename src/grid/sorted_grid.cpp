@@ -103,6 +103,7 @@ SortedGrid sort_into_grid(const Selection& selected, const Lattice& lattice, uns
       add_rows(grid, order, from, to, bucket_in_row, rows[worker]);
     }
   });
+  buckets.records = Buffer<CellRecord>();  // rows take memory of their own
   join_rows(grid, rows);
   for (std::size_t i = grid.size; i < padded; ++i) {
     grid.x[i] = grid.y[i] = grid.z[i] = 0;

@@ -1,6 +1,6 @@
 // The points of a wide swarm that may be near another one.
 //
-// An axis that is more than a million thresholds long is cut wherever nothing lies for a while,
+// An axis that is more than 2^24 thresholds long is cut wherever nothing lies for a while,
 // which means sorting its coordinates and looking each of them up among the cuts. Where few are
 // near, as with outliers around a swarm or radii over decades, most points are surely alone: those
 // are left out first, by a table of wide cells, again and again with narrower ones as the box of

@@ -4,8 +4,8 @@
 #include "base/answered.hpp"
 #include "base/stopping.hpp"
 #include "exact/validate.hpp"
-#include "grid/closest_pair.hpp"
 #include "search/at_risk_search.hpp"
+#include "search/closest_pair_search.hpp"
 #include "search/cylinder_search.hpp"
 #include "search/engine_state.hpp"
 #include "search/group_search.hpp"
@@ -220,14 +220,16 @@ Result<std::optional<ClosestPair>> Engine::find_closest_pair(const PointsView& p
                                                              const RunOptions& run) {
   using Closest = std::optional<ClosestPair>;
   return core::unless_stopped([&]() -> Result<Closest> {
-    const core::Resources with = state_->resources(run, points.size());
     if (auto error = core::check_no_heights(points, core::kPointsName)) return *std::move(error);
-    if (auto error = core::check_size(points)) return *std::move(error);
-    const Result<core::Bounds> bounds = core::measure(points, with);
-    if (!bounds) return bounds.error();
-    if (points.size() < 2) return Closest();
-    const core::IdPair pair = core::closest_pair(points, *bounds, with);
-    return Closest({pair.first, pair.second, distance(points[pair.first], points[pair.second])});
+    Closest closest;
+    const Status status = state_->run(points, run, [&](const auto& domain, const auto& with) {
+      if (points.size() < 2) return kDone;
+      const Pair pair = search::find_closest_pair(domain, with, state_->tuning);
+      closest = {pair.first, pair.second, distance(points[pair.first], points[pair.second])};
+      return kDone;
+    });
+    if (!status) return status.error();
+    return closest;
   });
 }
 

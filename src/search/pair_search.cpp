@@ -12,7 +12,9 @@
 #include "sweep/sweep_all.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <span>
 #include <utility>
 
 namespace beespace::search {
@@ -30,8 +32,35 @@ constexpr double kLongRows = 20.0;
 core::Vector<core::FoundPairs> collect(const SearchDomain& domain, const PairOptions& options,
                                        const core::Resources& with, const TuningOverrides& tuning,
                                        std::uint64_t most) {
-  const QueryGrids grids(domain, options, with, tuning);
-  return cpu::collect_pairs(grids.question(), with, most);
+  const auto candidates = Candidates::of(domain, options.threshold_m, with, tuning);
+  if (!candidates) {
+    const QueryGrids grids(domain, options, with, tuning);
+    return cpu::collect_pairs(grids.question(), with, most);
+  }
+  if (candidates->size() < 2) return core::Vector<core::FoundPairs>(&with.memory);
+  const SearchDomain few = candidates->domain(with);
+  const QueryGrids grids(few, options, with, tuning);
+  core::Vector<core::FoundPairs> found = cpu::collect_pairs(grids.question(), with, most);
+  for (core::FoundPairs& part : found) {
+    part.renumber([&](PointId id) { return candidates->id(id); });
+  }
+  return found;
+}
+
+bool visit_among(const Candidates& candidates, const PairOptions& options,
+                 const core::Resources& with, const TuningOverrides& tuning,
+                 const PairVisitor& visit) {
+  if (candidates.size() < 2) return true;
+  const SearchDomain few = candidates.domain(with);
+  const QueryGrids grids(few, options, with, tuning);
+  std::array<Pair, kMostPairsAtOnce> batch;  // visitors are called one at a time
+  const auto renumbered = [&](std::span<const Pair> pairs) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      batch[i] = {candidates.id(pairs[i].first), candidates.id(pairs[i].second)};
+    }
+    return visit(std::span(batch).first(pairs.size()));
+  };
+  return cpu::show_pairs(grids.question(), with, std::cref(renumbered));  // allocates nothing
 }
 
 // Where the row of each sorted point begins, if rows stand in the order of ids.
@@ -108,6 +137,9 @@ Status find_pairs(const SearchDomain& domain, const PairOptions& options,
 bool visit_pairs(const SearchDomain& domain, const PairOptions& options,
                  const core::Resources& with, const TuningOverrides& tuning,
                  const PairVisitor& visit) {
+  if (const auto candidates = Candidates::of(domain, options.threshold_m, with, tuning)) {
+    return visit_among(*candidates, options, with, tuning, visit);
+  }
   const QueryGrids grids(domain, options, with, tuning);
   return cpu::show_pairs(grids.question(), with, visit);
 }

@@ -106,6 +106,20 @@ TEST_F(WorkingMemory, ForPointsAtRiskIsAtMost40BytesAPointOfHostileScenesToo) {
   expect_little_for_at_risk(hostile_scenes(), 1);
 }
 
+// Couples far apart on every axis: none is alone, and half as many stretches as points lie on each.
+TEST_F(WorkingMemory, ForPointsAtRiskIsAtMost64BytesAPointSpreadBeyondAllCells) {
+  std::vector<Point> points = scenes::uniform_box(kSize, {1e9, 1e9, 1e9}, 2);
+  for (std::size_t i = 1; i < kSize; i += 2) {
+    points[i] = {points[i - 1].x + 0.5, points[i - 1].y, points[i - 1].z};
+  }
+  const Measured took = measured({"couples", points, 1.0}, 1, [](auto& p, const auto& options) {
+    return find_at_risk(p, options).value().size();
+  });
+  EXPECT_EQ(took.results, kSize);
+  EXPECT_LE(took.bytes / kSize, 64.0);
+  EXPECT_GE(took.bytes / kSize, 40.0) << "not even the grid was measured";
+}
+
 struct Question {
   const char* name;
   std::function<std::size_t(const PointsView&, const SearchOptions&)> ask;
