@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t kFewPoints = 256;  // compared each with each
 constexpr std::size_t kRun = 16;         // points that are drawn together
-constexpr std::size_t kRunShare = 8;     // one run of so many is drawn
+constexpr std::size_t kRunShare =
+    32;  // one run of so many is drawn: a bound for some thousand pairs
 
 // The best pair so far, compared exactly.
 class Closest {

@@ -1,6 +1,6 @@
 // The two closest points of all.
 //
-//   an eighth of the points, in short runs  --(same again)-->  their closest pair: a bound
+//   one point in 32, in short runs  --(same again)-->  their closest pair: a bound
 //   all pairs of points within the bound, which are few  -->  the closest of them, exactly
 //
 // Source: the bound from a sample is M. O. Rabin's, Probabilistic algorithms, 1976. Expected cost
