@@ -9,7 +9,7 @@
 
 namespace beespace::test {
 
-inline constexpr std::uint64_t kGoldenScenes = 0x01e7'04f9'9a1e'3287U;
-inline constexpr std::uint64_t kGoldenAnswers = 0x8525'965c'3364'59d3U;
+inline constexpr std::uint64_t kGoldenScenes = 0x6d2e'e6e9'd6f2'0ca1U;
+inline constexpr std::uint64_t kGoldenAnswers = 0x1bc8'a7c5'ea9d'e1aaU;
 
 }  // namespace beespace::test

@@ -46,20 +46,20 @@ inline std::vector<Point> finest_lattice() {
   return integer_lattice(6, 0x1p-452, {0x1p-400, 0x1p-400, 0x1p-400});
 }
 
-// Thousands of pairs at the threshold, in all directions, where a lattice of half a million cells
-// an axis has few bits left for places within a cell.
-inline std::vector<Point> turned_lattice_in_a_coarse_grid() {
+// Thousands of pairs at the threshold, in all directions, where a lattice of many cells an axis has
+// few bits left for places within a cell.
+inline std::vector<Point> turned_lattice_in_a_coarse_grid(double far) {
   std::vector<Point> points = turned(integer_lattice(7, 1.0, {0, 0, 0}), 2, 3, 4, 5);
-  append(points, {{1.5e6, 0.1, 0.2}, {0.1, -1.5e6, 0.3}, {-0.1, 0.2, 1.5e6}});
+  append(points, {{far, 0.1, 0.2}, {0.1, -far, 0.3}, {-0.1, 0.2, far}});
   return points;
 }
 
-// Rows of points a threshold apart, from the origin and from 900,000 thresholds further on: where
+// Rows of points a threshold apart, from the origin and from so many thresholds further on: where
 // the rounding of a place is as large as the difference of two distances.
-inline std::vector<Point> rows_far_out(double threshold) {
+inline std::vector<Point> rows_far_out(double threshold, int far) {
   std::vector<Point> points;
   for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) {
-    for (const int begin : {0, 900'000}) {
+    for (const int begin : {0, far}) {
       for (int i = begin; i < begin + 45; ++i) {
         points.push_back({i * threshold * axis.x, i * threshold * axis.y, i * threshold * axis.z});
       }
@@ -91,9 +91,12 @@ inline std::vector<SearchScene> far_scenes() {
   add("WholeDomain", whole_domain(), 1.0);
   add("WholeDomainFinely", whole_domain(), kSmallestCoordinate_m);
   add("WholeDomainCoarsely", whole_domain(), kLargestCoordinate_m);
-  add("TurnedLatticeInACoarseGrid", turned_lattice_in_a_coarse_grid(), 3.0);
-  add("RowsOfThirdsFarOut", rows_far_out(1.0 / 3.0), 1.0 / 3.0);
-  add("RowsOfTenthsFarOut", rows_far_out(0.1), 0.1);
+  add("TurnedLatticeInACoarseGrid", turned_lattice_in_a_coarse_grid(1.5e6), 3.0);
+  add("RowsOfThirdsFarOut", rows_far_out(1.0 / 3.0, 900'000), 1.0 / 3.0);
+  add("RowsOfTenthsFarOut", rows_far_out(0.1, 900'000), 0.1);
+  // The most cells of an axis that is not folded: 2^24.
+  add("TurnedLatticeInTheCoarsestGrid", turned_lattice_in_a_coarse_grid(4.9e7), 3.0);
+  add("RowsOfTenthsAtTheEndOfTheGrid", rows_far_out(0.1, 16'700'000), 0.1);
   const double far = 5e12;
   add("OutlierFarBeyondTheSwarm", swarm_and_outlier(make, 700, 50.0, {far, -far, far}), 5.0);
   add("ClumpAndOutlier", swarm_and_outlier(make, 200, 1e-3, {-1e9, 0, 1e9}), 1.0);
