@@ -284,7 +284,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   if (!coverage.complete()) {
     swarm.notes.push_back("what is said of conflicts is of the known time: " + facts.unknown);
   }
-  if (!facts.gaps.empty()) {
+  if (coverage.gaps > 0) {
     swarm.notes.push_back(
         "bees are unknown between two fixes that are farther apart in time than " +
         max_gap_text(max_gap) +

@@ -1,5 +1,6 @@
 #include "cli/recorded/replay_rows.hpp"
 
+#include "analysis/recorded/landed_gaps.hpp"
 #include "analysis/text/bee_name.hpp"
 
 #include <cmath>
@@ -23,7 +24,9 @@ Rows bee_rows(const analysis::Findings& findings, const Distances& distances) {
   const std::size_t columns = rows.columns.size();
   add_apart_columns(rows.columns, distances);
   const auto bees = analysis::bees_in_conflict(findings.tracks.size(), findings.recorded.conflicts);
-  const auto unknown_s = analysis::unknown_times_s(recording, findings.recorded.gaps);
+  const auto unknown_s = analysis::unknown_times_s(
+      recording,
+      analysis::unknown_gaps(recording, findings.recorded.gaps, findings.coverage.max_gap.seconds));
   for (PointId bee = 0; bee < bees.size(); ++bee) {
     const analysis::BeeInConflict& of = bees[bee];
     std::vector<Value> row{analysis::name_of(bee, recording), std::uint64_t{of.conflicts},

@@ -167,7 +167,11 @@ class RecordingAssembly {
   // A report of an aircraft, in a format in which it may say that it is on the ground: where it is
   // kept, and where it is not since it says so, which is counted once it is known whether it flies.
   void flies_at(std::string_view id, const Fix& fix);
-  void claims_ground(std::string_view id, const Fix& fix);
+  void claims_ground(std::string_view id, const Fix& fix) {
+    claim(id, fix, GroundClaim::kOnGround);
+  }
+  // The same of a drone whose autopilot says that it has landed.
+  void has_landed(std::string_view id, const Fix& fix) { claim(id, fix, GroundClaim::kLanded); }
   // A record says that the bee is on the ground, but not how it could be; it is kept.
   void keep_in_flight() { ++kept_in_flight_; }
   // It was heard of, though not its place: if no place comes from anywhere, a record is left out
@@ -199,6 +203,7 @@ class RecordingAssembly {
   void leave_out_stale_places();
   void find_doubtful_tracks();
   void settle_heard();
+  void claim(std::string_view id, const Fix& fix, GroundClaim claims);
   void settle_claim(const std::string& id, const GroundClaims::Run& run);
   // Of aircraft that take off from the ground, or land there, when they did.
   void settle_ground(RecordedBee& bee) const;
