@@ -177,7 +177,7 @@ Result<std::unique_ptr<beespace_io_verdict>> verify(const io::Recording& recordi
   if (!found) return found.error();
 
   const analysis::Coverage coverage = analysis::coverage_of(recording, found->gaps, max_gap);
-  const bool compared = analysis::compares(recording, *found);
+  const bool compared = analysis::compares(recording, *found, question);
   facts.holds = found->holds() && !coverage.may_hide_conflicts() && compared ? 1 : 0;
   facts.motion = *motion;
   facts.threshold_m = *threshold_m;

@@ -642,10 +642,10 @@ enum {
 typedef struct beespace_io_verdict_facts {
   size_t struct_size;    ///< sizeof(beespace_io_verdict_facts), set by the caller.
   int32_t holds;         ///< 1 where nothing was found, nothing of the flight may hide it, which
-                         ///< beespace_io_verdict_coverage() says, some two were compared, and
-                         ///< no limit that the show declares is not looked at, as minNavAltitude
-                         ///< is not, or an acceleration in one direction that the greatest one in
-                         ///< any exceeds.
+                         ///< beespace_io_verdict_coverage() says, some two were compared (or an
+                         ///< agent alone with limits or obstacles), and no limit that the show
+                         ///< declares is not looked at, as minNavAltitude is not, or an
+                         ///< acceleration in one direction that the greatest one in any exceeds.
   int32_t motion;        ///< BEESPACE_IO_ALONG_SHOW, ...
   uint32_t limits;       ///< 1 << BEESPACE_IO_SPEED | ...: which limits were checked.
   uint32_t declared;     ///< Those of them that the show declares.

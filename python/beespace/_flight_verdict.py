@@ -148,7 +148,7 @@ class FlightVerdict:
     holds : bool
         Whether nothing was found, and nothing that is not known may hide it: there is no gap, no record
         is missing, no agent jumps or is in the air before its first fix or after its last one while
-        others fly; and some two were compared.
+        others fly; and some two were compared, or one agent alone with limits or obstacles.
     motion : str
         "show": along its curves; "velocities": along curves that have the velocities of both fixes;
         "straight": in straight lines from fix to fix.
@@ -231,7 +231,7 @@ class FlightVerdict:
 
     def _in_words(self) -> str:
         if self.holds:
-            return "holds"
+            return "holds" if self.closest is not None else "holds, without any pair to compare"
         tables: tuple[tuple[Table, str], ...] = (
             (self.losses, "of separation"),
             (self.clearance_losses, "of clearance"),
