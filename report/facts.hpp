@@ -145,8 +145,11 @@ struct RecordingFacts {
   std::uint64_t possible_count = 0;      // of these, not certain
   std::uint64_t pair_count = 0;          // in conflict
   std::optional<Conflict> closest = {};  // of the conflicts; where there is none, of all encounters
+  bool closest_stands = false;           // one of these two is a drone that stands on the ground:
+  std::optional<Conflict> closest_in_the_air = {};  // then the same of two in the air
   std::vector<Apart> conflicts_apart = {};  // of each of `conflicts`, when they are closest
   std::optional<Apart> closest_apart = {};
+  std::optional<Apart> closest_in_the_air_apart = {};
   // Of the first of `conflicts`, as many as a page can hold; where there is none, of `closest`.
   std::vector<PairWay> pair_ways = {};
   std::vector<Separation> separation = {};
