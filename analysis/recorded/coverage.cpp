@@ -1,6 +1,7 @@
 #include "analysis/recorded/coverage.hpp"
 
 #include "analysis/recorded/ends.hpp"
+#include "analysis/recorded/jump_spans.hpp"
 #include "analysis/recorded/landed_gaps.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "io/bytes/number_text.hpp"
@@ -136,7 +137,8 @@ std::vector<double> unknown_times_s(const io::Recording& recording, const std::v
 
 std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector<Gap>& gaps,
                                const MaxGap& max_gap) {
-  std::vector<Gap> all = unknown_gaps(recording, gaps, max_gap.seconds);
+  std::vector<Gap> all =
+      joined_gaps(unknown_gaps(recording, gaps, max_gap.seconds), jump_spans(recording));
   const auto outside = outside_of(recording, max_gap.seconds);
   for (std::size_t track = 0; track < outside.size(); ++track) {
     for (const TimeSpan& span : outside[track].hidden) {

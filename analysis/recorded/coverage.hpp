@@ -68,9 +68,9 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
 // its last one. `gaps` are those that are unknown: see unknown_gaps().
 std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps);
 
-// When a bee is there and it is not known where, so that conflicts may be hidden: in its gaps, and
-// before its first fix and after its last one if it is in the air then, or has records without a
-// place. In ascending order of (track, begins_s). `gaps` as above.
+// When a bee is there and it is not known where, so that conflicts may be hidden: in its gaps,
+// where it jumps, and before its first fix and after its last one if it is in the air then, or has
+// records without a place. In ascending order of (track, begins_s). `gaps` as above.
 std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector<Gap>& gaps,
                                const MaxGap& max_gap);
 

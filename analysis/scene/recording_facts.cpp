@@ -3,6 +3,7 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
+#include "analysis/recorded/jump_spans.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
@@ -264,12 +265,11 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   const auto closest = closest_of(recorded->conflicts, *in_space, max_gap.seconds, request);
   if (!closest) return closest.error();
   facts.closest = *closest;
-  facts.closest_stands =
-      facts.closest && std::find(standing->begin(), standing->end(), *facts.closest) !=
-                           standing->end();
+  facts.closest_stands = facts.closest && std::find(standing->begin(), standing->end(),
+                                                    *facts.closest) != standing->end();
   if (facts.closest_stands) {
-    const auto in_the_air = closest_of(without(recorded->conflicts, *standing), *in_space,
-                                       max_gap.seconds, request);
+    const auto in_the_air =
+        closest_of(without(recorded->conflicts, *standing), *in_space, max_gap.seconds, request);
     if (!in_the_air) return in_the_air.error();
     facts.closest_in_the_air = *in_the_air;
   }
@@ -283,6 +283,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   const auto uprights = Uprights::of(recording, *in_space, max_gap.seconds);
   if (!uprights) return uprights.error();
   facts.unknown_spans = unknown_spans(recording, facts.gaps, max_gap);
+  facts.gaps = joined_gaps(std::move(facts.gaps), jump_spans(recording));
   SeparationOverTime over_time = separation_of(
       {recording, tracks, *in_space, *recorded, *closest, coverage, closest->has_value()},
       *uprights, swarm);

@@ -1,5 +1,6 @@
 #include "analysis/scene/separation.hpp"
 
+#include "analysis/recorded/jump_spans.hpp"
 #include "analysis/recorded/landed_gaps.hpp"
 #include "io/recording/recording.hpp"
 
@@ -52,7 +53,8 @@ struct There {
   std::vector<double> heights_m;
 };
 
-There there_at(const Uprights& uprights, const Findings& findings, double time_s) {
+There there_at(const Uprights& uprights, const Findings& findings, const std::vector<Gap>& jumps,
+               double time_s) {
   There now;
   const auto add = [&now](PointId bee, const Upright& at) {
     now.bees.push_back(bee);
@@ -63,7 +65,7 @@ There there_at(const Uprights& uprights, const Findings& findings, double time_s
   const std::vector<io::RecordedBee>& bees = findings.recording.bees;
   const double max_gap_s = findings.coverage.max_gap.seconds;
   for (PointId bee = 0; bee < findings.tracks.size(); ++bee) {
-    if (const auto at = uprights.at(bee, time_s)) {
+    if (const auto at = uprights.at(bee, time_s); at && !is_within(jumps, bee, time_s)) {
       add(bee, *at);
     } else if (has_landed(bees[bee], time_s, max_gap_s)) {
       continue;
@@ -123,11 +125,12 @@ SeparationOverTime nearest_to_conflict(const Findings& findings, const Uprights&
                                        const report::SwarmFacts& swarm, const TimeSpan& time) {
   SeparationOverTime over_time;
   NearestToConflict search(swarm);
+  const std::vector<Gap> jumps = jump_spans(findings.recording);
   double share = 1.0;
   const double step_s = every_s(time);
   for (std::uint64_t i = 0; static_cast<double>(i) * step_s <= time.ends_s - time.begins_s; ++i) {
     const double now_s = time.begins_s + static_cast<double>(i) * step_s;
-    const There now = there_at(uprights, findings, now_s);
+    const There now = there_at(uprights, findings, jumps, now_s);
     if (now.bees.size() < 2) continue;
     const auto pair = search.find(now, share);
     if (!pair) continue;

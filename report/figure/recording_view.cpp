@@ -147,8 +147,8 @@ void draw_closest(const RecordingFacts& facts, const View& view, Drawing& drawin
   const bool in_the_air = facts.closest_in_the_air.has_value();
   const Conflict& closest = in_the_air ? *facts.closest_in_the_air : *facts.closest;
   const auto& apart = in_the_air ? facts.closest_in_the_air_apart : facts.closest_apart;
-  const bool keeps_apart = in_the_air ? closest.closest_m >= facts.swarm.threshold_m
-                                      : facts.at_risk.empty();
+  const bool keeps_apart =
+      in_the_air ? closest.closest_m >= facts.swarm.threshold_m : facts.at_risk.empty();
   const auto first = position_at(facts.tracks[closest.first], closest.closest_s);
   const auto second = position_at(facts.tracks[closest.second], closest.closest_s);
   if (!first || !second) return;

@@ -279,7 +279,7 @@ TEST_F(ShowReplay, ADroneThatNeverTakesOffIsThereForThoseThatFly) {
   const Finished page =
       run({"report", path, "--threshold", "1.5", "--output", folder_.path("x.html")});
   EXPECT_EQ(page.exit_code, 0) << page.err;
-  EXPECT_NE(contents_of(folder_.path("x.html")).find("\"stands\""), std::string::npos);
+  EXPECT_NE(folder_.read("x.html").find("\"stands\""), std::string::npos);
 }
 
 // Two that stand 1 m beside each other until 5 s, and a third that never takes off: as a show and
