@@ -70,7 +70,7 @@ inline constexpr LeftOutReason kHeightsContradict = {
     "whose heights by pressure and above the ellipsoid are more than 1,500 m apart",
     "correct them, or name one column with --columns"};
 // The same of drones, whose autopilots find out that they have landed.
-inline constexpr LeftOutReason kLanded = {"of drones on the ground, as they say themselves",
+inline constexpr LeftOutReason kLanded = {"of drones that say that they are on the ground",
                                           "--grounded keeps them", true};
 inline constexpr LeftOutReason kLandedInFlight = {
     "of drones that say that they are on the ground, but fly by what they report beside it",
