@@ -200,6 +200,13 @@ std::vector<std::string> limits_not_looked_at(const io::ShowFacts& show, double 
   return names;
 }
 
+std::vector<std::string> skippable_limits(const io::Recording& recording) {
+  if (!recording.show) return {};
+  std::vector<std::string> known = recording.show->limits.not_looked_at;
+  for (const auto& [name, most] : recording.show->limits.accelerations_mps2) known.push_back(name);
+  return known;
+}
+
 bool PathQuestion::has_limits() const {
   return std::any_of(limits.most.begin(), limits.most.end(),
                      [](double most) { return std::isfinite(most); });

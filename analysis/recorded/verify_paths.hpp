@@ -80,6 +80,10 @@ std::optional<double> declared_limit(const io::ShowFacts& show, PathLimit limit)
 // (the others are kept), and those of which nothing is looked at.
 std::vector<std::string> limits_not_looked_at(const io::ShowFacts& show, double greatest_mps2);
 
+// The limits that a recording declares and that are not looked at, or not always: those that a
+// question may skip.
+std::vector<std::string> skippable_limits(const io::Recording& recording);
+
 // `progress` hears which share of the bees was looked at. Errors: those of the library, with the
 // bee's id.
 Result<PathVerdict> verify_paths(const io::Recording& recording, const PathQuestion& question,

@@ -71,8 +71,9 @@ TEST(VehicleLandings, WhoSaysThatItHasLandedIsNotInTheAir) {
     EXPECT_EQ(bee.landed[0].begins_s, kNoon_s);
     EXPECT_EQ(bee.landed[1].ends_s, kNoon_s + 30.0);
     EXPECT_TRUE(recording.missing.none());
-    EXPECT_TRUE(has_note(recording, "39 records of drones that say that they are on the ground are "
-                                    "left out; --grounded keeps them"));
+    EXPECT_TRUE(has_note(recording,
+                         "39 records of drones that say that they are on the ground are "
+                         "left out; --grounded keeps them"));
   }
   RecordingOptions grounded;
   grounded.grounded = true;

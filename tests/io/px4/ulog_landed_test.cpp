@@ -67,7 +67,8 @@ TEST(UlogLanded, WhoHasLandedIsNotInTheAir) {
     EXPECT_EQ(bee.landed[1].begins_s, kNoon_s + 40.0);
     EXPECT_EQ(bee.landed[1].ends_s, kNoon_s + 59.5);
     EXPECT_TRUE(recording.missing.none());
-    EXPECT_TRUE(has_note(recording, "records of drones that say that they are on the ground are left out"));
+    EXPECT_TRUE(
+        has_note(recording, "records of drones that say that they are on the ground are left out"));
   }
   RecordingOptions grounded;
   grounded.grounded = true;
