@@ -373,6 +373,7 @@ class TelemetryReading {
     origin.line = (heard.frame + 1) & 0xFF'FFFF'FFFFu;
     assembly_.tracks().add(id, {heard.time_s, heard.at.position}, &heard.at.velocity, origin);
     const bool is_other = heard.at.by == PlaceBy::kOfAnother;
+    if (!is_other) assembly_.may_stand_still(id);
     if (is_other && !heard.at.name.empty()) assembly_.tracks().label(id, heard.at.name);
     return std::nullopt;
   }

@@ -50,6 +50,7 @@ class FlightReading {
     if (auto error = assembly_.agree(facts())) return error;
     assembly_.tracks().round_times(0.0);
     say_choice();
+    assembly_.may_stand_still(id_);
     if (source_ == Source::kGlobal) gather_velocities();
     const std::vector<Px4Place>& places = source_ == Source::kGlobal ? log_.global : log_.local;
     const std::vector<bool> landed = landed_at(places);

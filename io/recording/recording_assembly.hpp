@@ -179,6 +179,9 @@ class RecordingAssembly {
   void heard_of(const LeftOutReason& reason, std::string_view id);
   // It was there, at no known place.
   void unplaced(std::string_view id, double time_s);
+  // Where times are rounded, or those of arrival, what is said again is known already; but of that
+  // bee places are told by an estimator that may stand still.
+  void may_stand_still(std::string_view id) { may_stand_still_.emplace(id); }
   // The place of that fix is one that the bee had left (see stale_places.hpp): it counts for none.
   void stale(const std::string& id, const Fix& fix);
   // Two bees seem to share that id: they are not known.
@@ -231,6 +234,7 @@ class RecordingAssembly {
     double last_s;
   };
   std::unordered_map<std::string, Times> unplaced_;  // by id
+  std::unordered_set<std::string> may_stand_still_;  // by id
   std::uint64_t kept_in_flight_ = 0;
   std::uint64_t rough_records_ = 0;
   std::unordered_set<std::string> rough_ids_;

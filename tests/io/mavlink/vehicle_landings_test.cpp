@@ -102,6 +102,26 @@ TEST(VehicleLandings, WhoMovesAsNoneOnTheGroundFlies) {
   EXPECT_EQ(recording_of(load(flight(by_state(1, 2), 100))).bees[0].fixes.size(), 22u);
 }
 
+// Its estimator goes on to say where it was last, though it says that it moves.
+TEST(Telemetry, APlaceThatStaysWhileTheDroneMovesIsNone) {
+  std::string log;
+  for (int second = 0; second <= 30; ++second) {
+    const int east = second <= 10 ? 660 * second : second < 25 ? 6600 : 660 * second;
+    const auto boot_ms = static_cast<std::uint32_t>(10'000 + second * 1000);
+    log += logged(
+        kNoon + static_cast<std::uint64_t>(second) * 1'000'000,
+        frame_v2(1, 33,
+                 global_payload(470'000'000, 80'000'000 + east, 520'000, 0, 500, 0, boot_ms)));
+  }
+  const auto recording = recording_of(load(log));
+  // From 14 s, more than 3 s after it came there, to 24 s.
+  EXPECT_EQ(recording.bees[0].fixes.size(), 20u);
+  EXPECT_EQ(recording.missing.count, 11u);
+  EXPECT_EQ(recording.bees[0].unplaced_from_s, kNoon_s + 14.0);
+  EXPECT_EQ(recording.bees[0].unplaced_until_s, kNoon_s + 24.0);
+  EXPECT_TRUE(has_note(recording, "11 records whose place stays exactly the same"));
+}
+
 // As of aircraft, and of shows.
 TEST(VehicleLandings, OfWhoNeverTakesOffNothingIsLeft) {
   const auto loaded = load(flight(by_state(1, 1), 0));
