@@ -264,11 +264,6 @@ bool names_zone(std::string_view column) {
          });
 }
 
-bool names_axes(std::string_view column) {
-  const std::vector<std::string> words = split_words(column);
-  return words.size() >= 2 && words[words.size() - 2] == "frame" && words.back() == "id";
-}
-
 bool names_arena(std::string_view column) {
   return is_one_of("arena arena_id", plain_name(column));
 }

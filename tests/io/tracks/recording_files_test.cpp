@@ -290,7 +290,7 @@ TEST(RecordingFiles, SkybrushTablesOutsideOfAZipAreKnownByTheirColours) {
 TEST(RecordingFiles, PicturesInStepsAreNoMilliseconds) {
   for (const char* const step : {"1", "5", "10", "24", "25", "30", "60"}) {
     const std::string rows = std::string("0,1,2,3,255,0,0\n") + step + ",1,2,4,255,0,0\n";
-    expect_error(record(rows), {ErrorCode::kInvalidArgument, "bees.csv:1",
+    expect_error(record(rows), {ErrorCode::kInvalidArgument, "bees.csv:1:1",
                                 "may count pictures, seconds or milliseconds; say --fps 24"});
     RecordingOptions pictures;
     pictures.frames_per_second = 5.0;

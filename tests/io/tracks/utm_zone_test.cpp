@@ -53,12 +53,6 @@ TEST(UtmZone, IsAskedAboutBeforeTheHeight) {
                {ErrorCode::kUnknownFrame, "bees.csv:3", "of UTM zone '33', but those before"});
 }
 
-// The same of the frames of ROS, which some number.
-TEST(FramesOfRos, AreAskedAboutBeforeTheHeight) {
-  expect_error(record("id,time_s,x,y,frame_id\na,0,1,2,1\nb,0,3,4,2\n"),
-               {ErrorCode::kUnknownFrame, "bees.csv:3", "in the frame '2' of ROS"});
-}
-
 TEST(UtmZone, OfOtherCoordinatesSaysNothing) {
   EXPECT_TRUE(
       recording_of(record("id,time_s,x_m,y_m,zone\na,0,1,1,A\nb,0,2,2,B\n")).missing.none());
