@@ -166,8 +166,7 @@ std::vector<Moment> separation_over_time(const Findings& findings, double every_
         flying.add(bee, *place);
         continue;
       }
-      const io::RecordedBee& of = findings.recording.bees[bee];
-      if (has_landed(of, now, findings.coverage.max_gap.seconds)) continue;
+      if (has_landed(findings.recording, bee, now, findings.coverage.max_gap.seconds)) continue;
       if (!findings.recording.show) ++moment.unknown;
       if (const auto across = position_at(findings.in_space[bee], now)) in_gaps.push_back(*across);
     }

@@ -61,7 +61,9 @@ std::vector<Gap> unknown_gaps(const io::Recording& recording, const std::vector<
   return unknown;
 }
 
-bool has_landed(const io::RecordedBee& bee, double time_s, double max_gap_s) {
+bool has_landed(const io::Recording& recording, PointId track, double time_s, double max_gap_s) {
+  if (track >= recording.bees.size()) return false;
+  const io::RecordedBee& bee = recording.bees[track];
   const auto behind =
       std::upper_bound(bee.landed.begin(), bee.landed.end(), time_s,
                        [](double at_s, const TimeSpan& span) { return at_s < span.begins_s; });

@@ -16,7 +16,8 @@ namespace beespace::analysis {
 std::vector<Gap> unknown_gaps(const io::Recording& recording, const std::vector<Gap>& gaps,
                               double max_gap_s);
 
-// Whether it is known that it stands there then: within `max_gap_s` of its own records.
-bool has_landed(const io::RecordedBee& bee, double time_s, double max_gap_s);
+// Whether it is known that this bee stands on the ground then: within `max_gap_s` of its own
+// records.
+bool has_landed(const io::Recording& recording, PointId track, double time_s, double max_gap_s);
 
 }  // namespace beespace::analysis

@@ -138,13 +138,13 @@ TEST(Coverage, WhereADroneHasLandedThereIsNoGap) {
   EXPECT_EQ(known.gaps, 0u);
   EXPECT_TRUE(known.complete());
   EXPECT_TRUE(unknown_spans(recording, gaps, max_gap).empty());
-  EXPECT_TRUE(has_landed(recording.bees[1], 30.0, 5.0));
-  EXPECT_FALSE(has_landed(recording.bees[1], 3.0, 5.0));
+  EXPECT_TRUE(has_landed(recording, 1, 30.0, 5.0));
+  EXPECT_FALSE(has_landed(recording, 1, 3.0, 5.0));
   // It is not heard of for a while, and may have flown.
   recording.bees[1].landed = {{11.0, 20.0}, {40.0, 59.0}};
   EXPECT_EQ(coverage_of(recording, gaps, max_gap).in_gaps_s, 20.0);
   EXPECT_EQ(unknown_spans(recording, gaps, max_gap), (std::vector<Gap>{{1, 20.0, 40.0}}));
-  EXPECT_FALSE(has_landed(recording.bees[1], 30.0, 5.0));
+  EXPECT_FALSE(has_landed(recording, 1, 30.0, 5.0));
 }
 
 TEST(Coverage, BetweenTwoTimesOnTheGroundADroneMayHaveFlown) {
