@@ -163,6 +163,10 @@ const double* beespace_io_verdict_at_s(const beespace_io_verdict* verdict) {
   return column(verdict, &beespace_io_verdict::at_s);
 }
 
+const char* beespace_io_verdict_not_looked_at(const beespace_io_verdict* verdict) {
+  return verdict == nullptr ? "" : verdict->not_looked_at.c_str();
+}
+
 const char* beespace_io_finding_name(int32_t kind) {
   switch (kind) {
     case BEESPACE_IO_SPEED:

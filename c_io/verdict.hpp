@@ -6,6 +6,7 @@
 #include <beespace_io.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 // NOLINTNEXTLINE(readability-identifier-naming): a name of C
@@ -19,6 +20,7 @@ struct beespace_io_verdict {
   std::vector<double> ends_s;
   std::vector<double> values;
   std::vector<double> at_s;
+  std::string not_looked_at;  // joined by commas
 };
 
 namespace beespace::c_io {

@@ -26,7 +26,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 using namespace beespace::c_io;  // NOLINT(google-build-using-namespace): the functions are of C
 using beespace::Error;
@@ -43,6 +45,8 @@ namespace io = beespace::io;
 
 namespace {
 
+// Of a program that was built before there was `skipped_limits`.
+constexpr std::size_t kFirstOptions = offsetof(beespace_io_verify_options, skipped_limits);
 constexpr std::uint32_t kAllLimits = (1U << kPathLimits) - 1;
 
 bool is_given(std::uint32_t limits, std::size_t limit) {
@@ -141,6 +145,29 @@ void settle_limits(const io::Recording& recording, const beespace_io_verify_opti
   }
 }
 
+// They must be those of this show, so that a mistyped one is none.
+Result<std::vector<std::string>> skipped_limits_of(const io::Recording& recording,
+                                                   const beespace_io_verify_options& given) {
+  std::vector<std::string> names;
+  if (given.skipped_limits == nullptr) return names;
+  std::string_view text = given.skipped_limits;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(','), text.size());
+    names.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  const std::vector<std::string> known = analysis::skippable_limits(recording);
+  for (const std::string& name : names) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    return Error{ErrorCode::kInvalidArgument,
+                 "skipped_limits names '" + name +
+                     "', which is none of the limits that are not looked at and that the "
+                     "recording declares",
+                 {.array = "options"}};
+  }
+  return names;
+}
+
 Result<ObstacleMap> obstacles_of(const beespace_io_verify_options& given) {
   if (given.obstacles == nullptr) return ObstacleMap();
   return beespace::c::map_of(given.obstacles, given.obstacle_count);
@@ -158,6 +185,8 @@ Result<std::unique_ptr<beespace_io_verdict>> verify(const io::Recording& recordi
   if (!threshold_m) return threshold_m.error();
   const auto obstacles = obstacles_of(given);
   if (!obstacles) return obstacles.error();
+  const auto skipped = skipped_limits_of(recording, given);
+  if (!skipped) return skipped.error();
   auto verdict = std::make_unique<beespace_io_verdict>();
   beespace_io_verdict_facts& facts = verdict->facts;
   settle_limits(recording, given, facts);
@@ -171,13 +200,14 @@ Result<std::unique_ptr<beespace_io_verdict>> verify(const io::Recording& recordi
   if (given.obstacles != nullptr) question.obstacles = &*obstacles;
   question.clearance_m = given.clearance_m;
   std::copy_n(facts.most, kPathLimits, question.limits.most.begin());
+  question.skipped_limits = *skipped;
   question.threads = run.threads;
   question.stop = run.stop;
   const auto found = analysis::verify_paths(recording, question);
   if (!found) return found.error();
 
   const analysis::Coverage coverage = analysis::coverage_of(recording, found->gaps, max_gap);
-  const bool compared = analysis::compares(recording, *found);
+  const bool compared = analysis::compares(recording, *found, question);
   facts.holds = found->holds() && !coverage.may_hide_conflicts() && compared ? 1 : 0;
   facts.motion = *motion;
   facts.threshold_m = *threshold_m;
@@ -185,6 +215,9 @@ Result<std::unique_ptr<beespace_io_verdict>> verify(const io::Recording& recordi
   facts.gaps = static_cast<std::int64_t>(coverage.gaps);
   facts.missing = static_cast<std::int64_t>(coverage.missing.count);
   verdict->coverage = as_struct(coverage);
+  for (const std::string& name : found->not_looked_at) {
+    verdict->not_looked_at += (verdict->not_looked_at.empty() ? "" : ",") + name;
+  }
   write_extremes(*found, facts);
   write_findings(*found, *verdict);
   return verdict;
@@ -203,7 +236,7 @@ beespace_code beespace_io_verify(const beespace_io_recording* recording,
     if (verdict == nullptr) return invalid("the pointer to the verdict is NULL", "verdict");
     beespace_io_verify_options given{};
     if (options != nullptr) {
-      const auto read = beespace::c::read_struct(options, "options");
+      const auto read = beespace::c::read_struct(options, "options", kFirstOptions);
       if (!read) return read.error();
       given = *read;
     }

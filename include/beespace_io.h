@@ -603,8 +603,12 @@ typedef struct beespace_io_verify_options {
   double max_gap_s;    ///< As beespace_io_page_options::max_gap_s. Shows have no gaps.
   const beespace_obstacle* obstacles;  ///< Static obstacles; or NULL. They are copied.
   int64_t obstacle_count;              ///< How many.
-  double clearance_m;       ///< With obstacles: how close to one is too close, in metres.
-  const beespace_run* run;  ///< Threads, and what ends the call early; or NULL.
+  double clearance_m;          ///< With obstacles: how close to one is too close, in metres.
+  const beespace_run* run;     ///< Threads, and what ends the call early; or NULL.
+  const char* skipped_limits;  ///< Names, joined by commas, of limits that the show declares and
+                               ///< that need not be looked at where that is not done, as
+                               ///< "minNavAltitude": beespace_io_verdict_not_looked_at(). Or NULL.
+                               ///< A struct_size without this field is taken, too.
 } beespace_io_verify_options;
 
 /// @brief What a verification found.
@@ -622,7 +626,8 @@ typedef struct beespace_io_verdict beespace_io_verdict;
 /// @return BEESPACE_OK or the code of the error: BEESPACE_INVALID_ARGUMENT;
 ///   BEESPACE_INVALID_THRESHOLD, also where there is none; BEESPACE_UNKNOWN_FRAME of a recording in
 ///   degrees; BEESPACE_MISSING_COLUMN where an acceleration is limited and velocities are missing;
-///   BEESPACE_UNSUPPORTED_FORMAT of an agent with a single fix; BEESPACE_STOPPED.
+///   BEESPACE_UNSUPPORTED_FORMAT of an agent with a single fix; BEESPACE_STOPPED. A skipped limit
+///   that the show does not declare is BEESPACE_INVALID_ARGUMENT, as it may be mistyped.
 BEESPACE_C_API beespace_code beespace_io_verify(const beespace_io_recording* recording,
                                                 const beespace_io_verify_options* options,
                                                 beespace_io_verdict** verdict,
@@ -642,10 +647,10 @@ enum {
 typedef struct beespace_io_verdict_facts {
   size_t struct_size;    ///< sizeof(beespace_io_verdict_facts), set by the caller.
   int32_t holds;         ///< 1 where nothing was found, nothing of the flight may hide it, which
-                         ///< beespace_io_verdict_coverage() says, some two were compared, and
-                         ///< no limit that the show declares is not looked at, as minNavAltitude
-                         ///< is not, or an acceleration in one direction that the greatest one in
-                         ///< any exceeds.
+                         ///< beespace_io_verdict_coverage() says, some two were compared (or an
+                         ///< agent alone with limits or obstacles), and no limit that the show
+                         ///< declares is not looked at, as minNavAltitude is not, or an
+                         ///< acceleration in one direction that the greatest one in any exceeds.
   int32_t motion;        ///< BEESPACE_IO_ALONG_SHOW, ...
   uint32_t limits;       ///< 1 << BEESPACE_IO_SPEED | ...: which limits were checked.
   uint32_t declared;     ///< Those of them that the show declares.
@@ -683,6 +688,12 @@ BEESPACE_C_API beespace_code beespace_io_verdict_facts_of(const beespace_io_verd
 BEESPACE_C_API beespace_code beespace_io_verdict_coverage(const beespace_io_verdict* verdict,
                                                           beespace_io_coverage* coverage,
                                                           beespace_io_error* error);
+/// @brief Names the limits that the show declares and that were not looked at, joined by commas.
+/// Those that are not among beespace_io_verify_options::skipped_limits keep the verdict from
+/// holding.
+/// @param verdict The verdict.
+/// @return The names, valid as long as the verdict; "" where there is none, and of NULL.
+BEESPACE_C_API const char* beespace_io_verdict_not_looked_at(const beespace_io_verdict* verdict);
 /// @brief Says how many findings there are: losses, losses of clearance, and breaches by limit, in
 /// this order, as the rows of `beespace verify`.
 /// @param verdict The verdict.

@@ -23,6 +23,7 @@
 #include "io/shows/show_reading.hpp"
 #include "io/table/decimal_comma.hpp"
 #include "io/tracks/json_table.hpp"
+#include "io/tracks/motive_table.hpp"
 #include "io/tracks/pose_table.hpp"
 #include "io/tracks/track_table.hpp"
 #include "io/tracks/trackmate_table.hpp"
@@ -108,6 +109,7 @@ std::optional<Error> read_text_table(Bytes content, const std::string& path, boo
     const std::string_view text = without_byte_order_mark(content.view);
     const bool columns_are_named = !assembly.options().columns.empty();
     if (!columns_are_named && is_trackmate_table(text)) return read_trackmate_table(text, assembly);
+    if (!columns_are_named && is_motive_table(text)) return read_motive_table(text, assembly);
     if (is_pose_table(text)) return read_pose_table(text, stem_of(path), assembly);
     if (!columns_are_named && is_wide_table(text)) return read_wide_table(text, assembly);
   }

@@ -35,6 +35,7 @@ struct HeightWords {
   bool in_feet = false;      // or in flight levels
   bool by_pressure = false;  // of the standard atmosphere, as flight levels are
   bool above_sea = false;    // mean sea level, not the ellipsoid
+  bool unstated = false;     // what they are counted from is not said
 };
 
 struct SwarmFacts {
@@ -145,8 +146,11 @@ struct RecordingFacts {
   std::uint64_t possible_count = 0;      // of these, not certain
   std::uint64_t pair_count = 0;          // in conflict
   std::optional<Conflict> closest = {};  // of the conflicts; where there is none, of all encounters
-  std::vector<Apart> conflicts_apart = {};  // of each of `conflicts`, when they are closest
+  bool closest_stands = false;           // one of these two is a drone that stands on the ground:
+  std::optional<Conflict> closest_in_the_air = {};  // then the same of two in the air
+  std::vector<Apart> conflicts_apart = {};          // of each of `conflicts`, when they are closest
   std::optional<Apart> closest_apart = {};
+  std::optional<Apart> closest_in_the_air_apart = {};
   // Of the first of `conflicts`, as many as a page can hold; where there is none, of `closest`.
   std::vector<PairWay> pair_ways = {};
   std::vector<Separation> separation = {};

@@ -264,6 +264,15 @@ void write_separation(io::JsonWriter& json, const std::vector<Separation>& separ
   json.end();
 }
 
+void write_closest(io::JsonWriter& json, const char* key, const Conflict& closest,
+                   const std::optional<Apart>& apart, double begins_s) {
+  json.begin_object(key);
+  json.member("first", closest.first).member("second", closest.second);
+  json.member("distance_m", closest.closest_m);
+  json.member("time_s", closest.closest_s - begins_s);
+  if (apart) write_apart(json, *apart);
+}
+
 void write_risk(io::JsonWriter& json, const RecordingFacts& facts, double begins_s) {
   double bee_seconds = 0.0;
   std::uint64_t bees = 0;
@@ -278,11 +287,13 @@ void write_risk(io::JsonWriter& json, const RecordingFacts& facts, double begins
   json.member("bee_seconds", bee_seconds);
   if (!facts.unknown.empty()) json.member("unknown", facts.unknown);
   if (facts.closest) {
-    json.begin_object("closest");
-    json.member("first", facts.closest->first).member("second", facts.closest->second);
-    json.member("distance_m", facts.closest->closest_m);
-    json.member("time_s", facts.closest->closest_s - begins_s);
-    if (facts.closest_apart) write_apart(json, *facts.closest_apart);
+    write_closest(json, "closest", *facts.closest, facts.closest_apart, begins_s);
+    if (facts.closest_stands) json.member("stands", true);
+    json.end();
+  }
+  if (facts.closest_in_the_air) {
+    write_closest(json, "closest_in_the_air", *facts.closest_in_the_air,
+                  facts.closest_in_the_air_apart, begins_s);
     json.end();
   }
   json.end();

@@ -30,6 +30,8 @@ std::string height_words(const SwarmFacts& swarm, double metres);
 
 // "57.3 m"; with a vertical threshold "3.19 NM across, 800 ft in height", where that is known.
 std::string apart_words(const SwarmFacts& swarm, double metres, const std::optional<Apart>& apart);
+// Behind them, where one of the two is a drone of a show that stands.
+inline constexpr const char* kWithOneOnTheGround = ", with one on the ground";
 // The same for lists: with more digits; "3.19 NM, 800 ft".
 std::string listed_apart(const SwarmFacts& swarm, double metres, const std::optional<Apart>& apart);
 

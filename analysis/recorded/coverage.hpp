@@ -10,7 +10,7 @@
 // begin or end above the lowest place of all ends, or moving there; in degrees, where they begin
 // later or end earlier by more than a gap. What is in a plane comes and goes, but is there, and it
 // is not known where, while it has records without a place. An aircraft that says to be on the
-// ground before or after is known from there on.
+// ground before or after is known from there on, and a drone while it says that it has landed.
 #pragma once
 
 #include "analysis/recorded/gaps.hpp"
@@ -65,12 +65,12 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
                      const MaxGap& max_gap, const std::vector<BeeInterval>& intervals);
 
 // For how long it is unknown of each bee where it was, in gaps and before its first fix and after
-// its last one. `gaps` as above.
+// its last one. `gaps` are those that are unknown: see unknown_gaps().
 std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps);
 
-// When a bee is there and it is not known where, so that conflicts may be hidden: in its gaps, and
-// before its first fix and after its last one if it is in the air then, or has records without a
-// place. In ascending order of (track, begins_s). `gaps` as above.
+// When a bee is there and it is not known where, so that conflicts may be hidden: in its gaps,
+// where it jumps, and before its first fix and after its last one if it is in the air then, or has
+// records without a place. In ascending order of (track, begins_s). `gaps` as above.
 std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector<Gap>& gaps,
                                const MaxGap& max_gap);
 

@@ -1,5 +1,7 @@
 #include "analysis/recorded/findings.hpp"
 
+#include "analysis/recorded/jump_spans.hpp"
+#include "analysis/recorded/landed_gaps.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 
 #include <beespace/engine.hpp>
@@ -145,6 +147,7 @@ std::vector<Moment> separation_over_time(const Findings& findings, double every_
   if (!time) return moments;
   Engine engine;
   const std::vector<Standing> standing = standing_in(findings.recording);
+  const std::vector<Gap> jumps = jump_spans(findings.recording);
   Places flying;
   Places on_ground;
   std::vector<Point> in_gaps;
@@ -156,13 +159,14 @@ std::vector<Moment> separation_over_time(const Findings& findings, double every_
     in_gaps.clear();
     Moment& moment = moments.emplace_back(Moment{now, kInfinity, 0, 0, 0});
     for (PointId bee = 0; bee < findings.tracks.size(); ++bee) {
-      const auto place =
-          position_at(findings.in_space[bee], now, findings.coverage.max_gap.seconds);
+      auto place = position_at(findings.in_space[bee], now, findings.coverage.max_gap.seconds);
+      if (is_within(jumps, bee, now)) place.reset();
       // A drone of a show that does not fly stands.
       if (place) {
         flying.add(bee, *place);
         continue;
       }
+      if (has_landed(findings.recording, bee, now, findings.coverage.max_gap.seconds)) continue;
       if (!findings.recording.show) ++moment.unknown;
       if (const auto across = position_at(findings.in_space[bee], now)) in_gaps.push_back(*across);
     }

@@ -84,7 +84,8 @@ struct Moment {
   PointId first;
   PointId second;
   std::uint64_t unknown;  // bees
-  // One of these would be closer to another, on a straight line across its gap: how far apart the
+  // One of these would be closer to another, on a straight line across its gap, or where it jumps:
+  // how far apart the
   // closest two were is not known.
   bool open = false;
 };

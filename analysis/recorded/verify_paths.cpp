@@ -7,6 +7,7 @@
 #include "analysis/recorded/tracks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <tuple>
@@ -199,8 +200,22 @@ std::vector<std::string> limits_not_looked_at(const io::ShowFacts& show, double 
   return names;
 }
 
-bool compares(const io::Recording& recording, const PathVerdict& verdict) {
-  return verdict.closest || recording.show || recording.bees.size() < 2;
+std::vector<std::string> skippable_limits(const io::Recording& recording) {
+  if (!recording.show) return {};
+  std::vector<std::string> known = recording.show->limits.not_looked_at;
+  for (const auto& [name, most] : recording.show->limits.accelerations_mps2) known.push_back(name);
+  return known;
+}
+
+bool PathQuestion::has_limits() const {
+  return std::any_of(limits.most.begin(), limits.most.end(),
+                     [](double most) { return std::isfinite(most); });
+}
+
+bool compares(const io::Recording& recording, const PathVerdict& verdict,
+              const PathQuestion& question) {
+  if (recording.bees.size() < 2) return question.has_limits() || question.obstacles != nullptr;
+  return verdict.closest || recording.show;
 }
 
 Result<PathVerdict> verify_paths(const io::Recording& recording, const PathQuestion& question,

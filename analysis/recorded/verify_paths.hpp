@@ -52,10 +52,6 @@ struct PathVerdict {
   [[nodiscard]] bool holds() const { return found_nothing() && undecided.empty(); }
 };
 
-// Whether, of several, some two are there at the same time; drones of a show may fly one after the
-// other. Otherwise nothing was compared, and nothing found is no all-clear.
-bool compares(const io::Recording& recording, const PathVerdict& verdict);
-
 struct PathQuestion {
   bool with_velocities = false;
   double threshold_m = 0.0;
@@ -66,7 +62,15 @@ struct PathQuestion {
   std::vector<std::string> skipped_limits = {};  // that need not be looked at, by their names
   unsigned threads = 0;
   std::stop_token stop = {};
+
+  [[nodiscard]] bool has_limits() const;
 };
+
+// Whether, of several, some two are there at the same time; drones of a show may fly one after the
+// other. One alone is compared with its limits, or with obstacles. Otherwise nothing was compared,
+// and nothing found is no all-clear.
+bool compares(const io::Recording& recording, const PathVerdict& verdict,
+              const PathQuestion& question);
 
 // What a show declares; nothing where it does not say.
 std::optional<double> declared_limit(const io::ShowFacts& show, PathLimit limit);
@@ -75,6 +79,10 @@ std::optional<double> declared_limit(const io::ShowFacts& show, PathLimit limit)
 // names: those of accelerations in one direction that the greatest one in any direction exceeds
 // (the others are kept), and those of which nothing is looked at.
 std::vector<std::string> limits_not_looked_at(const io::ShowFacts& show, double greatest_mps2);
+
+// The limits that a recording declares and that are not looked at, or not always: those that a
+// question may skip.
+std::vector<std::string> skippable_limits(const io::Recording& recording);
 
 // `progress` hears which share of the bees was looked at. Errors: those of the library, with the
 // bee's id.

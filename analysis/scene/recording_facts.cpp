@@ -3,6 +3,7 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
+#include "analysis/recorded/jump_spans.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
@@ -91,10 +92,9 @@ void take_conflicts(std::vector<Conflict> conflicts, report::RecordingFacts& fac
 }
 
 // The closest of the conflicts; of all encounters where there is none.
-Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
+Result<std::optional<Conflict>> closest_of(const std::vector<Conflict>& conflicts,
                                            const std::vector<Track>& in_space, double max_gap_s,
                                            const SceneRequest& request) {
-  const auto& conflicts = recorded.conflicts;
   if (conflicts.empty()) {
     return find_closest_encounter(in_space, max_gap_s, {request.threads, request.stop});
   }
@@ -112,6 +112,9 @@ void take_pairs(const Uprights& uprights, report::RecordingFacts& facts) {
   }
   if (!facts.closest) return;
   facts.closest_apart = apart_in(*facts.closest, uprights);
+  if (facts.closest_in_the_air) {
+    facts.closest_in_the_air_apart = apart_in(*facts.closest_in_the_air, uprights);
+  }
   facts.pair_ways = facts.conflicts.empty() ? pair_ways({*facts.closest}, uprights)
                                             : pair_ways(facts.conflicts, uprights);
 }
@@ -259,9 +262,17 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   if (!curves) return curves.error();
   recorded->conflicts = merged(std::move(recorded->conflicts), curves->conflicts);
   recorded->conflicts = merged(std::move(recorded->conflicts), *standing);
-  const auto closest = closest_of(*recorded, *in_space, max_gap.seconds, request);
+  const auto closest = closest_of(recorded->conflicts, *in_space, max_gap.seconds, request);
   if (!closest) return closest.error();
   facts.closest = *closest;
+  facts.closest_stands = facts.closest && std::find(standing->begin(), standing->end(),
+                                                    *facts.closest) != standing->end();
+  if (facts.closest_stands) {
+    const auto in_the_air =
+        closest_of(without(recorded->conflicts, *standing), *in_space, max_gap.seconds, request);
+    if (!in_the_air) return in_the_air.error();
+    facts.closest_in_the_air = *in_the_air;
+  }
   // It was decided that they are not closer than that, whatever rounding makes of it.
   if (recording.show && recorded->conflicts.empty() && facts.closest && !options.inclusive &&
       !options.vertical_m) {
@@ -272,6 +283,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   const auto uprights = Uprights::of(recording, *in_space, max_gap.seconds);
   if (!uprights) return uprights.error();
   facts.unknown_spans = unknown_spans(recording, facts.gaps, max_gap);
+  facts.gaps = joined_gaps(std::move(facts.gaps), jump_spans(recording));
   SeparationOverTime over_time = separation_of(
       {recording, tracks, *in_space, *recorded, *closest, coverage, closest->has_value()},
       *uprights, swarm);
@@ -284,7 +296,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   if (!coverage.complete()) {
     swarm.notes.push_back("what is said of conflicts is of the known time: " + facts.unknown);
   }
-  if (!facts.gaps.empty()) {
+  if (coverage.gaps > 0) {
     swarm.notes.push_back(
         "bees are unknown between two fixes that are farther apart in time than " +
         max_gap_text(max_gap) +

@@ -1,5 +1,9 @@
 #include "analysis/scene/separation.hpp"
 
+#include "analysis/recorded/jump_spans.hpp"
+#include "analysis/recorded/landed_gaps.hpp"
+#include "io/recording/recording.hpp"
+
 #include <beespace/engine.hpp>
 #include <beespace/nearest.hpp>
 
@@ -10,6 +14,7 @@
 #include <optional>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace beespace::analysis {
 namespace {
@@ -48,7 +53,8 @@ struct There {
   std::vector<double> heights_m;
 };
 
-There there_at(const Uprights& uprights, std::size_t bees, double time_s) {
+There there_at(const Uprights& uprights, const Findings& findings, const std::vector<Gap>& jumps,
+               double time_s) {
   There now;
   const auto add = [&now](PointId bee, const Upright& at) {
     now.bees.push_back(bee);
@@ -56,9 +62,12 @@ There there_at(const Uprights& uprights, std::size_t bees, double time_s) {
     now.heights_m.push_back(at.height_m);
   };
   std::vector<std::pair<PointId, Upright>> in_gaps;
-  for (PointId bee = 0; bee < bees; ++bee) {
-    if (const auto at = uprights.at(bee, time_s)) {
+  const double max_gap_s = findings.coverage.max_gap.seconds;
+  for (PointId bee = 0; bee < findings.tracks.size(); ++bee) {
+    if (const auto at = uprights.at(bee, time_s); at && !is_within(jumps, bee, time_s)) {
       add(bee, *at);
+    } else if (has_landed(findings.recording, bee, time_s, max_gap_s)) {
+      continue;
     } else if (const auto across = uprights.across_gaps_at(bee, time_s)) {
       in_gaps.emplace_back(bee, *across);
     }
@@ -115,11 +124,12 @@ SeparationOverTime nearest_to_conflict(const Findings& findings, const Uprights&
                                        const report::SwarmFacts& swarm, const TimeSpan& time) {
   SeparationOverTime over_time;
   NearestToConflict search(swarm);
+  const std::vector<Gap> jumps = jump_spans(findings.recording);
   double share = 1.0;
   const double step_s = every_s(time);
   for (std::uint64_t i = 0; static_cast<double>(i) * step_s <= time.ends_s - time.begins_s; ++i) {
     const double now_s = time.begins_s + static_cast<double>(i) * step_s;
-    const There now = there_at(uprights, findings.tracks.size(), now_s);
+    const There now = there_at(uprights, findings, jumps, now_s);
     if (now.bees.size() < 2) continue;
     const auto pair = search.find(now, share);
     if (!pair) continue;

@@ -29,21 +29,24 @@ std::size_t size_of_struct(const Struct* given) {
 }
 
 // A copy of the caller's structure. A later version may be longer: what this one does not know must
-// be zero, which asks for nothing.
+// be zero, which asks for nothing. An earlier one, of `least` bytes or more, asks for nothing of
+// what it does not know.
 template <class Struct>
-Result<Struct> read_struct(const Struct* given, const char* name) {
+Result<Struct> read_struct(const Struct* given, const char* name,
+                           std::size_t least = sizeof(Struct)) {
   if (given == nullptr) return invalid("the pointer to this structure is NULL", name);
   const std::size_t size = size_of_struct(given);
-  if (size < sizeof(Struct) || size > kLargestStruct) {
+  if (size < least || size > kLargestStruct) {
     return invalid("struct_size is not the size of this structure: set it to sizeof", name);
   }
   const auto* const bytes = reinterpret_cast<const unsigned char*>(given);
-  if (std::any_of(bytes + sizeof(Struct), bytes + size, [](auto byte) { return byte != 0; })) {
+  const std::size_t known = std::min(size, sizeof(Struct));
+  if (std::any_of(bytes + known, bytes + size, [](auto byte) { return byte != 0; })) {
     return invalid("the structure is of a later version, and asks for what this one cannot do",
                    name);
   }
-  Struct copy;
-  std::memcpy(&copy, given, sizeof copy);
+  Struct copy{};
+  std::memcpy(&copy, given, known);
   if (copy.reserved != 0) return invalid("the reserved field of this structure is not zero", name);
   return copy;
 }

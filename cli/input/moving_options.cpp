@@ -92,7 +92,7 @@ void add_input_options(Command& command, MovingRequest& request) {
       "--least-likelihood", "N", request.load.least_likelihood, read_likelihood,
       "Of poses (DeepLabCut, SLEAP): places less likely count\nas unknown (default: 0.6)");
   command.flag("--grounded", request.load.grounded,
-               "Count those that stand on the ground as well (shows, aircraft)");
+               "Count those that stand on the ground as well (shows, logs, aircraft)");
   add_units_options(command, request.load.units, request.load.heights);
   command.flag("--skip-bad", request.load.skip_bad, "Leave bad records out and list them");
 }

@@ -6,6 +6,7 @@
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
 #include "cli/output/coverage_output.hpp"
+#include "cli/recorded/holding_words.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/obstacle_name.hpp"
 #include "io/recording/moment_text.hpp"
@@ -106,7 +107,9 @@ void append_losses(std::string& out, const PathFindings& findings) {
 void append_closest(std::string& out, const PathFindings& findings) {
   const analysis::PathVerdict& verdict = findings.verdict;
   if (!verdict.closest) {
-    return append_summary_line(out, "closest", "no two are there at the same time");
+    const bool alone = findings.recording.bees.size() == 1;
+    return append_summary_line(out, "closest",
+                               alone ? kNoPair : "no two are there at the same time");
   }
   const std::string text = encounter_text(*verdict.closest, findings.recording, {});
   if (verdict.closest == verdict.closest_in_the_air) {
@@ -128,6 +131,9 @@ std::string listed(const std::vector<std::string>& names) {
 
 std::string verdict_text(const PathFindings& findings) {
   const analysis::PathVerdict& verdict = findings.verdict;
+  const analysis::PathQuestion& question = findings.question;
+  const HoldingWords holding(findings.recording.bees.size(), question.obstacles != nullptr,
+                             question.has_limits());
   if (verdict.found_nothing() && !verdict.undecided.empty()) {
     return red("not looked at as a whole") + ": nothing else was found, but whether " +
            listed(verdict.undecided) + (verdict.undecided.size() == 1 ? " is kept" : " are kept") +
@@ -138,18 +144,21 @@ std::string verdict_text(const PathFindings& findings) {
                 : "");
   }
   if (findings.holds() && !findings.coverage.complete()) {
-    return bold("holds in the known time") + "; " + analysis::unknown_text(findings.coverage);
+    return holding.text(" in the known time") + "; " + analysis::unknown_text(findings.coverage);
   }
   if (findings.holds() && !verdict.not_looked_at.empty()) {
-    return bold("holds") + " in what was looked at, which " + listed(verdict.not_looked_at) +
+    return holding.text() + " in what was looked at, which " + listed(verdict.not_looked_at) +
            (verdict.not_looked_at.size() == 1 ? " is" : " are") + " not (--skip-limits)";
   }
-  if (findings.holds()) return bold("holds");
+  if (findings.holds()) return holding.text();
+  if (verdict.holds() && !findings.compares() && findings.recording.bees.size() == 1) {
+    return red("nothing to compare") + ": " + kNothingToCheck;
+  }
   if (verdict.holds() && !findings.compares()) {
     return red("nothing to compare") + ": no two bees are there at the same time; the limits hold";
   }
   if (verdict.holds()) {
-    return red("not seen as a whole") + ": holds in the known time; " +
+    return red("not seen as a whole") + ": " + holding.plain(" in the known time") + "; " +
            analysis::unknown_text(findings.coverage);
   }
   std::string text;

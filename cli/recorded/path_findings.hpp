@@ -24,7 +24,7 @@ struct PathFindings {
   double read_s = 0.0;
   double check_s = 0.0;
 
-  [[nodiscard]] bool compares() const { return analysis::compares(recording, verdict); }
+  [[nodiscard]] bool compares() const { return analysis::compares(recording, verdict, question); }
   // What was not seen is not certified.
   [[nodiscard]] bool holds() const {
     return verdict.holds() && !coverage.may_hide_conflicts() && compares();

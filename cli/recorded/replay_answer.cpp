@@ -65,7 +65,7 @@ void write_findings(io::JsonWriter& json, const analysis::Findings& findings,
   write_head(json, findings.recording, request.moving, threshold_m);
   json.member("conflict_count", conflicts.size());
   json.member("pair_count", analysis::pairs_in_conflict(conflicts).size());
-  json.member("gap_count", findings.recorded.gaps.size());
+  json.member("gap_count", findings.coverage.gaps);
   write_coverage(json.key("known"), findings.coverage, findings.recording);
   write_velocities(json, findings);
   const auto write = [&](const char* key, const std::optional<Conflict>& conflict) {

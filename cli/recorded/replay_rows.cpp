@@ -1,12 +1,26 @@
 #include "cli/recorded/replay_rows.hpp"
 
+#include "analysis/recorded/landed_gaps.hpp"
 #include "analysis/text/bee_name.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace beespace::cli {
+namespace {
+
+// How close that bee comes, when, and to which; empty where it is null.
+void add_closest(std::vector<Value>& row, const Conflict* closest, PointId bee,
+                 const io::Recording& recording) {
+  if (closest == nullptr) return row.resize(row.size() + 3);
+  const PointId other = closest->first == bee ? closest->second : closest->first;
+  row.insert(row.end(),
+             {closest->closest_m, closest->closest_s, analysis::name_of(other, recording)});
+}
+
+}  // namespace
 
 Rows bee_rows(const analysis::Findings& findings, const Distances& distances) {
   const auto& recording = findings.recording;
@@ -20,27 +34,35 @@ Rows bee_rows(const analysis::Findings& findings, const Distances& distances) {
             {},
             analysis::has_labels(recording),
             io::calendar_of(recording)};
-  const std::size_t columns = rows.columns.size();
   add_apart_columns(rows.columns, distances);
-  const auto bees = analysis::bees_in_conflict(findings.tracks.size(), findings.recorded.conflicts);
-  const auto unknown_s = analysis::unknown_times_s(recording, findings.recorded.gaps);
+  // Of a show, who is closest in the air; and behind it with a drone on the ground.
+  const auto& standing = findings.with_standing;
+  if (!standing.empty()) {
+    rows.columns.insert(rows.columns.end(),
+                        {{"closest_with_ground_m"},
+                         {"closest_with_ground_s", nullptr, "closest_with_ground"},
+                         {"closest_with_ground_id", "closest_with_ground_label"}});
+  }
+  const auto& conflicts = findings.recorded.conflicts;
+  const auto in_the_air = analysis::without(conflicts, standing);
+  const auto bees = analysis::bees_in_conflict(findings.tracks.size(), conflicts);
+  const auto of_air = analysis::bees_in_conflict(findings.tracks.size(), in_the_air);
+  const auto of_ground = analysis::bees_in_conflict(findings.tracks.size(), standing);
+  const auto unknown_s = analysis::unknown_times_s(
+      recording,
+      analysis::unknown_gaps(recording, findings.recorded.gaps, findings.coverage.max_gap.seconds));
   for (PointId bee = 0; bee < bees.size(); ++bee) {
     const analysis::BeeInConflict& of = bees[bee];
     std::vector<Value> row{analysis::name_of(bee, recording), std::uint64_t{of.conflicts},
                            of.time_s};
-    const Conflict* closest = of.closest;
+    const Conflict* closest = of_air[bee].closest;
     if (closest == nullptr && !findings.closest_of_each.empty() && findings.closest_of_each[bee]) {
       closest = &*findings.closest_of_each[bee];
     }
-    if (closest != nullptr) {
-      const PointId other = closest->first == bee ? closest->second : closest->first;
-      row.insert(row.end(),
-                 {closest->closest_m, closest->closest_s, analysis::name_of(other, recording)});
-    } else {
-      row.resize(columns - 1);
-    }
+    add_closest(row, closest, bee, recording);
     row.emplace_back(unknown_s[bee]);
     add_apart(row, closest != nullptr ? distances.of(*closest) : std::nullopt, distances);
+    if (!standing.empty()) add_closest(row, of_ground[bee].closest, bee, recording);
     rows.rows.push_back(std::move(row));
   }
   return rows;

@@ -176,13 +176,20 @@ std::string bars_over_time(const analysis::Findings& findings, double threshold_
   for (const Conflict& c : findings.recorded.conflicts) {
     for (std::size_t bar = bar_at(c.begins_s); bar <= bar_at(c.ends_s); ++bar) conflict[bar] = true;
   }
+  const auto unknown = analysis::unknown_spans(findings.recording, findings.recorded.gaps,
+                                               findings.coverage.max_gap);
+  const auto is_unknown = [&](double time_s) {
+    return std::any_of(unknown.begin(), unknown.end(), [&](const Gap& gap) {
+      return gap.begins_s < time_s && time_s < gap.ends_s;
+    });
+  };
   std::string text;
   for (std::size_t bar = 0; bar < kBars && bar < moments.size(); ++bar) {
     const double share = moments[bar].distance_m / (2.0 * threshold_m);
     const auto height = static_cast<std::size_t>(std::clamp(share * 8.0, 0.0, 7.0));
     if (conflict[bar]) {
       text += red("!");
-    } else if (moments[bar].open) {
+    } else if (moments[bar].open || is_unknown(moments[bar].time_s)) {
       text += "?";
     } else {
       text += std::isfinite(moments[bar].distance_m) ? kHeights[height] : " ";
@@ -226,7 +233,7 @@ void append_wide_threshold(std::string& out, const analysis::Findings& findings,
 std::string bars_legend(const std::string& bars) {
   const bool any_open = bars.find('?') != std::string::npos;
   return std::string("(how far apart the closest two are: a full bar is twice the threshold, ") +
-         "! a conflict" + (any_open ? ", ? not known, as one may be closer in its gap)" : ")");
+         "! a conflict" + (any_open ? ", ? not known, as one is there and may be closer)" : ")");
 }
 
 }  // namespace

@@ -120,13 +120,7 @@ Status check_curves(const io::Recording& recording, const VerifyOptions& check) 
 // Of limits that need not be looked at: they must be those of this show, so that a mistyped one is
 // none.
 Status check_skipped(const io::Recording& recording, const std::vector<std::string>& skipped) {
-  std::vector<std::string> known;
-  if (recording.show) {
-    known = recording.show->limits.not_looked_at;
-    for (const auto& [name, most] : recording.show->limits.accelerations_mps2) {
-      known.push_back(name);
-    }
-  }
+  const std::vector<std::string> known = analysis::skippable_limits(recording);
   for (const std::string& name : skipped) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     return usage_error(kVerify, "--skip-limits names '" + name +

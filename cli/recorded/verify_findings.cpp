@@ -4,6 +4,7 @@
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
 #include "cli/output/coverage_output.hpp"
+#include "cli/recorded/holding_words.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/obstacle_name.hpp"
 #include "io/recording/moment_text.hpp"
@@ -34,6 +35,7 @@ std::string limits_text(const VerifyOptions& options) {
 
 std::string closest_text(const Verification& verification) {
   const Verdict& verdict = verification.verdict;
+  if (verification.recording.bees.size() == 1) return kNoPair;
   if (!verdict.closest_m) {
     return "no two came closer than " + io::exact(2.0 * verification.options.threshold_m) + " m";
   }
@@ -56,15 +58,22 @@ std::string found_text(std::uint64_t count, const char* one, const char* several
   return text;
 }
 
-std::string verdict_text(const Verdict& verdict, const analysis::Coverage& coverage) {
+std::string verdict_text(const Verification& verification) {
+  const Verdict& verdict = verification.verdict;
+  const analysis::Coverage& coverage = verification.coverage;
+  const HoldingWords holding(verification.recording.bees.size(),
+                             verification.options.obstacles != nullptr, verification.has_limits());
+  if (verdict.holds() && !verification.compares()) {
+    return red("nothing to compare") + ": " + kNothingToCheck;
+  }
   if (verdict.holds() && coverage.may_hide_conflicts()) {
-    return red("not seen as a whole") + ": holds in the known time; " +
+    return red("not seen as a whole") + ": " + holding.plain(" in the known time") + "; " +
            analysis::unknown_text(coverage);
   }
   if (verdict.holds() && !coverage.complete()) {
-    return bold("holds in the known time") + "; " + analysis::unknown_text(coverage);
+    return holding.text(" in the known time") + "; " + analysis::unknown_text(coverage);
   }
-  if (verdict.holds()) return bold("holds");
+  if (verdict.holds()) return holding.text();
   std::string text;
   const auto append = [&text](const char* what) {
     if (!text.empty()) text += ", and ";
@@ -82,6 +91,10 @@ std::string obstacles_text(const VerifyOptions& options) {
 }
 
 }  // namespace
+
+bool Verification::has_limits() const {
+  return std::isfinite(options.max_speed_mps) || std::isfinite(options.max_acceleration_mps2);
+}
 
 Rows finding_rows(const Verification& verification) {
   const io::Recording& recording = verification.recording;
@@ -179,7 +192,7 @@ std::string verify_summary(const Verification& verification, const MovingRequest
   }
   append_summary_line(out, "breaches",
                       found_text(verdict.breaches, "limit in a step", "times a limit in a step"));
-  append_summary_line(out, "verdict", verdict_text(verdict, verification.coverage));
+  append_summary_line(out, "verdict", verdict_text(verification));
   append_summary_line(out, "time",
                       "read " + io::duration(verification.read_s) + ", check " +
                           io::duration(verification.check_s));

@@ -24,8 +24,15 @@ struct Verification {
   double read_s = 0.0;
   double check_s = 0.0;
 
-  // What was not seen is not certified.
-  [[nodiscard]] bool holds() const { return verdict.holds() && !coverage.may_hide_conflicts(); }
+  [[nodiscard]] bool has_limits() const;
+  // One bee alone is compared with its limits, or with obstacles.
+  [[nodiscard]] bool compares() const {
+    return recording.bees.size() != 1 || has_limits() || options.obstacles != nullptr;
+  }
+  // What was not seen, or compared, is not certified.
+  [[nodiscard]] bool holds() const {
+    return verdict.holds() && !coverage.may_hide_conflicts() && compares();
+  }
 };
 
 // finding, first, second, begins_s, ends_s, value: losses, those of clearance (the second is

@@ -28,6 +28,8 @@ std::optional<char> extra_of(std::uint32_t message) {
       return static_cast<char>(185);
     case kGlobalPositionInt:
       return static_cast<char>(104);
+    case kExtendedSysState:
+      return static_cast<char>(130);
     case kAdsbVehicle:
       return static_cast<char>(184);
     case kUtmGlobalPosition:

@@ -22,6 +22,7 @@ inline constexpr std::uint32_t kGpsRawInt = 24;
 inline constexpr std::uint32_t kLocalPositionNed = 32;
 inline constexpr std::uint32_t kGlobalPositionInt = 33;
 inline constexpr std::uint32_t kRadioStatus = 109;
+inline constexpr std::uint32_t kExtendedSysState = 245;
 inline constexpr std::uint32_t kAdsbVehicle = 246;
 inline constexpr std::uint32_t kUtmGlobalPosition = 340;
 inline constexpr std::uint32_t kRemoteIdLocation = 12'901;  // OPEN_DRONE_ID_LOCATION

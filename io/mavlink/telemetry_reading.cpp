@@ -7,6 +7,7 @@
 #include "io/mavlink/telemetry_times.hpp"
 #include "io/mavlink/telemetry_words.hpp"
 #include "io/mavlink/vehicle_census.hpp"
+#include "io/mavlink/vehicle_landings.hpp"
 #include "io/problems/skipped_records.hpp"
 #include "io/recording/recording_sources.hpp"
 
@@ -37,20 +38,14 @@ struct Heard {
   std::uint8_t component = 0;
   MavlinkPosition at = {};
   bool is_taken = false;
-  double time_s = 0.0;  // since 1970, once it is taken
+  std::optional<bool> landed = {};  // nothing where its drone says nothing of the kind
+  double time_s = 0.0;              // since 1970, once it is taken
 };
 
 constexpr double kMicrosPerSecond = 1e6;
 
 std::string counted(std::uint64_t count, std::string_view what) {
   return std::to_string(count) + " " + std::string(what) + (count == 1 ? "" : "s");
-}
-
-// "3.2 s"
-std::string seconds_text(std::int64_t micros) {
-  constexpr std::int64_t kTenth = 100'000;
-  const std::int64_t tenths = (micros + kTenth / 2) / kTenth;
-  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s";
 }
 
 class TelemetryReading {
@@ -75,6 +70,7 @@ class TelemetryReading {
     choose_places();
     for (Heard& heard : heard_) heard.is_taken = takes(heard);
     time_places();
+    find_landed();
     say_choice();
     for (const Heard& heard : heard_) {
       if (!heard.is_taken) continue;
@@ -89,6 +85,7 @@ class TelemetryReading {
     while (walk_.next()) {
       const MavlinkFrame& frame = walk_.frame();
       census_.take(frame);
+      landings_.take(frame, static_cast<std::int64_t>(walk_.stamp()));
       times_.take(frame, walk_.index(), static_cast<std::int64_t>(walk_.stamp()));
       if (auto drone = remote_drone(frame)) ++remote_[*std::move(drone)];
       auto position = read_mavlink_position(frame);
@@ -309,6 +306,31 @@ class TelemetryReading {
     }
   }
 
+  // By when they came, as what vehicles say of it has no other time.
+  void find_landed() {
+    if (assembly_.options().grounded) return;
+    std::array<std::vector<Heard*>, kSystems> of_systems;
+    for (Heard& heard : heard_) {
+      if (heard.is_taken && heard.at.by != PlaceBy::kOfAnother) {
+        of_systems[heard.system].push_back(&heard);
+      }
+    }
+    for (const std::vector<Heard*>& of_system : of_systems) {
+      if (of_system.empty()) continue;
+      const Heard& first = *of_system.front();
+      const LandedReports* const reports = landings_.of(first.system, first.component);
+      if (reports == nullptr || !reports->any_landed()) continue;
+      std::vector<LandedReports::Place> places;
+      for (const Heard* const heard : of_system) {
+        places.push_back(
+            {static_cast<std::int64_t>(heard->stamp), heard->at.position, heard->at.velocity});
+      }
+      const std::vector<bool> landed =
+          reports->on_ground(places, global_ ? Frame::kWgs84 : Frame::kMetres);
+      for (std::size_t i = 0; i < of_system.size(); ++i) of_system[i]->landed = landed[i];
+    }
+  }
+
   // The first that a system tells by message 340 is its own.
   bool is_handed_on(const Heard& heard) {
     if (heard.at.by != PlaceBy::kUtm) return false;
@@ -341,11 +363,17 @@ class TelemetryReading {
       error->location.record = heard.frame;
       return assembly_.bad(*std::move(error), id);
     }
+    if (heard.landed.value_or(false)) {
+      assembly_.has_landed(id, {heard.time_s, heard.at.position});
+      return std::nullopt;
+    }
+    if (heard.landed) assembly_.flies_at(id, {heard.time_s, heard.at.position});
     Origin origin;
     origin.source = assembly_.source() & 0xFF'FFFFu;
     origin.line = (heard.frame + 1) & 0xFF'FFFF'FFFFu;
     assembly_.tracks().add(id, {heard.time_s, heard.at.position}, &heard.at.velocity, origin);
     const bool is_other = heard.at.by == PlaceBy::kOfAnother;
+    if (!is_other) assembly_.may_stand_still(id);
     if (is_other && !heard.at.name.empty()) assembly_.tracks().label(id, heard.at.name);
     return std::nullopt;
   }
@@ -393,6 +421,7 @@ class TelemetryReading {
   RecordingAssembly& assembly_;
   std::vector<Heard> heard_;
   VehicleCensus census_;
+  VehicleLandings landings_;
   std::string before_;  // ids of systems
   bool global_ = false;
   std::array<bool, kPlacesBy> any_ = {};

@@ -3,6 +3,8 @@
 
 #include "io/problems/left_out.hpp"
 
+#include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace beespace::io {
@@ -47,5 +49,12 @@ inline constexpr std::string_view kNoClockOfLogNote =
 inline constexpr std::string_view kReportedNote =
     "aircraft that a receiver of ADS-B tells (message 246) are bees, named by their address: their "
     "heights are by pressure or by satellites, tens of metres from those of the drones";
+
+// "3.2 s"
+inline std::string seconds_text(std::int64_t micros) {
+  constexpr std::int64_t kTenth = 100'000;
+  const std::int64_t tenths = (micros + kTenth / 2) / kTenth;
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s";
+}
 
 }  // namespace beespace::io

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::string_view kGlobalTopic = "vehicle_global_position";
 constexpr std::string_view kLocalTopic = "vehicle_local_position";
+constexpr std::string_view kLandTopic = "vehicle_land_detected";
 constexpr std::string_view kGpsTopic = "vehicle_gps_position";
 
 // A double holds every microsecond until then: the year 2255.
@@ -117,6 +118,8 @@ class Gathering {
         add(local_[topic.instance], &local_place);
       } else if (topic.name == kGpsTopic) {
         add_time(gps_[topic.instance]);
+      } else if (topic.name == kLandTopic) {
+        add_landed(landed_[topic.instance]);
       }
     }
     if (auto error = bad_topic()) return *std::move(error);
@@ -125,6 +128,11 @@ class Gathering {
     log.local = first_of(local_, kLocalTopic, log);
     log.clock = clock_of(first_of(gps_, kGpsTopic, log));
     log.losses = walk_.losses();
+    for (const auto& [micros, landed] : first_of(landed_, kLandTopic, log)) {
+      log.landed.take(micros, landed);
+    }
+    // It is written whenever it changes.
+    if (log.losses.dropouts == 0 && log.losses.damaged_places == 0) log.landed.hold_all_changes();
     return log;
   }
 
@@ -166,6 +174,17 @@ class Gathering {
     ahead.push_back(static_cast<std::int64_t>(utc) - static_cast<std::int64_t>(own) - beside);
   }
 
+  void add_landed(std::vector<std::pair<std::int64_t, bool>>& reports) {
+    const UlogTopic& topic = walk_.topic();
+    if (topic.layout->number("timestamp") == nullptr || topic.layout->number("landed") == nullptr) {
+      return;
+    }
+    const Numbers numbers(*topic.layout, walk_.message());
+    const std::uint64_t micros = numbers.micros("timestamp");
+    if (micros >= kLatestMicros) return;
+    reports.emplace_back(static_cast<std::int64_t>(micros), numbers.flag("landed"));
+  }
+
   // A topic that should tell places, or the time, and cannot be understood.
   [[nodiscard]] std::optional<Error> bad_topic() const {
     const auto lacks = [](const UlogTopic& topic, std::initializer_list<std::string_view> names) {
@@ -192,6 +211,7 @@ class Gathering {
   std::map<std::uint8_t, std::vector<Px4Place>> global_;
   std::map<std::uint8_t, std::vector<Px4Place>> local_;
   std::map<std::uint8_t, std::vector<std::int64_t>> gps_;
+  std::map<std::uint8_t, std::vector<std::pair<std::int64_t, bool>>> landed_;
 };
 
 }  // namespace

@@ -1,7 +1,9 @@
-// What a PX4 log says of where its drone was: the messages of three topics, in units of ours.
+// What a PX4 log says of where its drone was, and whether it had landed: the messages of four
+// topics, in units of ours.
 #pragma once
 
 #include "io/px4/ulog_walk.hpp"
+#include "io/recording/landed_reports.hpp"
 
 #include <beespace/mover.hpp>
 #include <beespace/point.hpp>
@@ -44,6 +46,7 @@ struct Px4Clock {
 struct Px4FlightLog {
   std::vector<Px4Place> global;
   std::vector<Px4Place> local;
+  LandedReports landed;                      // of vehicle_land_detected, by `micros`
   std::optional<Px4Clock> clock;             // nothing where GPS never said a time
   std::vector<std::string> other_instances;  // of these topics, that are not taken
   UlogLosses losses;

@@ -50,9 +50,12 @@ class FlightReading {
     if (auto error = assembly_.agree(facts())) return error;
     assembly_.tracks().round_times(0.0);
     say_choice();
+    assembly_.may_stand_still(id_);
     if (source_ == Source::kGlobal) gather_velocities();
-    for (const Px4Place& place : source_ == Source::kGlobal ? log_.global : log_.local) {
-      if (auto error = take(place)) return error;
+    const std::vector<Px4Place>& places = source_ == Source::kGlobal ? log_.global : log_.local;
+    const std::vector<bool> landed = landed_at(places);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (auto error = take(places[i], landed[i])) return error;
     }
     return std::nullopt;
   }
@@ -271,7 +274,20 @@ class FlightReading {
     return {there.longitude_deg, there.latitude_deg, without_dust(place.origin.z + at.z)};
   }
 
-  std::optional<Error> take(const Px4Place& place) {
+  // Of each of them whether the drone had landed.
+  [[nodiscard]] std::vector<bool> landed_at(const std::vector<Px4Place>& places) const {
+    if (assembly_.options().grounded || !log_.landed.any_landed()) {
+      return std::vector<bool>(places.size());
+    }
+    std::vector<LandedReports::Place> at;
+    for (const Px4Place& place : places) {
+      at.push_back(
+          {static_cast<std::int64_t>(place.micros), position_of(place), velocity_of(place)});
+    }
+    return log_.landed.on_ground(at, source_ == Source::kLocal ? Frame::kMetres : Frame::kWgs84);
+  }
+
+  std::optional<Error> take(const Px4Place& place, bool landed) {
     if (const LeftOutReason* const reason = lacks(place, source_)) {
       assembly_.leave_out(*reason, id_);
       return std::nullopt;
@@ -284,12 +300,17 @@ class FlightReading {
     constexpr double kMicrosPerSecond = 1e6;
     const auto own = static_cast<std::int64_t>(place.micros);
     const std::int64_t micros = own + (log_.clock ? log_.clock->ahead_micros : 0);
+    const Fix fix{static_cast<double>(micros) / kMicrosPerSecond, at};
+    if (landed) {
+      assembly_.has_landed(id_, fix);
+      return std::nullopt;
+    }
+    if (log_.landed.any_landed()) assembly_.flies_at(id_, fix);
     const Velocity velocity = velocity_of(place);
     Origin origin;
     origin.source = assembly_.source() & 0xFF'FFFFu;
     origin.line = (place.message + 1) & 0xFF'FFFF'FFFFu;
-    assembly_.tracks().add(id_, {static_cast<double>(micros) / kMicrosPerSecond, at}, &velocity,
-                           origin);
+    assembly_.tracks().add(id_, fix, &velocity, origin);
     return std::nullopt;
   }
 

@@ -19,6 +19,7 @@ constexpr double kAboveFlight_m = 50.0;
 constexpr double kLevel_m = 50.0;
 constexpr double kLevelFor_s = 20.0;
 constexpr double kSlowFlight_mps = 30.0;
+constexpr double kLandedApart_s = 5.0;
 
 double speed_between(const Fix& from, const Fix& to, Frame frame) {
   const Point apart = flat_offset_m(to.position, from.position, frame);
@@ -43,8 +44,12 @@ void GroundClaims::Stretch::add(const Stretch& other) {
 }
 
 GroundClaims::Run GroundClaims::run_of(const Aircraft& aircraft) {
-  return {aircraft.claims, aircraft.in_flight, aircraft.slow && !aircraft.in_flight,
-          aircraft.run.begins_s, aircraft.run.ends_s};
+  return {aircraft.claims,
+          aircraft.in_flight,
+          (aircraft.slow || aircraft.landed) && !aircraft.in_flight,
+          aircraft.landed,
+          aircraft.run.begins_s,
+          aircraft.run.ends_s};
 }
 
 void GroundClaims::begin_run(Aircraft& aircraft, const Fix& fix) {
@@ -69,7 +74,7 @@ void GroundClaims::claim(Aircraft& aircraft, const Fix& fix, Frame frame) {
   aircraft.run.add(fix);
   aircraft.window.add(fix);
   if (aircraft.window.high_m - aircraft.window.low_m > kSteep_m) aircraft.in_flight = true;
-  if (fix.time_s - aircraft.before.ends_s <= kMinute_s &&
+  if (!aircraft.landed && fix.time_s - aircraft.before.ends_s <= kMinute_s &&
       fix.position.z - aircraft.before.low_m > kAboveFlight_m) {
     aircraft.in_flight = true;
   }
@@ -97,7 +102,9 @@ void GroundClaims::fly(Aircraft& aircraft, const Fix& fix, Frame frame) {
   }
   aircraft.lately.add(fix);
   if (!aircraft.over) return;
-  if (aircraft.run.high_m - aircraft.lately.low_m > kAboveFlight_m) aircraft.in_flight = true;
+  if (!aircraft.landed && aircraft.run.high_m - aircraft.lately.low_m > kAboveFlight_m) {
+    aircraft.in_flight = true;
+  }
   Stretch all = aircraft.before;
   all.add(aircraft.run);
   all.add(aircraft.lately);
@@ -109,21 +116,26 @@ void GroundClaims::fly(Aircraft& aircraft, const Fix& fix, Frame frame) {
   }
 }
 
-void GroundClaims::take(std::string_view id, const Fix& fix, bool on_ground, Frame frame,
+void GroundClaims::take(std::string_view id, const Fix& fix, GroundClaim claims, Frame frame,
                         const Settle& settle) {
+  const bool on_ground = claims != GroundClaim::kNone;
   auto place = aircraft_.find(id);
   if (place == aircraft_.end()) place = aircraft_.try_emplace(std::string(id)).first;
   auto& [name, aircraft] = *place;
   const double since_s = fix.time_s - aircraft.last.time_s;
   const bool anew = aircraft.known && !(since_s >= 0.0 && since_s <= kMinute_s);
   const bool judged = aircraft.over && (on_ground || fix.time_s - aircraft.run.ends_s > kMinute_s);
-  if (aircraft.claims > 0 && (anew || judged)) {
+  const bool landed = claims == GroundClaim::kLanded;
+  const bool other = on_ground && (landed != aircraft.landed ||
+                                   (landed && fix.time_s - aircraft.run.ends_s > kLandedApart_s));
+  if (aircraft.claims > 0 && (anew || judged || other)) {
     settle(name, run_of(aircraft));
     aircraft.claims = 0;
     aircraft.over = false;
   }
   if (anew) aircraft = {};
   if (on_ground) {
+    if (aircraft.claims == 0) aircraft.landed = landed;
     claim(aircraft, fix, frame);
   } else {
     fly(aircraft, fix, frame);

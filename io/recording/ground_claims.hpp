@@ -14,6 +14,10 @@
 //
 // A run is surely on the ground where it is not taken for flight, and two of its claims, 10 s or
 // more apart, are no more than 25 m/s and a climb of 1 m/s away from each other.
+//
+// A drone whose autopilot says that it has landed is on the ground without such claims. It may land
+// on a tower, or take off from one, so that its height beside those of its flight says nothing; and
+// where its claims are more than 5 s apart, another run begins.
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"
@@ -29,6 +33,10 @@
 
 namespace beespace::io {
 
+// What a report says of where it is made: in the air, on the ground as an aircraft says it, or
+// landed as an autopilot has found.
+enum class GroundClaim : std::uint8_t { kNone, kOnGround, kLanded };
+
 class GroundClaims {
  public:
   // A run that is over, for which nothing more can be said.
@@ -36,6 +44,7 @@ class GroundClaims {
     std::uint64_t claims = 0;
     bool in_flight = false;  // they were made in flight
     bool surely_ground = false;
+    bool landed = false;  // by the autopilot of a drone
     double begins_s = 0.0;
     double ends_s = 0.0;
   };
@@ -43,7 +52,8 @@ class GroundClaims {
   using Settle = std::function<void(const std::string& id, const Run& run)>;
 
   // The next report of that aircraft. Where the height is unknown it is not-a-number.
-  void take(std::string_view id, const Fix& fix, bool on_ground, Frame frame, const Settle& settle);
+  void take(std::string_view id, const Fix& fix, GroundClaim claim, Frame frame,
+            const Settle& settle);
   // At the end of the input.
   void finish(const Settle& settle);
 
@@ -71,6 +81,7 @@ class GroundClaims {
     bool in_flight = false;
     bool fast = false;     // the last minute of claims was that of no roll
     bool slow = false;     // some claims were those of who stands or taxies
+    bool landed = false;   // they are those of an autopilot
     Fix anchor = {};       // the first claim, or one a minute and more ago
     Fix step = {};         // the same, of ten seconds
     Stretch window = {};   // of the claims since then

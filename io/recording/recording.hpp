@@ -12,6 +12,7 @@
 #include "io/units/unit_taken.hpp"
 
 #include <beespace/bezier_path.hpp>
+#include <beespace/conflict.hpp>
 #include <beespace/mover.hpp>
 #include <beespace/result.hpp>
 #include <beespace/track.hpp>
@@ -38,6 +39,9 @@ struct RecordedBee {
   // before the first fix, and since when after the last one.
   std::optional<double> on_ground_until_s = {};
   std::optional<double> on_ground_from_s = {};
+  // Of a drone whose autopilot says when it has landed, in records which are left out, too: when it
+  // surely stands, before, between and after its fixes, in ascending order.
+  std::vector<TimeSpan> landed = {};
   // Since when, and until when, it has records without a place, if it has any.
   std::optional<double> unplaced_from_s = {};
   std::optional<double> unplaced_until_s = {};

@@ -99,8 +99,10 @@ void RecordingAssembly::leave_file_out(std::string_view name) {
 }
 
 void RecordingAssembly::settle_claim(const std::string& id, const GroundClaims::Run& run) {
+  const LeftOutReason& on_ground = run.landed ? kLanded : kOnGround;
+  const LeftOutReason& in_flight = run.landed ? kLandedInFlight : kGroundInFlight;
   for (std::uint64_t i = 0; i < run.claims; ++i) {
-    leave_out(run.in_flight ? kGroundInFlight : kOnGround, id);
+    leave_out(run.in_flight ? in_flight : on_ground, id);
   }
   if (run.surely_ground) grounded_[id].push_back(run);
 }
@@ -109,6 +111,7 @@ void RecordingAssembly::settle_ground(RecordedBee& bee) const {
   const auto known = grounded_.find(bee.id);
   if (known == grounded_.end() || bee.fixes.empty()) return;
   for (const GroundClaims::Run& run : known->second) {
+    if (run.landed) bee.landed.push_back({run.begins_s, run.ends_s});
     const double first_s = bee.fixes.front().time_s;
     const double last_s = bee.fixes.back().time_s;
     if (run.begins_s <= first_s) {
@@ -122,16 +125,17 @@ void RecordingAssembly::settle_ground(RecordedBee& bee) const {
       from_s = std::min(from_s.value_or(begins_s), begins_s);
     }
   }
+  std::sort(bee.landed.begin(), bee.landed.end(),
+            [](const TimeSpan& a, const TimeSpan& b) { return a.begins_s < b.begins_s; });
+}
+
+void RecordingAssembly::claim(std::string_view id, const Fix& fix, GroundClaim claims) {
+  claims_.take(id, fix, claims, facts_ ? facts_->frame : Frame::kWgs84,
+               [this](const auto&... of) { settle_claim(of...); });
 }
 
 void RecordingAssembly::flies_at(std::string_view id, const Fix& fix) {
-  claims_.take(id, fix, false, facts_ ? facts_->frame : Frame::kWgs84,
-               [this](const auto&... of) { settle_claim(of...); });
-}
-
-void RecordingAssembly::claims_ground(std::string_view id, const Fix& fix) {
-  claims_.take(id, fix, true, facts_ ? facts_->frame : Frame::kWgs84,
-               [this](const auto&... of) { settle_claim(of...); });
+  claim(id, fix, GroundClaim::kNone);
 }
 
 void RecordingAssembly::heard_of(const LeftOutReason& reason, std::string_view id) {

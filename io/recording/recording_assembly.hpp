@@ -167,7 +167,11 @@ class RecordingAssembly {
   // A report of an aircraft, in a format in which it may say that it is on the ground: where it is
   // kept, and where it is not since it says so, which is counted once it is known whether it flies.
   void flies_at(std::string_view id, const Fix& fix);
-  void claims_ground(std::string_view id, const Fix& fix);
+  void claims_ground(std::string_view id, const Fix& fix) {
+    claim(id, fix, GroundClaim::kOnGround);
+  }
+  // The same of a drone whose autopilot says that it has landed.
+  void has_landed(std::string_view id, const Fix& fix) { claim(id, fix, GroundClaim::kLanded); }
   // A record says that the bee is on the ground, but not how it could be; it is kept.
   void keep_in_flight() { ++kept_in_flight_; }
   // It was heard of, though not its place: if no place comes from anywhere, a record is left out
@@ -175,6 +179,9 @@ class RecordingAssembly {
   void heard_of(const LeftOutReason& reason, std::string_view id);
   // It was there, at no known place.
   void unplaced(std::string_view id, double time_s);
+  // Where times are rounded, or those of arrival, what is said again is known already; but of that
+  // bee places are told by an estimator that may stand still.
+  void may_stand_still(std::string_view id) { may_stand_still_.emplace(id); }
   // The place of that fix is one that the bee had left (see stale_places.hpp): it counts for none.
   void stale(const std::string& id, const Fix& fix);
   // Two bees seem to share that id: they are not known.
@@ -199,6 +206,7 @@ class RecordingAssembly {
   void leave_out_stale_places();
   void find_doubtful_tracks();
   void settle_heard();
+  void claim(std::string_view id, const Fix& fix, GroundClaim claims);
   void settle_claim(const std::string& id, const GroundClaims::Run& run);
   // Of aircraft that take off from the ground, or land there, when they did.
   void settle_ground(RecordedBee& bee) const;
@@ -226,6 +234,7 @@ class RecordingAssembly {
     double last_s;
   };
   std::unordered_map<std::string, Times> unplaced_;  // by id
+  std::unordered_set<std::string> may_stand_still_;  // by id
   std::uint64_t kept_in_flight_ = 0;
   std::uint64_t rough_records_ = 0;
   std::unordered_set<std::string> rough_ids_;

@@ -58,7 +58,8 @@ void RecordingAssembly::leave_out_zero_runs() {
 
 // Once all are in order.
 void RecordingAssembly::leave_out_stale_places() {
-  const auto which = [](const RecordedBee& bee) {
+  const auto which = [this](const RecordedBee& bee) {
+    if (tracks_.rounds_times() && !may_stand_still_.contains(bee.id)) return std::vector<bool>();
     if (bee.velocities.empty()) return std::vector<bool>();
     StalePlaces places;
     std::vector<bool> none(bee.fixes.size());
@@ -290,8 +291,7 @@ Result<Recording> RecordingAssembly::finish() {
   if (auto error = settle_times()) return *std::move(error);
   if (auto error = settle_files()) return *std::move(error);
   leave_out_zero_runs();
-  // Where times are those of arrival, what is said again is known already.
-  if (!frame_is_settled_ && !tracks_.rounds_times()) leave_out_stale_places();
+  if (!frame_is_settled_) leave_out_stale_places();
   if (auto doubled = doubled_drone(tracks_)) {
     return Error{ErrorCode::kInvalidArgument, std::move(doubled->problem),
                  location_of(tracks_.origin(doubled->fix))};

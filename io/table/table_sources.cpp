@@ -253,6 +253,17 @@ bool names_session(std::string_view column) {
   return is_one_of(kSessions, plain_name(column));
 }
 
+bool names_zone(std::string_view column) {
+  const std::vector<std::string> words = split_words(column);
+  const auto any_is = [&words](std::string_view any_of) {
+    return std::any_of(words.begin(), words.end(),
+                       [&](const std::string& word) { return is_one_of(any_of, word); });
+  };
+  return any_is("zone utmzone") && std::all_of(words.begin(), words.end(), [](const auto& word) {
+           return is_one_of("zone utmzone utm grid number no nr letter band id", word);
+         });
+}
+
 bool names_arena(std::string_view column) {
   return is_one_of("arena arena_id", plain_name(column));
 }

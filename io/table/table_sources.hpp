@@ -57,6 +57,8 @@ std::string words_of_aviation(const std::vector<std::string>& names);
 bool names_set(std::string_view column);
 // Whether it says which session or run a record is of, as numbers of time begin again with each.
 bool names_session(std::string_view column);
+// Whether it says in which zone eastings and northings are counted.
+bool names_zone(std::string_view column);
 // Of sets: places beside each other, which have one clock.
 bool names_arena(std::string_view column);
 

@@ -23,11 +23,18 @@
 namespace beespace::io {
 namespace {
 
-// Milliseconds, if nobody says otherwise. One that goes on by a few of them from record to record
-// counts pictures or seconds.
+// Whether a first column that goes on by so much may count seconds, or the pictures of an
+// animation: each, every fifth or tenth, or one a second of 24, 25, 30, 48 or 60. Nobody samples a
+// show more often than each 20 ms, or writes it in such steps.
+bool may_count_pictures(double step) {
+  constexpr double kShortestStep_ms = 20.0;
+  return step < kShortestStep_ms || step == 24.0 || step == 25.0 || step == 30.0 || step == 48.0 ||
+         step == 60.0;
+}
+
+// Milliseconds, if nobody says otherwise.
 Result<TimeChoice> time_of_skybrush(const TableLayout& table, std::string_view text,
                                     const RecordingOptions& options) {
-  constexpr double kShortestStep_ms = 5.0;
   TimeChoice time;
   const bool said = options.time_unit != Unit::kUnstated;
   if (options.frames_per_second && said) {
@@ -48,7 +55,7 @@ Result<TimeChoice> time_of_skybrush(const TableLayout& table, std::string_view t
                        parse_number(times.texts[0], first) == NumberKind::kNumber &&
                        parse_number(times.texts[1], second) == NumberKind::kNumber;
   if (!said && options.format != RecordingFormat::kSkybrushCsv && numbers &&
-      second - first < kShortestStep_ms) {
+      may_count_pictures(second - first)) {
     return Error{ErrorCode::kInvalidArgument,
                  "without a header, the first column, which begins with " +
                      excerpt(times.texts[0]) + ", " + excerpt(times.texts[1]) +

@@ -6,6 +6,7 @@
 #include "io/problems/excerpt.hpp"
 #include "io/table/column_names.hpp"
 #include "io/table/record_walk.hpp"
+#include "io/table/table_sources.hpp"
 #include "io/tracks/first_fields.hpp"
 
 #include <algorithm>
@@ -39,8 +40,8 @@ std::optional<std::size_t> find_utm_zone(std::string_view text, const TableLayou
   for (std::size_t i = 0; i < table.names.size(); ++i) {
     const auto words = split_words(table.names[i]);
     const bool zone = has_word(words, "zone utmzone");
-    if (zone &&
-        (words.size() == 1 ? easting || words[0] == "utmzone" : has_word(words, "utm grid"))) {
+    if (zone && ((easting && names_zone(table.names[i])) || words[0] == "utmzone" ||
+                 has_word(words, "utm grid"))) {
       return i;
     }
   }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -252,6 +253,7 @@ class FileRecording(Facts):
         clearance: float | None = None,
         max_gap: float | None = None,
         straight: bool = False,
+        skip_limits: Iterable[str] = (),
         threads: int = 1,
     ) -> FlightVerdict:
         """Did all keep apart, clear of obstacles and within their limits, each with times of its own?
@@ -279,6 +281,9 @@ class FileRecording(Facts):
             far apart as is typical. Shows have none.
         straight : bool
             Whether agents fly in straight lines whatever velocities they have.
+        skip_limits : names of limits
+            Those that the show declares and that need not be looked at where that is not done, as
+            ["minNavAltitude"]; without it such a show does not hold.
         threads : int
             How many threads may work; 0: one for each processor. The verdict is always the same.
 
@@ -308,7 +313,7 @@ class FileRecording(Facts):
             "max_height": max_height,
         }
         return verify_recording(
-            self, threshold, limits, obstacles, clearance, max_gap, straight, threads
+            self, threshold, limits, obstacles, clearance, max_gap, straight, skip_limits, threads
         )
 
     @property

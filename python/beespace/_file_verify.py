@@ -44,6 +44,7 @@ def verify_recording(
     clearance: Any,
     max_gap: Any,
     straight: bool,
+    skip_limits: Any,
     threads: Any,
 ) -> FlightVerdict:
     """As `FileRecording.verify`; `limits` by the names of its arguments."""
@@ -60,6 +61,8 @@ def verify_recording(
         options.limits |= 1 << index
         options.most[index] = zero_or_more(number_of(limits[name], name, units), name, endless=True)
     options.max_gap_s = 0.0 if max_gap is None else gap_of(max_gap)
+    skipped = _names_of(skip_limits)
+    options.skipped_limits = ",".join(skipped).encode() if skipped else None
     keep = _set_obstacles(options, obstacles, clearance)
     run = run_of(threads, len(recording), moving=True)
     if run is not None:
@@ -72,7 +75,17 @@ def verify_recording(
     )
     del keep
     _io_library.check(code, error)
-    return _verdict_of(handle, recording.ids)
+    verdict = _verdict_of(handle, recording.ids)
+    verdict.undecided = tuple(name for name in verdict.not_looked_at if name not in skipped)
+    return verdict
+
+
+def _names_of(skip_limits: Any) -> list[str]:
+    names = [skip_limits] if isinstance(skip_limits, str) else list(skip_limits)
+    for name in names:
+        if not isinstance(name, str) or not name or "," in name or "\0" in name:
+            raise invalid("these are names of limits: ['minNavAltitude']", "skip_limits")
+    return names
 
 
 def _set_obstacles(options: _io_library.CVerifyOptions, obstacles: Any, clearance: Any) -> Any:
@@ -114,6 +127,8 @@ def _verdict_of(handle: ctypes.c_void_p, ids: NDArray[Any]) -> FlightVerdict:
     if facts.closest_first >= 0:
         verdict.closest = str(ids[facts.closest_first]), str(ids[facts.closest_second])
         verdict.closest_distance, verdict.closest_at = facts.closest_m, facts.closest_s
+    names_left = at_once.beespace_io_verdict_not_looked_at(handle).decode()
+    verdict.not_looked_at = tuple(names_left.split(",")) if names_left else ()
     verdict.gap_count, verdict.missing_count = facts.gaps, facts.missing
     verdict.coverage = Coverage(at_once.beespace_io_verdict_coverage, handle)
     limits = [*facts.most, math.nan, math.nan]

@@ -148,7 +148,8 @@ class FlightVerdict:
     holds : bool
         Whether nothing was found, and nothing that is not known may hide it: there is no gap, no record
         is missing, no agent jumps or is in the air before its first fix or after its last one while
-        others fly; and some two were compared.
+        others fly; some two were compared, or one agent alone with limits or obstacles; and no limit
+        is `undecided`.
     motion : str
         "show": along its curves; "velocities": along curves that have the velocities of both fixes;
         "straight": in straight lines from fix to fix.
@@ -164,6 +165,10 @@ class FlightVerdict:
         Those of them that the show declares.
     greatest : dict of str to Peak
         The greatest speed, ..., height of all, by the same names.
+    not_looked_at : tuple of str
+        The limits that the show declares beside these and that were not looked at, as "minNavAltitude".
+    undecided : tuple of str
+        Those of them that were not to be skipped (`skip_limits`): they keep it from holding.
     closest : tuple of two ids, or None
         The two that came closest; None where no two are there at the same time.
     closest_distance, closest_at : float or None
@@ -198,7 +203,9 @@ class FlightVerdict:
         "losses",
         "missing_count",
         "motion",
+        "not_looked_at",
         "threshold",
+        "undecided",
     )
 
     holds: bool
@@ -210,6 +217,8 @@ class FlightVerdict:
     limits: dict[str, float]
     declared: tuple[str, ...]
     greatest: dict[str, Peak]
+    not_looked_at: tuple[str, ...]
+    undecided: tuple[str, ...]
     closest: tuple[str, str] | None
     closest_distance: float | None
     closest_at: float | None
@@ -231,7 +240,7 @@ class FlightVerdict:
 
     def _in_words(self) -> str:
         if self.holds:
-            return "holds"
+            return "holds" if self.closest is not None else "holds, without any pair to compare"
         tables: tuple[tuple[Table, str], ...] = (
             (self.losses, "of separation"),
             (self.clearance_losses, "of clearance"),
@@ -248,6 +257,6 @@ class FlightVerdict:
             return "does not hold, " + ", ".join(found)
         if self.coverage.may_hide_conflicts:
             return "not seen as a whole: " + self.coverage.unknown
-        if self.closest is not None:
-            return "not looked at as a whole: the show declares limits that are not looked at"
+        if self.undecided:
+            return f"not looked at as a whole: skip_limits={list(self.undecided)} leaves that out"
         return "nothing to compare: no two agents are there at the same time"

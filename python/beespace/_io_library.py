@@ -153,6 +153,7 @@ class CVerifyOptions(ctypes.Structure):
         ("obstacle_count", c_int64),
         ("clearance_m", c_double),
         ("run", POINTER(_library.CRun)),
+        ("skipped_limits", c_char_p),
     ]
 
 
@@ -240,6 +241,7 @@ _signatures: dict[str, tuple[object, list[object]]] = {
     "verify": (c_int32, [c_void_p, POINTER(CVerifyOptions), c_void_p, _error]),
     "verdict_facts_of": (c_int32, [c_void_p, POINTER(CVerdictFacts), _error]),
     "verdict_coverage": (c_int32, [c_void_p, _coverage, _error]),
+    "verdict_not_looked_at": (c_char_p, [c_void_p]),
     "verdict_size": (c_int64, [c_void_p]),
     **{
         f"verdict_{name}": (c_void_p, [c_void_p])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, overload
 
 import numpy as np
@@ -152,6 +153,7 @@ def verify(
     max_height: float | None = None,
     obstacles: Obstacles | None = None,
     clearance: float | None = None,
+    skip_limits: Iterable[str] = (),
     max_gap: float | None = None,
     threads: int = 1,
 ) -> FlightVerdict: ...
@@ -189,6 +191,7 @@ def verify(
     max_height: float | None = None,
     obstacles: Obstacles | None = None,
     clearance: float | None = None,
+    skip_limits: Iterable[str] = (),
     max_gap: float | None = None,
     threads: int = 1,
 ) -> Verdict | FlightVerdict:
@@ -219,6 +222,7 @@ def verify(
     max_speed, max_acceleration, obstacles, clearance, threads
         As of `Verifier`; `max_acceleration` needs velocities.
     max_horizontal, max_climb, max_descent, max_height : float, optional
+    skip_limits : names of limits
         Of a `FileRecording` only: as of `FileRecording.verify`.
     max_gap : float, optional
         The longest step that was seen, in seconds; without it all were. What happens in a longer one
@@ -264,7 +268,9 @@ def verify(
                 raise invalid(
                     "a recording of a file has its own: give the threshold as threshold=", name
                 )
-        return ids.verify(threshold, **upright, **common)
+        return ids.verify(threshold, skip_limits=skip_limits, **upright, **common)
+    if skip_limits:
+        raise invalid("this is for recordings that read_recording has read", "skip_limits")
     for name, given in upright.items():
         if given is not None:
             raise invalid("this is for recordings that read_recording has read", name)

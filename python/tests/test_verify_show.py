@@ -135,3 +135,24 @@ def test_what_cannot_be_is_named(ring, tmp_path):
     )
     with pytest.raises(TypeError, match="threshold"):
         beespace.verify(*columns[:3])
+
+
+# What is not looked at may be left out by name, and nothing else.
+def test_limits_that_are_not_looked_at_may_be_skipped(tmp_path):
+    text = (shows / "ring.json").read_text().replace(
+        '"maxAltitude": 120', '"maxAltitude": 120, "minNavAltitude": 2.5'
+    )
+    (tmp_path / "ring.json").write_text(text)
+    show = beespace.read_recording(tmp_path / "ring.json")
+    asked = {"threshold": 3.5, "max_descent": 2.5}
+    verdict = beespace.verify(show, **asked)
+    assert not verdict and verdict.not_looked_at == verdict.undecided == ("minNavAltitude",)
+    assert "skip_limits=['minNavAltitude']" in repr(verdict)
+    skipping = beespace.verify(show, skip_limits=["minNavAltitude"], **asked)
+    assert skipping and skipping.not_looked_at == ("minNavAltitude",) and not skipping.undecided
+    assert show.verify(skip_limits="minNavAltitude", **asked)
+    for mistyped in (["minAltitude"], ["minNavAltitude,x"], [3]):
+        with pytest.raises(beespace.BeespaceError, match=r"limit"):
+            show.verify(skip_limits=mistyped, **asked)
+    with pytest.raises(beespace.BeespaceError, match="read_recording"):
+        beespace.verify([1], [0.0], [[0.0, 0.0]], 1, skip_limits=["minNavAltitude"])

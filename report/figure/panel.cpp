@@ -11,6 +11,7 @@ namespace beespace::report {
 namespace {
 
 constexpr double kTickLength = 4.0;
+constexpr double kBold = 1.1;  // how much wider bold text is
 
 void draw_across(const Panel& panel, Drawing& drawing) {
   const Box& box = panel.box;
@@ -116,7 +117,6 @@ double clear_of(double line_y, double baseline, const Box& box) {
 // At the right end of the heading, behind a dash as the line has them; false where there is no
 // room.
 bool name_beside_heading(const Panel& panel, const std::string& name, Drawing& drawing) {
-  constexpr double kBold = 1.1;
   constexpr double kDash = 18.0;
   constexpr double kBetween = 6.0;
   const Box& box = panel.box;
@@ -232,8 +232,17 @@ double draw_ring(const Box& box, Spot spot, const std::string& text, Drawing& dr
   if (line_y) y = clear_of(*line_y, y, box);
   if (text.empty()) return y;
   const double beside = kRadius + 5.0;
-  const bool to_the_left = spot.x + beside + text_width(text, kLabelSize) > box.right();
-  drawing.shapes.emplace_back(Text{{to_the_left ? spot.x - beside : spot.x + beside, y},
+  const double width = kBold * text_width(text, kLabelSize);
+  const bool to_the_right = spot.x + beside + width <= box.right();
+  const bool to_the_left = !to_the_right && spot.x - beside - width >= box.left;
+  double x = to_the_left ? spot.x - beside : spot.x + beside;
+  if (!to_the_right && !to_the_left) {
+    // Above it or below, within the panel: outside there are the labels of its axes.
+    const double above = spot.y - beside;
+    y = above - kLabelSize >= box.top ? above : spot.y + beside + kLabelSize;
+    x = std::max(box.left, std::min(spot.x - 0.5 * width, box.right() - width));
+  }
+  drawing.shapes.emplace_back(Text{{x, y},
                                    text,
                                    kLabelSize,
                                    to_the_left ? Anchor::kEnd : Anchor::kStart,

@@ -143,7 +143,12 @@ void draw_starts(const RecordingFacts& facts, const View& view, Drawing& drawing
 
 void draw_closest(const RecordingFacts& facts, const View& view, Drawing& drawing) {
   if (!facts.closest) return;
-  const Conflict& closest = *facts.closest;
+  // Of a show with drones on the ground, those that are closest in the air.
+  const bool in_the_air = facts.closest_in_the_air.has_value();
+  const Conflict& closest = in_the_air ? *facts.closest_in_the_air : *facts.closest;
+  const auto& apart = in_the_air ? facts.closest_in_the_air_apart : facts.closest_apart;
+  const bool keeps_apart =
+      in_the_air ? closest.closest_m >= facts.swarm.threshold_m : facts.at_risk.empty();
   const auto first = position_at(facts.tracks[closest.first], closest.closest_s);
   const auto second = position_at(facts.tracks[closest.second], closest.closest_s);
   if (!first || !second) return;
@@ -151,8 +156,9 @@ void draw_closest(const RecordingFacts& facts, const View& view, Drawing& drawin
   const Spot b = view.spot_of(*second);
   draw_ring(view.panel.box, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)},
             view.from == View::From::kAbove
-                ? (facts.at_risk.empty() ? "closest, not too close: " : "closest: ") +
-                      apart_words(facts.swarm, closest.closest_m, facts.closest_apart)
+                ? (keeps_apart ? "closest, not too close: " : "closest: ") +
+                      apart_words(facts.swarm, closest.closest_m, apart) +
+                      (facts.closest_stands && !in_the_air ? kWithOneOnTheGround : "")
                 : std::string(),
             drawing);
 }

@@ -243,7 +243,9 @@ void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawi
     const Conflict& closest = *facts.closest;
     const Spot at = {panel.across.scale(closest.closest_s), panel.upwards.scale(closest.closest_m)};
     const double baseline =
-        draw_ring(box, at, apart_words(facts.swarm, closest.closest_m, facts.closest_apart),
+        draw_ring(box, at,
+                  apart_words(facts.swarm, closest.closest_m, facts.closest_apart) +
+                      (facts.closest_stands ? kWithOneOnTheGround : ""),
                   drawing, panel.upwards.scale(facts.swarm.threshold_m));
     // The label of the threshold keeps off this one.
     line.runs.emplace_back(kRingSpots);

@@ -124,7 +124,9 @@ bool is_of_reading(const std::string& note) {
 std::string origin_note(const GeographicPosition& origin, const HeightWords& heights, bool flat) {
   const std::string_view counted = heights.by_pressure ? "by pressure"
                                    : heights.above_sea ? "above mean sea level"
-                                                       : "above the ellipsoid";
+                                   : heights.unstated
+                                       ? "those of the input, taken as above the ellipsoid"
+                                       : "above the ellipsoid";
   return "East and north are counted along the ground from " +
          degrees(origin.latitude_deg, "N", "S") + ", " + degrees(origin.longitude_deg, "E", "W") +
          (flat ? "." : "; heights are " + std::string(counted) + ".");

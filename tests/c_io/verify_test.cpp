@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -144,6 +145,42 @@ TEST_P(CVerifiedShow, KeepsClearOfObstaclesAlongItsCurves) {
   EXPECT_TRUE(std::isnan(beespace_io_verdict_at_s(touched.verdict.get())[0]));
   options.clearance_m = 0.49;
   EXPECT_EQ(verify(show_, &options).facts.holds, 1);
+}
+
+// A limit that is not looked at, and need not be; and options of before there was such a thing.
+TEST(CVerifiedLimits, ThatNeedNotBeLookedAtAreSkipped) {
+  const TestFolder folder;
+  const auto read = read_recording({folder.file(
+      "alone.json",
+      R"({"version": 1, "settings": {"validation": {"minNavAltitude": 2.5}}, "swarm": {"drones": [
+        {"type": "generic", "settings": {"name": "a", "home": [0, 0, 0], "landAt": [0, 0, 0],
+          "trajectory": {"version": 1, "takeoffTime": 0, "points":
+            [[0, [0, 0, 0], []], [5, [0, 0, 5], []], [10, [0, 0, 0], []]]}}}]}})")});
+  ASSERT_EQ(read.code, BEESPACE_OK) << text_of(read.error);
+  auto options = verify_options();
+  options.limits = 1U << BEESPACE_IO_SPEED;
+  options.most[BEESPACE_IO_SPEED] = 10.0;
+  const Verified declared = verify(read.recording, &options);
+  ASSERT_EQ(declared.code, BEESPACE_OK) << text_of(declared.error);
+  EXPECT_EQ(declared.facts.holds, 0);
+  EXPECT_STREQ(beespace_io_verdict_not_looked_at(declared.verdict.get()), "minNavAltitude");
+  options.skipped_limits = "minNavAltitude";
+  const Verified skipped = verify(read.recording, &options);
+  ASSERT_EQ(skipped.code, BEESPACE_OK) << text_of(skipped.error);
+  EXPECT_EQ(skipped.facts.holds, 1);
+  EXPECT_STREQ(beespace_io_verdict_not_looked_at(skipped.verdict.get()), "minNavAltitude");
+  options.struct_size = offsetof(beespace_io_verify_options, skipped_limits);
+  EXPECT_EQ(verify(read.recording, &options).facts.holds, 0);
+  options.struct_size = sizeof options;
+  options.skipped_limits = "minAltitude";
+  const Verified mistyped = verify(read.recording, &options);
+  EXPECT_EQ(mistyped.code, BEESPACE_INVALID_ARGUMENT);
+  EXPECT_NE(text_of(mistyped.error).find("'minAltitude'"), std::string::npos);
+  EXPECT_STREQ(beespace_io_verdict_not_looked_at(nullptr), "");
+  // Alone, and without any limit: nothing was compared.
+  options = verify_options();
+  options.skipped_limits = "minNavAltitude";
+  EXPECT_EQ(verify(read.recording, &options).facts.holds, 0);
 }
 
 TEST_P(CVerifiedShow, FliesNoStraightLines) {

@@ -1,4 +1,5 @@
 // What figures say of aircraft: in miles and feet, horizontally and in height, at UTC times.
+#include "report/drawing/text_fit.hpp"
 #include "report/figure/figure.hpp"
 #include "report/figure/style.hpp"
 #include "report/separation_words.hpp"
@@ -110,6 +111,56 @@ TEST(FigureWords, AxesAreInTheUnitsOfWhatIsTooClose) {
     EXPECT_TRUE(says(small, part)) << part;
   }
   EXPECT_FALSE(says(small, "(m)"));
+}
+
+// Of aircraft these may be by pressure: it is not said that they are above the ellipsoid.
+TEST(FigureWords, HeightsAreAboveNothingThatTheInputDoesNotSay) {
+  RecordingFacts facts = crossing();
+  EXPECT_TRUE(says(texts_of(figure_of(facts)), "heights are above the ellipsoid"));
+  facts.swarm.heights.unstated = true;
+  const auto texts = texts_of(figure_of(facts));
+  EXPECT_TRUE(says(texts, "heights are those of the input, taken as above the ellipsoid"));
+  EXPECT_FALSE(says(texts, "heights are above"));
+}
+
+// Beside a panel there are the labels of its axes.
+TEST(FigureWords, TheLabelOfTheClosestTwoStaysWithinItsPanel) {
+  constexpr double kLeft = 100.0;
+  constexpr double kRightEnd = 748.0;
+  RecordingFacts facts = crossing();
+  facts.conflicts.clear();
+  facts.conflict_count = facts.pair_count = 0;
+  facts.at_risk.clear();
+  for (double share = 0.0; share <= 1.0; share += 0.05) {
+    const double begins_s = facts.separation.front().time_s;
+    facts.closest->closest_s = begins_s + share * 600.0;
+    const Drawing drawing = figure_of(facts);
+    const auto is_label = [](const Shape& shape) {
+      const auto* text = std::get_if<Text>(&shape);
+      return text != nullptr && text->text.starts_with("closest, not too close: ");
+    };
+    const auto label = std::find_if(drawing.shapes.begin(), drawing.shapes.end(), is_label);
+    ASSERT_NE(label, drawing.shapes.end());
+    const auto& text = std::get<Text>(*label);
+    const double width = text_width(text.text, text.size);
+    const double left = text.anchor == Anchor::kEnd ? text.at.x - width : text.at.x;
+    EXPECT_GE(left, kLeft) << share;
+    EXPECT_LE(left + width, kRightEnd) << share;
+  }
+}
+
+// Of a show with drones on the ground those in the air are named, and others as what they are.
+TEST(FigureWords, TheClosestInTheAirComesFirst) {
+  RecordingFacts facts = crossing();
+  facts.swarm.vertical_m.reset();
+  facts.swarm.aviation = false;
+  facts.closest_apart.reset();
+  facts.closest_stands = true;
+  EXPECT_TRUE(says(texts_of(figure_of(facts)), "m, with one on the ground"));
+  facts.closest_in_the_air = facts.closest;
+  facts.closest_in_the_air->closest_m = 7'000.0;
+  facts.swarm.threshold_m = 6'500.0;
+  EXPECT_TRUE(says(texts_of(figure_of(facts)), "closest, not too close: 7,000 m"));
 }
 
 // The slanted lines of what is hatched.

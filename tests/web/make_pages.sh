@@ -59,6 +59,17 @@ page long-recording "$data/long.csv" --threshold 5
 echo '{"obstacles": [{"kind": "cylinder", "center": [0, -6], "radius_m": 1, "high_m": 20},
   {"kind": "box", "low": [4, 4, 0], "high": [7, 6, 8]}]}' > "$data/obstacles.json"
 page show "$(dirname "$0")/../cli/shows/ring.skyc" --obstacles "$data/obstacles.json"
+# Two that come nearer to each other for long.
+awk 'BEGIN {print "id,time_s,x,y,z"; for (t = 0; t <= 6000; t += 100) printf "a,%d,%d,0,0\nb,%d,%d,0,0\n", t, t, t, 9000 - t}' \
+  > "$data/slow.csv"
+page slow "$data/slow.csv" --threshold 5
+# One that never takes off, one that lands beside it, and another in the air.
+path() { echo "{\"type\": \"generic\", \"settings\": {\"name\": \"$1\", \"trajectory\": {\"version\": 1, \"points\": [$2], \"takeoffTime\": 0}}}"; }
+echo "{\"version\": 1, \"settings\": {}, \"swarm\": {\"drones\": [
+  $(path spare '[0, [0, 0, 0], []], [60, [0, 0, 0], []]'),
+  $(path lands '[0, [20, 0, 0], []], [3, [20, 0, 5], []], [6, [-1, 0, 5], []], [9, [-1, 0, 0], []]'),
+  $(path passes '[0, [40, 0, 0], []], [3, [40, 0, 5], []], [6, [10, 0, 5], []], [9, [10, 0, 0], []]')]}}" > "$data/standing.json"
+page standing "$data/standing.json" --threshold 1.5
 # Without heights: the corners of a square, one of which another comes close to.
 awk 'BEGIN {print "id,time_s,x,y"; for (t = 0; t <= 20; ++t)
   printf "a,%d,0,0\nb,%d,40,0\nc,%d,40,40\nd,%d,%d,37\n", t, t, t, t, 20 + t}' > "$data/flat.csv"

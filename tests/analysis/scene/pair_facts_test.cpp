@@ -125,6 +125,19 @@ TEST_F(PairFacts, InAGapTheClosestTwoAreNotKnown) {
   }
 }
 
+// Faster than anything flies: on the line from one place to the other it never was.
+TEST_F(PairFacts, WhereABeeJumpsTheClosestTwoAreNotKnown) {
+  const auto facts = this->facts<report::RecordingFacts>(
+      "id,time_s,x_m,y_m,z_m\na,0,0,0,5\na,10,0,0,5\na,20,90000,0,5\na,30,90000,0,5\n"
+      "b,0,200,0,5\nb,10,200,0,5\nb,20,200,0,5\nb,30,200,0,5\n",
+      within(20.0, {}));
+  EXPECT_EQ(facts.gaps, (std::vector<Gap>{{0, 10.0, 20.0}}));
+  EXPECT_EQ(facts.unknown_spans, facts.gaps);
+  ASSERT_EQ(facts.separation_open.size(), 1U);
+  EXPECT_NEAR(facts.separation_open[0].begins_s, 10.0, 0.1);
+  EXPECT_TRUE(facts.hidden);
+}
+
 TEST_F(PairFacts, OfPairsThatKeepApartTheClosestHasItsWay) {
   const auto facts = this->facts<report::RecordingFacts>(
       "id,time_s,x,y,z\na,0,0,0,0\na,10,0,0,0\nb,0,-50,30,0\nb,10,50,30,0\n", within(20.0, {}));

@@ -157,7 +157,9 @@ TEST(NoFalseAllClear, NothingComparedIsARisk) {
   EXPECT_EQ(verify.exit_code, 1);
   expect_parts(verify.err, {"nothing to compare: no two bees are there at the same time"});
   // One bee alone is checked for what it may do alone.
-  EXPECT_EQ(run({"verify"}, "id,time_s,x,y,z\na,0,0,0,0\na,1,0,0,0\n").exit_code, 0);
+  constexpr std::string_view alone = "id,time_s,x,y,z\na,0,0,0,0\na,1,0,0,0\n";
+  EXPECT_EQ(run({"verify", "--max-speed", "1"}, alone).exit_code, 0);
+  EXPECT_EQ(run({"verify"}, alone).exit_code, 1);
 }
 
 // Longitude and latitude under each other's name in one of two files.

@@ -265,13 +265,21 @@ TEST_F(ShowReplay, ADroneThatNeverTakesOffIsThereForThoseThatFly) {
   expect_parts(finished.err,
                {"bees       3\n", "1 conflict of 1 pair, 1 with a drone on the ground",
                 "closest    spare and lands, 1.000 m apart", "s, with a drone on the ground\n"});
-  EXPECT_EQ(rows_of(run({"replay", path, "--report", "bees"}).out).size(), 3u);
+  // Of each bee who is closest in the air, and behind that who is with a drone on the ground.
+  const auto bees = rows_of(run({"replay", path, "--threshold", "1.5", "--report", "bees"}).out);
+  ASSERT_EQ(bees.size(), 3u);
+  ASSERT_EQ(bees[2].size(), 10u);
+  EXPECT_EQ(bees[2][0], "lands");
+  EXPECT_EQ(bees[2][3], "");
+  EXPECT_NEAR(std::stod(bees[2][7]), 1.0, 1e-9);
+  EXPECT_EQ(bees[2][9], "spare");
   const Finished verify = run({"verify", path, "--threshold", "1.5"});
   EXPECT_EQ(verify.exit_code, 1);
   expect_parts(verify.err, {"losses     1 conflict, 1 with a drone on the ground\n"});
   const Finished page =
       run({"report", path, "--threshold", "1.5", "--output", folder_.path("x.html")});
   EXPECT_EQ(page.exit_code, 0) << page.err;
+  EXPECT_NE(folder_.read("x.html").find("\"stands\""), std::string::npos);
 }
 
 // Two that stand 1 m beside each other until 5 s, and a third that never takes off: as a show and

@@ -57,6 +57,24 @@ TEST(Verify, ARecordingWithSeparationHolds) {
                {"closest    no two came closer than 2 m\n"});
 }
 
+// There is nothing that it could be too close to: what holds is named, and where nothing was
+// checked it is no all-clear.
+TEST(Verify, OneBeeAloneIsNoPair) {
+  for (const std::string limit : {"--max-speed", "--max-horizontal"}) {
+    const Finished limited = run({"verify", limit, "10"}, kSpeedingUp);
+    EXPECT_EQ(limited.exit_code, 0) << limited.err;
+    expect_parts(limited.err,
+                 {"closest    there is one bee, and no pair\n",
+                  "verdict    one bee, so that there is no pair to compare; its limits "
+                  "hold\n"});
+  }
+  const Finished nothing = run({"verify"}, kSpeedingUp);
+  EXPECT_EQ(nothing.exit_code, 1);
+  expect_parts(nothing.err, {"verdict    nothing to compare: there is one bee, so that there is no "
+                             "pair, and no limit to check it by (--max-speed, ...)\n"});
+  EXPECT_NE(run({"verify", "--json"}, kSpeedingUp).out.find("\"holds\": false"), std::string::npos);
+}
+
 TEST(Verify, ABeeThatIsTooFastIsFound) {
   const Finished finished =
       run({"verify", "--threshold", "1", "--max-speed", "19.9", "--threads", "1"}, kPassing);

@@ -37,6 +37,8 @@ inline char crc_extra(std::uint32_t message) {
       return static_cast<char>(185);
     case 33:
       return static_cast<char>(104);
+    case 245:
+      return static_cast<char>(130);
     case 12901:
       return static_cast<char>(254);
     default:
@@ -95,10 +97,15 @@ inline std::string system_time(std::uint64_t unix_us, std::uint32_t boot_ms) {
          little_endian(static_cast<std::uint32_t>(unix_us >> 32), 4) + little_endian(boot_ms, 4);
 }
 
-// Message 0: what the sender is.
-inline std::string heartbeat(int type, int autopilot = 3) {
+// Message 0: what the sender is, whether it is armed (128 in its mode), and its state.
+inline std::string heartbeat(int type, int autopilot = 3, int mode = 0, int state = 0) {
   return little_endian(0, 4) + static_cast<char>(type) + static_cast<char>(autopilot) +
-         little_endian(0, 2) + '\x03';
+         static_cast<char>(mode) + static_cast<char>(state) + '\x03';
+}
+
+// Message 245: MAV_LANDED_STATE, 1 on the ground, 2 in the air.
+inline std::string landed_state(int state) {
+  return std::string(1, '\0') + static_cast<char>(state);
 }
 
 // Message 32: metres and m/s north, east, down.

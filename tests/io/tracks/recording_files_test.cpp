@@ -286,6 +286,23 @@ TEST(RecordingFiles, SkybrushTablesOutsideOfAZipAreKnownByTheirColours) {
   }
 }
 
+// Of an animation there may be a row for every fifth or tenth picture, or for one a second.
+TEST(RecordingFiles, PicturesInStepsAreNoMilliseconds) {
+  for (const char* const step : {"1", "5", "10", "24", "25", "30", "60"}) {
+    const std::string rows = std::string("0,1,2,3,255,0,0\n") + step + ",1,2,4,255,0,0\n";
+    expect_error(record(rows), {ErrorCode::kInvalidArgument, "bees.csv:1:1",
+                                "may count pictures, seconds or milliseconds; say --fps 24"});
+    RecordingOptions pictures;
+    pictures.frames_per_second = 5.0;
+    EXPECT_EQ(times_of(recording_of(record(rows, pictures)).bees[0]),
+              (Times{0.0, std::stod(step) / 5.0}));
+  }
+  for (const char* const step : {"20", "40", "50", "100", "250", "1000"}) {
+    const std::string rows = std::string("0,1,2,3,255,0,0\n") + step + ",1,2,3,255,0,0\n";
+    EXPECT_EQ(times_of(recording_of(record(rows)).bees[0])[1], std::stod(step) / 1000.0);
+  }
+}
+
 TEST(RecordingFiles, WhatIsWrongInAZipIsBlamedOnItsPart) {
   expect_error(load_recording_from_memory(
                    zipped({{"1.csv", std::string(kOneBee)}, {"2.csv", "time_s,x,y,z\n0,1,?,3\n"}}),

@@ -38,6 +38,21 @@ TEST(UtmZone, EastingsMayBeCalledXAndY) {
        "this easting and northing are of UTM zone '30', but those before are of '29'"});
 }
 
+// A zone that is a number is no third coordinate, about which nothing is asked first.
+TEST(UtmZone, IsAskedAboutBeforeTheHeight) {
+  for (const char* const header : {"id,time_s,easting,northing,zone", "id,time_s,x,y,zone",
+                                   "id,time_s,easting,northing,utm_zone_number"}) {
+    expect_error(record(std::string(header) + "\na,0,724835,5292872,32\nb,0,275164,5292872,33\n"),
+                 {ErrorCode::kUnknownFrame, "bees.csv:3", "of UTM zone '33', but those before"});
+    EXPECT_TRUE(recording_of(record(std::string(header) +
+                                    "\na,0,724835,5292872,32\nb,0,275164,5292872,32\n"))
+                    .flat);
+  }
+  expect_error(record("id,time_s,easting,northing,zone_number,zone_letter\n"
+                      "a,0,724835,5292872,32,T\nb,0,275164,5292872,33,T\n"),
+               {ErrorCode::kUnknownFrame, "bees.csv:3", "of UTM zone '33', but those before"});
+}
+
 TEST(UtmZone, OfOtherCoordinatesSaysNothing) {
   EXPECT_TRUE(
       recording_of(record("id,time_s,x_m,y_m,zone\na,0,1,1,A\nb,0,2,2,B\n")).missing.none());

@@ -43,8 +43,13 @@ export interface RecordingRisk {
   bees: number;
   bee_seconds: number;
   unknown?: string;
-  closest?: ClosestPair & { time_s: number };
+  /** `stands`: one of the two is a drone of a show that stands on the ground. */
+  closest?: ClosestEncounter & { stands?: boolean };
+  /** Beside such a one: of two in the air. */
+  closest_in_the_air?: ClosestEncounter;
 }
+
+export type ClosestEncounter = ClosestPair & { time_s: number };
 
 type Places<Names extends string> = Record<Names, ColumnPlace>;
 

@@ -22,7 +22,8 @@ function factsOf({ swarm }: Shown): [string, Node | string][] {
   if (head.flat) facts.push(['Heights', 'the input has none: distances are those in the plane']);
   if (head.origin) {
     facts.push(['Zero of east and north', originText(head.origin)]);
-    if (!head.flat) facts.push(['Heights', 'above the WGS84 ellipsoid, or as the notes say; east and north are along the ground']);
+    const counted = head.heights?.by_pressure ? 'by pressure of the standard atmosphere' : 'those of the input, taken as above the WGS84 ellipsoid if the notes say nothing else';
+    if (!head.flat) facts.push(['Heights', `${counted}; east and north are along the ground`]);
   }
   if (head.kind === 'recording') {
     const { begins_s, ends_s, since_1970 } = head.time;

@@ -1,5 +1,5 @@
 // The summary: which bees are at risk, how many, how close. Two swarms stand beside each other.
-import type { ClosestPair, Head, RecordingRisk, SnapshotRisk } from '../data/page';
+import type { ClosestEncounter, ClosestPair, Head, RecordingRisk, SnapshotRisk } from '../data/page';
 import { pairsOf } from '../data/swarm';
 import { formatHorizontal, formatVertical, limitsOf } from '../text/apart';
 import { element, button, panel } from '../text/element';
@@ -22,6 +22,11 @@ interface Row {
 
 /** Rows that the headline of a swarm alone tells already. */
 const kInHeadline = ['Bees', 'At risk', 'Share at risk', 'In conflict at some time'];
+
+/** The times of conflicts are rounded to less than this share of all of the time. */
+const kTimeRounding = 1e-4;
+
+const kWithGround = 'Closest, one on the ground';
 
 /** What is longer reads from the left, below its name. */
 const kLong = 40;
@@ -66,7 +71,21 @@ function rowsOf(shown: Shown): Row[] {
     head.kind === 'snapshot'
       ? snapshotRows(head.risk, head.count)
       : recordingRows(head.risk, head.count, head.time.ends_s - head.time.begins_s);
-  return [...rows, ...closestRows(head, head.risk.closest)];
+  return [...rows, ...closestRows(head, shownClosest(head)), ...groundRows(head)];
+}
+
+/** Of a show with drones on the ground, those that are closest in the air. */
+function shownClosest(head: Head): ClosestPair | ClosestEncounter | undefined {
+  if (head.kind === 'snapshot') return head.risk.closest;
+  const { closest, closest_in_the_air } = head.risk;
+  return closest?.stands ? closest_in_the_air : closest;
+}
+
+/** The closest of all, where one of the two stands on the ground. */
+function groundRows(head: Head): Row[] {
+  if (head.kind === 'snapshot' || !head.risk.closest?.stands) return [];
+  const { distance_m } = head.risk.closest;
+  return [{ label: kWithGround, value: formatBelow(distance_m, head.threshold_m), number: distance_m, unit: 'metres' }];
 }
 
 /** How close the closest two are: in a straight line, or horizontally and in height where each has its limit. */
@@ -109,16 +128,12 @@ function headline(shown: Shown): HTMLElement {
   );
 }
 
-function closestButton(shown: Shown, actions: Actions): HTMLElement | null {
-  const { head, names } = shown.swarm;
-  const closest = head.risk.closest;
+function closestButton(shown: Shown, closest: ClosestPair | ClosestEncounter | undefined, actions: Actions): HTMLElement | null {
+  const { names } = shown.swarm;
   if (!closest) return null;
   const made = button('', { class: 'link' }, () => {
-    const time = head.kind === 'recording' && head.risk.closest ? { time_s: head.risk.closest.time_s } : {};
-    // The closest come first; of two that are not too close there is no row.
-    const { first, second } = pairsOf(shown.swarm);
-    const place = first[0] === closest.first && second[0] === closest.second ? 0 : null;
-    actions.select({ swarm: shown.index, bee: closest.first, other: closest.second, place }, { fly: true, ...time });
+    const time = 'time_s' in closest ? { time_s: closest.time_s } : {};
+    actions.select({ swarm: shown.index, bee: closest.first, other: closest.second, place: placeOf(shown, closest) }, { fly: true, ...time });
   });
   made.append(nameElement(names.of(closest.first)), ' and ', nameElement(names.of(closest.second)));
   made.setAttribute(
@@ -126,6 +141,25 @@ function closestButton(shown: Shown, actions: Actions): HTMLElement | null {
     `Show the closest pair, ${isolate(names.of(closest.first))} and ${isolate(names.of(closest.second))}`,
   );
   return made;
+}
+
+function groundButton(shown: Shown, actions: Actions): HTMLElement | null {
+  const { risk } = shown.swarm.head;
+  return closestButton(shown, risk.closest, actions);
+}
+
+/** Its place in the list of those that are too close; of two that are not there is none. */
+function placeOf({ swarm }: Shown, closest: ClosestPair | ClosestEncounter): number | null {
+  const { first, second } = pairsOf(swarm);
+  const isIt = (place: number): boolean => {
+    if (first[place] !== closest.first || second[place] !== closest.second) return false;
+    if (swarm.kind === 'snapshot' || !('time_s' in closest)) return true;
+    const { begins_s, ends_s } = swarm.conflicts;
+    const rounding_s = kTimeRounding * (swarm.head.time.ends_s - swarm.head.time.begins_s);
+    return closest.time_s >= begins_s[place] - rounding_s && closest.time_s <= ends_s[place] + rounding_s;
+  };
+  const place = Array.from(first.keys()).findIndex(isIt);
+  return place < 0 ? null : place;
 }
 
 function change(before: Row, after: Row): string {
@@ -158,13 +192,14 @@ function closestFacts(rows: Row[], link: HTMLElement | null): HTMLElement[] {
 function single(shown: Shown, actions: Actions): Node[] {
   const rows = rowsOf(shown).filter(({ label }) => !kInHeadline.includes(label));
   // How close, and who, comes first.
-  const isClosest = ({ label }: Row): boolean => label.startsWith('Closest');
+  const isClosest = ({ label }: Row): boolean => label.startsWith('Closest') && label !== kWithGround;
   const list = element(
     'dl',
     { class: 'facts' },
-    ...closestFacts(rows.filter(isClosest), closestButton(shown, actions)),
+    ...closestFacts(rows.filter(isClosest), closestButton(shown, shownClosest(shown.swarm.head), actions)),
+    ...closestFacts(rows.filter(({ label }) => label === kWithGround), groundButton(shown, actions)),
     ...rows
-      .filter((row) => !isClosest(row))
+      .filter((row) => !isClosest(row) && row.label !== kWithGround)
       .map(({ label, value }) =>
         element('div', {}, element('dt', {}, label), element('dd', value.length > kLong ? { class: 'long' } : {}, element('span', { class: 'figure' }, value))),
       ),
@@ -198,7 +233,7 @@ function beside(both: Shown[], actions: Actions): Node[] {
     ...flatWord(both),
     element('table', { class: 'beside' }, element('thead', {}, element('tr', {}, ...heads)), element('tbody', {}, ...body)),
     ...both.map((shown) => {
-      const link = closestButton(shown, actions);
+      const link = closestButton(shown, shownClosest(shown.swarm.head), actions);
       return element('p', { class: 'who' }, link ? `Closest ${shown.label.toLowerCase()}: ` : '', link);
     }),
   ];

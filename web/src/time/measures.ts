@@ -1,8 +1,7 @@
 // What the time line shows of how far apart bees are: a distance, or with a vertical threshold two.
 import type { Recording } from '../data/recording';
 import type { Shown } from '../panels/shown';
-import { axisUnits, formatHorizontal, formatVertical, lengthUnit, type AxisUnit } from '../text/apart';
-import { formatBelow } from '../text/numbers';
+import { axisUnits, lengthUnit, type AxisUnit } from '../text/apart';
 
 export type Recorded = Shown & { swarm: Recording };
 
@@ -12,15 +11,13 @@ export interface Measure {
   limit_m: number;
   unit: AxisUnit;
   of: (swarm: Recording) => Float64Array;
-  text: (metres: number, swarm: Recording) => string;
 }
 
 /** With a vertical threshold horizontally and in height, each with its own limit; of those who are nearest to a conflict. */
 export function measuresOf(recorded: Recorded[]): Measure[] {
   const limit = (of: 'threshold_m' | 'vertical_m'): number => Math.max(...recorded.map(({ swarm }) => swarm.head[of] ?? 0));
   if (!recorded.every(({ swarm }) => swarm.separation.apart)) {
-    const text = (metres: number, { head }: Recording): string => formatBelow(metres, head.threshold_m, 3);
-    return [{ name: 'closest two', limit_m: limit('threshold_m'), unit: lengthUnit(recorded[0].swarm.head), of: ({ separation }) => separation.distance_m, text }];
+    return [{ name: 'closest two', limit_m: limit('threshold_m'), unit: lengthUnit(recorded[0].swarm.head), of: ({ separation }) => separation.distance_m }];
   }
   const none = new Float64Array(0);
   const { horizontal, vertical } = axisUnits(recorded[0].swarm.head);
@@ -30,14 +27,12 @@ export function measuresOf(recorded: Recorded[]): Measure[] {
       limit_m: limit('threshold_m'),
       unit: horizontal,
       of: ({ separation }) => separation.apart?.horizontal_m ?? none,
-      text: (metres, { head }) => formatHorizontal(metres, head),
     },
     {
       name: 'in height',
       limit_m: limit('vertical_m'),
       unit: vertical,
       of: ({ separation }) => separation.apart?.height_m ?? none,
-      text: (metres, { head }) => `${formatVertical(metres, head)} in height`,
     },
   ];
 }

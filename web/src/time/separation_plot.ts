@@ -1,17 +1,16 @@
 // How far apart the closest two are, moment by moment, and below it when any bee is in conflict.
 // The plot is the time line too: it says where one is, and takes one elsewhere.
-import { sampleAt } from '../data/recording';
 import type { Spans } from '../data/spans';
 import type { Shown } from '../panels/shown';
 import { drawing, element } from '../text/element';
-import { isolate } from '../text/names';
 import { decimalsFor, decimalsWithin, formatCount, formatTime } from '../text/numbers';
+import { closestAt } from './closest_at';
 import type { LinkedTimes } from './linked_times';
 import { measuresOf, type Measure, type Recorded } from './measures';
 import { momentsWithin } from './moments';
 import { conflictColumns, plotScale, type PlotScale } from './plot_scales';
 import { cueMarks, excessColumns } from './show_marks';
-import { hatched, hatchPattern, isOpenAt, kUnknownHere, openBands, runsOf, timeName, unknownText } from './unknown';
+import { hatched, hatchPattern, kUnknownHere, openBands, runsOf, timeName, unknownText } from './unknown';
 
 const kLeft = 66;
 const kRight = 12;
@@ -101,17 +100,14 @@ export class SeparationPlot {
   #tell(time: number): void {
     const { zero_s, since1970, clock } = this.times;
     const lines = this.#recorded.flatMap((shown) => {
-      const { separation, spans, names } = shown.swarm;
+      const { spans } = shown.swarm;
       const within_s = time - this.times.clockTime(shown, 0);
-      const sample = sampleAt(separation.time_s, within_s);
       const start = shown.label ? `${shown.label}: ` : '';
       const unknown = unknownText(shown.swarm, within_s);
       const risk = [`${start}${formatCount(spans.beesAt(within_s).length)} in conflict`, ...(unknown ? [unknown] : [])];
-      if (isOpenAt(separation, within_s)) return [...risk, `closest two ${kUnknownHere}: another may be closer`];
-      if (sample < 0) return risk;
-      const apart = this.#measures.map(({ of, text }) => text(of(shown.swarm)[sample], shown.swarm)).join(', ');
-      const pair = [separation.first[sample], separation.second[sample]].map((bee) => isolate(names.of(bee))).join(' and ');
-      return [...risk, `${apart}: ${pair}`];
+      const closest = closestAt(shown.swarm, within_s);
+      if (closest === 'open') return [...risk, `closest two ${kUnknownHere}: another may be closer`];
+      return closest === null ? risk : [...risk, `${closest.apart}${closest.when}: ${closest.pair}`];
     });
     const when = formatTime(zero_s + time, since1970, decimalsWithin(clock.ends_s - clock.begins_s));
     this.#tip.replaceChildren(...[when, ...lines].map((line) => element('div', {}, line)));

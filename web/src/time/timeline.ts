@@ -1,17 +1,15 @@
 // The bar below the swarm: play, step, speed, what time it is, and the plot.
 import type { Recording } from '../data/recording';
-import { sampleAt } from '../data/recording';
 import type { Shown } from '../panels/shown';
 import type { Choices } from '../state/choices';
 import { button, element } from '../text/element';
-import { formatHorizontal, formatVertical } from '../text/apart';
-import { isolate } from '../text/names';
-import { decimalsWithin, formatBelow, formatCount, formatDuration, formatTime } from '../text/numbers';
+import { decimalsWithin, formatCount, formatDuration, formatTime } from '../text/numbers';
 import { kSpeeds } from './clock';
+import { closestAt } from './closest_at';
 import { icon, type Icon } from './icons';
 import type { LinkedTimes } from './linked_times';
 import { SeparationPlot } from './separation_plot';
-import { isOpenAt, unknownText } from './unknown';
+import { unknownText } from './unknown';
 
 /** When a conflict of any of the recordings begins, as the clock counts; ascending. */
 export function conflictBeginnings(all: Shown[], times: LinkedTimes): Float64Array {
@@ -23,39 +21,16 @@ export function conflictBeginnings(all: Shown[], times: LinkedTimes): Float64Arr
   return Float64Array.from(new Set(begins)).sort();
 }
 
-/** Moments nearer to each other than this are one. */
-const kMoment_s = 1e-6;
-
-/** The conflict that is at its closest in the moment shown, so that the moment says what its row says. */
-function closestAt({ conflicts }: Recording, within_s: number): number {
-  return conflicts.closest_s.findIndex((time_s) => Math.abs(time_s - within_s) < kMoment_s);
-}
-
 function statement(shown: Shown & { swarm: Recording }, within_s: number, inConflict: number): string {
-  const { separation, names, conflicts, head } = shown.swarm;
   const start = shown.label ? `${shown.label}: ` : '';
   const unknown = unknownText(shown.swarm, within_s);
   const risk = [`${formatCount(inConflict)} in conflict`, unknown].filter(Boolean).join(' · ');
-  const exact = closestAt(shown.swarm, within_s);
-  const sample = sampleAt(separation.time_s, within_s);
-  // Others may be closer to each other in that moment.
-  const closest = exact >= 0 && (separation.apart !== null || sample < 0 || conflicts.distance_m[exact] <= separation.distance_m[sample]);
-  if (!closest && isOpenAt(separation, within_s)) return `${start}${risk} · closest two unknown here`;
-  const [of, place] = closest ? [conflicts, exact] : [separation, sample];
-  if (place < 0) return start + risk;
-  // Between two samples the earlier one is shown, with its time; nothing of bees that have gone since.
-  const since_s = closest ? 0 : within_s - separation.time_s[sample];
-  const bees = [of.first[place], of.second[place]];
-  if (since_s < -kMoment_s || !bees.every((bee) => shown.swarm.fixes.isThere(bee, within_s))) return start + risk;
-  const { begins_s, ends_s, since_1970 } = head.time;
-  const told_s = begins_s + within_s - since_s;
-  const when = since_s > kMoment_s ? ` at ${formatTime(told_s, since_1970, decimalsWithin(ends_s - begins_s))}` : '';
-  const pair = bees.map((bee) => isolate(names.of(bee))).join(' and ');
-  if (of.apart && head.vertical_m !== undefined) {
-    const apart = `${formatHorizontal(of.apart.horizontal_m[place], head)} horizontally, ${formatVertical(of.apart.height_m[place], head)} in height`;
-    return `${start}${risk} · nearest to a conflict: ${apart}${when} (${pair})`;
-  }
-  return `${start}${risk} · closest two ${formatBelow(of.distance_m[place], head.threshold_m, 3)}${when} (${pair})`;
+  const closest = closestAt(shown.swarm, within_s);
+  if (closest === 'open') return `${start}${risk} · closest two unknown here`;
+  if (closest === null) return start + risk;
+  const { apart, when, pair } = closest;
+  const what = shown.swarm.head.vertical_m !== undefined && shown.swarm.separation.apart ? 'nearest to a conflict:' : 'closest two';
+  return `${start}${risk} · ${what} ${apart}${when} (${pair})`;
 }
 
 function iconButton(name: Icon, label: string, key: string, act: () => void): HTMLButtonElement {

@@ -115,7 +115,7 @@ pageTest('what the time line says of a time that is pointed at', 'wide', {}, asy
   assert.ok(box);
   await page.mouse.move(box.x + box.width / 2, box.y + 30);
   const tip = (await page.locator('.plot-tip:not([hidden])').innerText()).replaceAll('\u202f', ' ');
-  assert.match(tip, /s\n\d+ in conflict\n[\d.]+ NM · .* m, 300 ft · 91\.44 m in height: .*DLH4AB.* and .*RYR81K/);
+  assert.match(tip, /s\n\d+ in conflict\n[\d.]+ NM · .* m horizontally, 300 ft · 91\.44 m in height( at .*)?: .*DLH4AB.* and .*RYR81K/);
   await page.mouse.move(5, 5);
   assert.equal(await page.locator('.plot-tip:not([hidden])').count(), 0);
 });

@@ -73,3 +73,15 @@ pageTest('the selected drone has its height and speeds over time, beside its lim
   await page.mouse.click(box.x + 0.9 * box.width, box.y + box.height / 2);
   assert.notEqual(await page.evaluate(() => document.documentElement.dataset.timeS), before);
 });
+
+pageTest('those who are closest in the air come first, then who is with a drone on the ground', 'standing', {}, async ({ page }) => {
+  const facts = kPlain(await page.locator('.panel.summary .facts').innerText()).replace(/[\u2066-\u2069]/g, '');
+  assert.match(facts, /Closest encounter\s+11(\.0+)? m\s+lands and passes\s+Closest, one on the ground\s+1(\.0+)? m\s+spare and lands/i);
+  // Each is shown when it is.
+  const time = (): Promise<number> => page.evaluate(() => Number(document.documentElement.dataset.timeS));
+  await page.locator('.panel.summary .who button').nth(1).click();
+  assert.ok((await time()) > 8, `${await time()}`);
+  assert.ok(await page.locator('.panel.pair').getByText('In conflict for').count());
+  await page.locator('.panel.summary .who button').first().click();
+  assert.ok((await time()) >= 6, `${await time()}`);
+});

@@ -146,3 +146,21 @@ pageTest('names the closest, also where others are chosen', 'again', {}, async (
   await page.locator('.pairs tbody tr').filter({ hasText: 'c' }).click();
   assert.match((await page.locator('.time-says').innerText()).replaceAll('\u202f', ' '), /closest two 3\.00 m/);
 });
+
+pageTest('what is said of a moment is of that moment, not of the sample before it', 'slow', {}, async ({ page }) => {
+  // From 9 km two fly towards each other, at 1 m/s each; between two samples there are 10 s.
+  const box = await page.locator('.plot > svg').boundingBox();
+  assert.ok(box);
+  for (const share of [0.101, 0.287, 0.433, 0.659]) {
+    const at = [box.x + 66 + (box.width - 78) * share, box.y + 30] as const;
+    await page.mouse.move(...at);
+    const told = [plain(await page.locator('.plot-tip').innerText())];
+    await page.mouse.click(...at);
+    told.push(`${plain(await page.locator('.time-now').innerText())}\n${plain(await page.locator('.time-says').innerText())}`);
+    for (const text of told) {
+      const [time, apart] = [/^([\d., ]+)\s?s/, /([\d., ]+)\s?m[ :]/].map((form) => Number((form.exec(text)?.[1] ?? '').replace(/[, ]/g, '')));
+      assert.ok(Math.abs(apart - (9000 - 2 * time)) < 3, text);
+      assert.doesNotMatch(text, / at /);
+    }
+  }
+});

@@ -1,0 +1,54 @@
+#include "analysis/recorded/jump_spans.hpp"
+
+#include "io/recording/jumps.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <tuple>
+#include <utility>
+
+namespace beespace::analysis {
+namespace {
+
+auto order_of_gap(const Gap& gap) {
+  return std::tuple(gap.track, gap.begins_s, gap.ends_s);
+}
+
+}  // namespace
+
+std::vector<Gap> jump_spans(const io::Recording& recording) {
+  std::vector<Gap> spans;
+  if (recording.missing.jumping == 0) return spans;
+  for (std::size_t track = 0; track < recording.bees.size(); ++track) {
+    const io::RecordedBee& bee = recording.bees[track];
+    io::Jumps jumps;
+    for (std::size_t i = 0; i < bee.fixes.size(); ++i) {
+      const Velocity* const velocity = bee.velocities.empty() ? nullptr : &bee.velocities[i];
+      if (!jumps.take(bee.fixes[i], velocity, recording.frame)) continue;
+      spans.push_back({static_cast<PointId>(track), bee.fixes[i - 1].time_s, bee.fixes[i].time_s});
+    }
+  }
+  return spans;
+}
+
+bool is_within(const std::vector<Gap>& spans, PointId track, double time_s) {
+  const auto behind = std::lower_bound(spans.begin(), spans.end(), std::pair(track, time_s),
+                                       [](const Gap& gap, const std::pair<PointId, double>& at) {
+                                         return std::pair(gap.track, gap.begins_s) < at;
+                                       });
+  if (behind == spans.begin()) return false;
+  const Gap& gap = *std::prev(behind);
+  return gap.track == track && time_s < gap.ends_s;
+}
+
+std::vector<Gap> joined_gaps(std::vector<Gap> some, const std::vector<Gap>& more) {
+  if (more.empty()) return some;
+  some.insert(some.end(), more.begin(), more.end());
+  std::sort(some.begin(), some.end(),
+            [](const Gap& a, const Gap& b) { return order_of_gap(a) < order_of_gap(b); });
+  some.erase(std::unique(some.begin(), some.end()), some.end());
+  return some;
+}
+
+}  // namespace beespace::analysis

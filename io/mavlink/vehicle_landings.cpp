@@ -1,0 +1,43 @@
+#include "io/mavlink/vehicle_landings.hpp"
+
+#include "io/mavlink/mavlink_payload.hpp"
+
+namespace beespace::io {
+namespace {
+
+// MAV_LANDED_STATE.
+constexpr std::uint8_t kUndefined = 0;
+constexpr std::uint8_t kOnTheGround = 1;
+
+// Whether an autopilot keeps its motors off, and says that it waits on the ground. One that says to
+// be active without being armed is not believed.
+bool stands_by(const MavlinkPayload& heartbeat) {
+  constexpr std::uint8_t kNoAutopilot = 8;
+  constexpr unsigned kArmed = 128;      // MAV_MODE_FLAG_SAFETY_ARMED
+  constexpr std::uint8_t kStandby = 3;  // MAV_STATE_STANDBY
+  return heartbeat.byte(5) != kNoAutopilot && (heartbeat.byte(6) & kArmed) == 0 &&
+         heartbeat.byte(7) == kStandby;
+}
+
+}  // namespace
+
+void VehicleLandings::take(const MavlinkFrame& frame, std::int64_t stamp) {
+  if (frame.message != kHeartbeat && frame.message != kExtendedSysState) return;
+  Said& said = said_[{frame.system, frame.component}];
+  const MavlinkPayload payload(frame.payload);
+  if (frame.message == kHeartbeat) {
+    said.heartbeats.take(stamp, stands_by(payload));
+    return;
+  }
+  const std::uint8_t state = payload.byte(1);
+  said.has_state = said.has_state || state != kUndefined;
+  said.state.take(stamp, state == kOnTheGround);
+}
+
+const LandedReports* VehicleLandings::of(std::uint8_t system, std::uint8_t component) const {
+  const auto found = said_.find({system, component});
+  if (found == said_.end()) return nullptr;
+  return found->second.has_state ? &found->second.state : &found->second.heartbeats;
+}
+
+}  // namespace beespace::io

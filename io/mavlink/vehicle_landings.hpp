@@ -1,0 +1,32 @@
+// What vehicles of a log say of whether they stand on the ground: EXTENDED_SYS_STATE (245), or
+// where one never tells it there, its HEARTBEAT (0): disarmed and standing by. Source: mavlink.io.
+#pragma once
+
+#include "io/mavlink/mavlink_frame.hpp"
+#include "io/recording/landed_reports.hpp"
+
+#include <cstdint>
+#include <map>
+#include <utility>
+
+namespace beespace::io {
+
+class VehicleLandings {
+ public:
+  // That came at `stamp`, in microseconds.
+  void take(const MavlinkFrame& frame, std::int64_t stamp);
+
+  // Of what that component says of its system; null where it says nothing of the kind.
+  [[nodiscard]] const LandedReports* of(std::uint8_t system, std::uint8_t component) const;
+
+ private:
+  struct Said {
+    LandedReports state;
+    LandedReports heartbeats;
+    bool has_state = false;
+  };
+
+  std::map<std::pair<std::uint8_t, std::uint8_t>, Said> said_;  // by system and component
+};
+
+}  // namespace beespace::io

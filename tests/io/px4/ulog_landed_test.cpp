@@ -1,0 +1,103 @@
+// PX4 logs whose drone says in vehicle_land_detected that it has landed.
+#include "tests/io/px4/ulog_making.hpp"
+#include "tests/io/tracks/recording_loading.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace beespace::io {
+namespace {
+
+constexpr std::uint64_t kNoon_us = 1714564800'000'000;
+constexpr double kNoon_s = 1714564800.0;
+constexpr unsigned kLandNumber = 20;
+
+Result<Recording> load(const UlogMaking& log, const RecordingOptions& options = {}) {
+  return load_recording_from_memory(log.bytes(), "north.ulg", options);
+}
+
+UlogMaking log_with_landings() {
+  UlogMaking log = px4_log();
+  log.format("vehicle_land_detected:uint64_t timestamp;bool freefall;bool landed;");
+  log.subscribe(kLandNumber, "vehicle_land_detected");
+  log.data(kGpsNumber, gps_message(5'000'000, kNoon_us + 5'000'000));
+  return log;
+}
+
+void say(UlogMaking& log, std::uint64_t micros, bool landed) {
+  log.data(kLandNumber, UlogBody().u64(micros).u8(0).u8(landed ? 1 : 0));
+}
+
+// At 20 m it goes to the north with 5 m/s, on the ground it stands.
+void be_there(UlogMaking& log, std::uint64_t micros, bool flies, double north_m) {
+  constexpr double kMetresPerDegree = 111'195.0;
+  log.data(kGlobalNumber, global_message({.micros = micros,
+                                          .lat = 47.25 + north_m / kMetresPerDegree,
+                                          .alt = flies ? 532.0 : 512.0}));
+}
+
+// It flies from 20 to 40 s and from 60 to 80 s, and ends at 100 s.
+UlogMaking two_flights(bool every_second) {
+  UlogMaking log = log_with_landings();
+  double north_m = 0.0;
+  bool flew = true;
+  for (std::uint64_t tenth = 50; tenth <= 1000; ++tenth) {
+    const bool flies = (tenth >= 200 && tenth < 400) || (tenth >= 600 && tenth < 800);
+    const std::uint64_t micros = tenth * 100'000;
+    if (flies != flew || (every_second && tenth % 10 == 0)) say(log, micros, !flies);
+    flew = flies;
+    if (flies) north_m += 0.5;
+    if (tenth % 5 == 0) be_there(log, micros, flies, north_m);
+  }
+  return log;
+}
+
+TEST(UlogLanded, WhoHasLandedIsNotInTheAir) {
+  for (const bool every_second : {true, false}) {
+    const auto recording = recording_of(load(two_flights(every_second)));
+    ASSERT_EQ(recording.bees.size(), 1u);
+    const RecordedBee& bee = recording.bees[0];
+    EXPECT_EQ(bee.fixes.size(), 80u);
+    EXPECT_EQ(bee.fixes.front().time_s, kNoon_s + 20.0);
+    EXPECT_EQ(bee.fixes.back().time_s, kNoon_s + 79.5);
+    EXPECT_EQ(bee.on_ground_until_s, kNoon_s + 19.5);
+    EXPECT_EQ(bee.on_ground_from_s, kNoon_s + 80.0);
+    ASSERT_EQ(bee.landed.size(), 3u);
+    EXPECT_EQ(bee.landed[1].begins_s, kNoon_s + 40.0);
+    EXPECT_EQ(bee.landed[1].ends_s, kNoon_s + 59.5);
+    EXPECT_TRUE(recording.missing.none());
+    EXPECT_TRUE(
+        has_note(recording, "records of drones that say that they are on the ground are left out"));
+  }
+  RecordingOptions grounded;
+  grounded.grounded = true;
+  EXPECT_EQ(recording_of(load(two_flights(true), grounded)).bees[0].fixes.size(), 191u);
+}
+
+// A report may have been lost, then: what it says holds only where the next one agrees.
+TEST(UlogLanded, WhereReportsMayBeLostBothMustSaySo) {
+  UlogMaking each = two_flights(true);
+  each.dropout(30);
+  const auto recording = recording_of(load(each));
+  EXPECT_EQ(recording.bees[0].landed.size(), 3u);
+  EXPECT_EQ(recording.bees[0].fixes.front().time_s, kNoon_s + 19.0);
+  UlogMaking changes = two_flights(false);
+  changes.dropout(30);
+  EXPECT_EQ(recording_of(load(changes)).bees[0].fixes.size(), 191u);
+}
+
+TEST(UlogLanded, WhoMovesAsNoneOnTheGroundFlies) {
+  UlogMaking log = log_with_landings();
+  say(log, 5'000'000, true);
+  for (std::uint64_t second = 5; second < 30; ++second) {
+    const std::uint64_t micros = second * 1'000'000;
+    log.data(kLocalNumber, local_message({.micros = micros, .vx = second < 15 ? 3.0 : 0.1}));
+    be_there(log, micros, false, 0.0);
+  }
+  const auto recording = recording_of(load(log));
+  EXPECT_EQ(recording.bees[0].fixes.size(), 10u);
+}
+
+}  // namespace
+}  // namespace beespace::io
