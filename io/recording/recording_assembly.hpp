@@ -49,7 +49,8 @@ struct SourceFacts {
   std::optional<double> doubted_above_mps = {};
   std::optional<double> stamps_ahead_s = {};  // of ROS, of the times of recording
   bool since_start = false;                   // times count since the one vehicle was switched on
-  bool begins_at_zero = false;                // those of the one bee that is in it
+  bool begins_at_zero = false;                // the first one is 0
+  bool names_bees = false;                    // by an id: there may be several in it
   Unit time_unit = Unit::kUnstated;           // in which times are numbers
   Unit named_time = Unit::kUnstated;  // that of the times, where nothing but the header says it
   HeightDatum heights = HeightDatum::kUnstated;
@@ -211,6 +212,7 @@ class RecordingAssembly {
   [[nodiscard]] Error nothing_left() const;
   std::optional<Error> agree_on_heights(HeightDatum heights);
   [[nodiscard]] std::optional<Error> agree_on_origins(const SourceFacts& facts);
+  [[nodiscard]] std::optional<Error> agree_on_zeros(const SourceFacts& facts);
   [[nodiscard]] std::optional<Error> overlapping_trials() const;
   [[nodiscard]] std::optional<Error> overlapping_tags() const;
   void agree_on_units(const SourceFacts& facts);
@@ -257,7 +259,8 @@ class RecordingAssembly {
   bool frame_is_settled_ = false;
   std::optional<SourceFacts> facts_;                     // of all inputs so far
   std::string facts_source_;                             // who said so first
-  std::optional<std::string> zero_source_;               // whose times begin at 0
+  std::optional<std::string> zero_source_;               // whose times begin at 0,
+  bool zero_names_bees_ = false;                         // and whether it names bees
   HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by the source that states it
   std::string stated_by_;
   std::uint64_t nameless_ = 0;

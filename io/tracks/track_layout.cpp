@@ -308,7 +308,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   layout.show = layout.time && layout.frame != Frame::kWgs84 && names_colours(layout.table);
   layout.doubted_above_mps = doubted_above(layout);
   if (layout.time) {
-    layout.time->begins_at_zero = options.time_unit == Unit::kUnstated && !choice.id &&
+    layout.time->begins_at_zero = options.time_unit == Unit::kUnstated &&
                                   header.source() == nullptr && !layout.show &&
                                   !names_one_colour(layout.table) &&
                                   times_begin_at_zero(text, layout.table, *layout.time);

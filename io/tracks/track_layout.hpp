@@ -42,8 +42,9 @@ struct TimeChoice {
   bool named = false;        // the header alone, or the format, says the unit
   bool of_position = false;  // when it was measured: records in between say the position again
   bool since_start = false;  // of the vehicle whose table it is: those of others have other zeros
-  bool begins_at_zero = false;  // the first one is 0, of the one bee of a table, and nothing says
-                                // that others have the same zero
+  // The first one is 0, and nothing says that the table of another vehicle, or of another trial,
+  // has the same zero.
+  bool begins_at_zero = false;
   bool to_the_minute = false;   // the first time has no seconds
   DateOrder dates = DateOrder::kUnsaid;  // where the year is last
   std::string dates_reason = {};         // why it is that one

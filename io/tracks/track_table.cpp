@@ -108,6 +108,7 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   facts.stamps_ahead_s = layout.stamps_ahead_s;
   facts.since_start = layout.time && layout.time->since_start;
   facts.begins_at_zero = layout.time && layout.time->begins_at_zero;
+  facts.names_bees = choice.id.has_value();
   if (layout.time && layout.time->form == TimeForm::kNumbers) facts.time_unit = layout.time->unit;
   facts.trials.column = columns_of_trials(layout);
   if (layout.tag && choice.id) {
