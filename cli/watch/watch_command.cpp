@@ -14,6 +14,7 @@
 #include "io/live/report_lines.hpp"
 #include "io/recording/jumps.hpp"
 #include "io/recording/shared_id.hpp"
+#include "io/recording/stale_places.hpp"
 #include "io/recording/zero_places.hpp"
 
 #include <algorithm>
@@ -84,6 +85,7 @@ class Watch {
     io::SharedId shared = {};
     io::Jumps jumps = {};
     bool jumping = false;
+    io::StalePlaces stale = {};
   };
 
   // By a clock that never goes back, when the last line came, or nothing did; 0 where only the
@@ -229,6 +231,7 @@ class Watch {
       note_bad(feed_->too_many());
       return std::monostate{};
     }
+    if (is_stale(*number, at)) return std::monostate{};
     look_for_doubt(*number, {time_of(at), metres->position},
                    metres->velocity ? &*metres->velocity : nullptr);
     Status taken = feed_->take({*number, time_of(at), metres->position, metres->velocity,
@@ -275,12 +278,27 @@ class Watch {
     zeros_.look_at(at.position);
     if (!zeros_.is_none(at.position)) return false;
     note_heard_of(at.id);
+    note_none("is " + std::string(io::kZeroPlace.which));
+    return true;
+  }
+
+  // A place that the bee must have left by its own speed: from then on it is silent.
+  bool is_stale(AgentId number, const io::ReportLine& at) {
+    if (number >= tracks_.size()) tracks_.resize(number + 1);
+    if (!tracks_[number].stale.take({time_of(at), at.position}, &at.stated_velocity)) return false;
+    note_heard_of(at.id);
+    note_none("says the same place as for more than 3 s before, though its speed is more than 3 "
+              "m/s, as where the last place is said again once contact is lost,");
+    return true;
+  }
+
+  // The report that was read last counts as none.
+  void note_none(const std::string& why) {
     Error error{ErrorCode::kOutsideDomain,
-                "this report is " + std::string(io::kZeroPlace.which) + " and counts as none",
+                "this report " + why + " and counts as none",
                 {request_.input == "-" ? "<stdin>" : request_.input}};
     (lines_.in_frames() ? error.location.record : error.location.line) = line_number();
     note_bad(error);
-    return true;
   }
 
   // Of the report that was read last; of a log, the number of its record.
@@ -294,7 +312,6 @@ class Watch {
   // Two that report in turn under one id, and one that is somewhere else too fast: it is not known
   // where they are.
   void look_for_doubt(AgentId number, const Fix& fix, const Velocity* velocity) {
-    if (number >= tracks_.size()) tracks_.resize(number + 1);
     Doubts& doubts = tracks_[number];
     if (doubts.jumps.take(fix, velocity) && !std::exchange(doubts.jumping, true)) {
       if (advice_) advice_->note_unplaced(many_unplaced_ = true);
