@@ -255,6 +255,13 @@ std::optional<Error> RecordingAssembly::doubtful_units() const {
       return error;
     }
   }
+  const bool is_said = options_.units.convention == UnitConvention::kAviation;
+  if (facts_ && recording_.missing.shared == 0 && !is_said) {
+    if (auto error = doubt_of_feet(recording_, highest_m_)) {
+      error->location.source = facts_source_;
+      return error;
+    }
+  }
   if (!facts_ || facts_->named_time == Unit::kUnstated) return std::nullopt;
   auto error = doubt_of_time_unit(recording_, facts_->named_time);
   if (error) error->location.source = facts_source_;
@@ -263,7 +270,7 @@ std::optional<Error> RecordingAssembly::doubtful_units() const {
 
 std::optional<Error> RecordingAssembly::doubtful_heights() const {
   if (!facts_ || facts_->frame != Frame::kWgs84) return std::nullopt;
-  auto error = doubt_of_heights(recording_.units, std::max(highest_m_, tracks_.highest_m()));
+  auto error = doubt_of_heights(recording_.units, highest_m_);
   if (error) error->location.source = facts_source_;
   return error;
 }
@@ -296,6 +303,7 @@ Result<Recording> RecordingAssembly::finish() {
     return Error{ErrorCode::kInvalidArgument, std::move(doubled->problem),
                  location_of(tracks_.origin(doubled->fix))};
   }
+  highest_m_ = std::max(highest_m_, tracks_.highest_m());
   if (auto error = doubtful_heights()) return *std::move(error);
   if (facts_) {
     recording_.frame = facts_->frame;
