@@ -21,6 +21,7 @@
 #include "io/table/coordinate_units.hpp"
 #include "io/table/decimal_comma.hpp"
 #include "io/table/position_columns.hpp"
+#include "io/table/record_problems.hpp"
 #include "io/tracks/sides.hpp"
 #include "io/tracks/utm_zone.hpp"
 
@@ -186,6 +187,7 @@ std::optional<Error> read_records(LoadedPoints& loaded, RecordSource& source,
   if (!content) return content.error();
   loaded.points = std::move(content->points);
   source.skipped = std::move(content->skipped);
+  loaded.repeated_headers = content->headers;
   loaded.format_description =
       "text, " + std::string(delimiter_name(source.table->delimiter)) + "-separated";
   if (known.frame == Frame::kAuto && !loaded.points.empty()) {
@@ -238,9 +240,13 @@ std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
     loaded.notes.push_back("eastings and northings are of UTM zone " + excerpt(zone.value_or("")) +
                            ", all of them");
   }
-  return read_records(loaded, source,
-                      frame_before_values(options.frame, {choice.evidence, choice.reason}),
-                      options);
+  auto error = read_records(loaded, source,
+                            frame_before_values(options.frame, {choice.evidence, choice.reason}),
+                            options);
+  if (!error && loaded.repeated_headers > 0) {
+    loaded.notes.push_back(repeated_headers_note(loaded.repeated_headers));
+  }
+  return error;
 }
 
 // All points of the array, as they are.

@@ -6,6 +6,7 @@
 #include "io/points/record_reading.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/table/coordinate_units.hpp"
+#include "io/table/record_problems.hpp"
 #include "io/table/record_walk.hpp"
 
 #include <algorithm>
@@ -20,11 +21,20 @@ std::size_t read_any_line(std::string_view piece, std::size_t at, const TableLay
   const Line line = line_at(piece, at, layout.line_end);
   ++content.lines;
   if (is_blank_line(line.text) || is_comment(line.text, layout)) return line.next;
+  if (repeats_header(line.text, layout.header)) {
+    ++content.headers;
+    return line.next;
+  }
   Point point;
   auto error = read_record(line.text, layout, point);
   const std::uint64_t row = content.rows++;
   if (!error) {
     content.points.push_back(point);
+    return line.next;
+  }
+  if (auto other = other_header_problem(line.text, layout)) {
+    other->location.line = content.lines;
+    content.error = std::move(other);
     return line.next;
   }
   error->location.line = content.lines;
@@ -72,6 +82,7 @@ void PieceContent::clear() {
   extent = {};
   lines = 0;
   rows = 0;
+  headers = 0;
   skipped = {};
   error.reset();
 }

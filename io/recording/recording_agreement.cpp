@@ -38,13 +38,6 @@ std::string clock_words(const SourceFacts& facts) {
   return facts.clock->dated ? "dates without a time zone" : "times of day without a date";
 }
 
-// As --time-unit says it.
-std::string_view option_of(Unit time) {
-  if (time == Unit::kMillisecond) return "ms";
-  if (time == Unit::kMicrosecond) return "us";
-  return time == Unit::kNanosecond ? "ns" : "s";
-}
-
 // Whether it means itself within quotes, in whatever program.
 bool is_plain(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](unsigned char c) {
@@ -153,7 +146,7 @@ std::optional<Error> RecordingAssembly::agree_on_zeros(const SourceFacts& facts)
                     : "vehicle's own, as when it was switched on: then they cannot be compared; "
                       "give times since 1970 (of PX4 the logs themselves, .ulg)") +
             ", or, if all have one clock, say so with their unit, --time-unit " +
-            std::string(option_of(facts.time_unit)),
+            std::string(time_unit_option(facts.time_unit)),
         {sources_.back()}};
   }
   if (facts.begins_at_zero && !zero_source_) {

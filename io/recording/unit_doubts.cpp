@@ -89,13 +89,6 @@ std::string short_number(double value) {
   return {text.data(), end};
 }
 
-// As --time-unit has it.
-std::string_view word_of(Unit unit) {
-  if (unit == Unit::kSecond) return "s";
-  if (unit == Unit::kMillisecond) return "ms";
-  return unit == Unit::kMicrosecond ? "us" : "ns";
-}
-
 // The unit of which a thousand are one; or the other way round.
 Unit smaller(Unit unit) {
   if (unit == Unit::kSecond) return Unit::kMillisecond;
@@ -112,8 +105,8 @@ Unit larger(Unit unit) {
 Error doubt(const Steps& steps, Unit named, Unit other, double times, const std::string& why) {
   const double speed = median(steps.speeds);
   const double seconds = median(steps.seconds);
-  const std::string is(word_of(named));
-  const std::string would_be(word_of(other));
+  const std::string is(time_unit_option(named));
+  const std::string would_be(time_unit_option(other));
   return {ErrorCode::kInvalidArgument,
           "are the times in " + is + ", as the header says? Then bees move at " +
               short_number(speed) + " m/s and are heard of every " + short_number(seconds) + " s" +

@@ -87,6 +87,16 @@ bool has_comment_sign(std::string_view line);
 // delimiters: those are errors of read_record() and its like.
 bool is_comment(std::string_view line, const TableLayout& layout);
 
+// Whether it is the header again, as where tables were joined one behind the other; perhaps behind
+// a byte-order mark.
+inline bool repeats_header(std::string_view line, std::string_view header) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (header.empty() || line.size() < header.size()) return false;
+  if (line.size() == header.size()) return line == header;
+  return line.size() == header.size() + kByteOrderMark.size() && line.starts_with(kByteOrderMark) &&
+         line.ends_with(header);
+}
+
 // kNoPoints where nothing follows the header.
 std::optional<Error> no_record_problem(std::string_view text, const TableLayout& layout);
 

@@ -179,5 +179,27 @@ TEST(TextTable, EveryStyleGivesTheDoublesOfStrtod) {
   }
 }
 
+TEST(JoinedTables, TheHeaderThatComesAgainIsNoRecord) {
+  const auto loaded = load_text("id,x_m,y_m,z_m\na,1,2,3\nid,x_m,y_m,z_m\nb,4,5,6\nc,7,8,9\n");
+  EXPECT_EQ(points_of(loaded), (std::vector<Point>{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}));
+  ASSERT_TRUE(loaded.has_value());
+  EXPECT_EQ(loaded->notes.back(),
+            "1 line is the header again and is passed over, as where tables were joined");
+  std::vector<std::string> ids;
+  for_each_record(*loaded, {1, 2},
+                  [&ids](const Record& record) { ids.emplace_back(record.id); });
+  EXPECT_EQ(ids, (std::vector<std::string>{"b", "c"}));
+}
+
+TEST(JoinedTables, OtherColumnsAreRefusedWhateverIsLeftOut) {
+  const std::string text = "id,x_m,y_m,z_m\na,1,2,3\nid,y_m,x_m,z_m\nb,4,5,6\n";
+  LoadOptions skipping;
+  skipping.skip_bad = true;
+  for (const LoadOptions& options : {LoadOptions(), skipping}) {
+    expect_error(load_text(text, options), {ErrorCode::kMalformedRecord, "bees.csv:3",
+                                            "another header, 'id,y_m,x_m,z_m', than "});
+  }
+}
+
 }  // namespace
 }  // namespace beespace::io
