@@ -8,6 +8,7 @@
 #include "io/frames/frame_decision.hpp"
 #include "io/problems/left_out.hpp"
 #include "io/recording/address_names.hpp"
+#include "io/recording/bare_midnights.hpp"
 #include "io/recording/doubled_hours.hpp"
 #include "io/recording/ground_claims.hpp"
 #include "io/recording/part_spans.hpp"
@@ -150,6 +151,7 @@ class RecordingAssembly {
   // As many records of that bee, or of an unknown one, may hide what it did.
   void miss(std::uint64_t records, std::string_view id);
   DoubledHours& doubled_hours() { return doubled_hours_; }
+  BareMidnights& bare_midnights() { return bare_midnights_; }
   // A record of that bee is left out without being a mistake.
   void leave_out(const LeftOutReason& reason, std::string_view id);
   // A file, or a folder, beside those that are read: who may be in it is not known.
@@ -194,6 +196,7 @@ class RecordingAssembly {
   [[nodiscard]] std::string place_text(Origin origin) const;
   std::optional<Error> settle_times();
   [[nodiscard]] std::optional<Error> settle_files() const;
+  [[nodiscard]] std::optional<Error> settle_midnights() const;
   std::optional<Error> settle_frame();
   void leave_out_zeros();
   void leave_out_zero_runs();
@@ -246,6 +249,7 @@ class RecordingAssembly {
   PartSpans tags_;  // within each animal
   AddressNames address_names_;
   DoubledHours doubled_hours_;
+  BareMidnights bare_midnights_;
   std::unordered_map<std::string, double> times_of_day_s_;  // by bee: the last one
   // The same of dates and times, and how many records came in order.
   struct ClockTime {

@@ -155,6 +155,17 @@ std::optional<Error> RecordingAssembly::settle_files() const {
                location_of(conflict.second)};
 }
 
+// Days without a time of day that may not be their midnights.
+std::optional<Error> RecordingAssembly::settle_midnights() const {
+  const auto doubt = bare_midnights_.doubt(tracks_);
+  if (!doubt) return std::nullopt;
+  return Error{ErrorCode::kNotANumber,
+               "the time is a day alone, as R writes midnight, but " + doubt->why +
+                   ": is it midnight? Write times out, as 2015-09-10 00:00:00 (in R: format(time, "
+                   "\"%Y-%m-%d %H:%M:%S\")), or take the record out",
+               location_of(doubt->origin)};
+}
+
 std::optional<Error> RecordingAssembly::settle_frame() {
   if (!facts_ || frame_is_settled_) return std::nullopt;
   SourceFacts& facts = *facts_;
@@ -197,6 +208,10 @@ void RecordingAssembly::note_counts() {
     note(counted(count, "record says", "records say") +
          " another place for a time that the same bee has been heard at (times are rounded); the "
          "first is taken");
+  }
+  if (const auto count = bare_midnights_.count(); count > 0) {
+    note(counted(count, "time is a day alone and is", "times are days alone and are") +
+         " taken for midnight, as R writes it");
   }
   for (std::string& text : left_out_.notes()) note(std::move(text));
   if (kept_in_flight_ > 0) {
@@ -296,6 +311,7 @@ Result<Recording> RecordingAssembly::finish() {
   if (tracks_.empty()) return nothing_left();
   if (auto error = settle_times()) return *std::move(error);
   if (auto error = settle_files()) return *std::move(error);
+  if (auto error = settle_midnights()) return *std::move(error);
   leave_out_zero_runs();
   // Where times are rounded, or those of arrival, what is heard again is left out already.
   if (!frame_is_settled_) leave_out_stale_places();

@@ -308,6 +308,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   layout.show = layout.time && layout.frame != Frame::kWgs84 && names_colours(layout.table);
   layout.doubted_above_mps = doubted_above(layout);
   if (layout.time) {
+    if (seen != SeenRecords::kWhole) layout.time->bare_midnights = false;
     layout.time->begins_at_zero = options.time_unit == Unit::kUnstated &&
                                   header.source() == nullptr && !layout.show &&
                                   !names_one_colour(layout.table) &&

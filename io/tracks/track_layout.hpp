@@ -49,6 +49,7 @@ struct TimeChoice {
   DateOrder dates = DateOrder::kUnsaid;  // where the year is last
   std::string dates_reason = {};         // why it is that one
   std::optional<std::size_t> date = {};  // the column of the day
+  bool bare_midnights = false;  // a day alone is its midnight: see bare_midnights.hpp
   std::optional<TimeZone> zone = {};     // of dates and times that name none themselves
   std::string zone_reason = {};          // why it is that one
   // Of dates and times, or times of day, without a zone: what they are counted from.

@@ -294,6 +294,11 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     Origin origin;
     origin.source = assembly.source() & 0xFF'FFFFu;
     origin.line = line & 0xFF'FFFF'FFFFu;
+    if (record.is_bare_midnight) {
+      assembly.bare_midnights().take(record.id, record.time_s, origin);
+    } else if (record.is_midnight) {
+      assembly.bare_midnights().take_written();
+    }
     if (!layout.trials.empty()) assembly.take_trial(record.trial, record.time_s, origin);
     if (layout.tag && !is_unknown(record.tag)) {
       assembly.take_tag(record.id, record.tag, record.time_s, origin);

@@ -119,6 +119,16 @@ std::optional<Error> choose_form(std::string_view text, const Header& header,
                "07:30:00");
 }
 
+bool has_time(std::string_view text) {
+  return text.find(':') != std::string_view::npos;
+}
+
+// R writes midnight as a day alone: the first field with a time of day, or the first of all.
+std::string_view first_with_time(const FirstFields& fields) {
+  const auto found = std::find_if(fields.texts.begin(), fields.texts.end(), has_time);
+  return found == fields.texts.end() ? fields.front() : *found;
+}
+
 // Of dates and times, or times of day: whether they are instants, or else what they count from.
 std::optional<Error> settle_wall_times(std::string_view text, const TableLayout& table,
                                        const FirstFields& times, DateOrder asked,
@@ -134,8 +144,10 @@ std::optional<Error> settle_wall_times(std::string_view text, const TableLayout&
     time.dates = order->order;
     time.dates_reason = std::move(order->reason);
   }
+  const std::string_view with_time = first_with_time(times);
   const std::string_view problem =
-      clock ? parse_clock(times.front(), first) : parse_wall_time(times.front(), first, time.dates);
+      clock ? parse_clock(times.front(), first) : parse_wall_time(with_time, first, time.dates);
+  time.bare_midnights = !clock && !time.date && has_time(with_time);
   if (!problem.empty()) {
     return not_a("time", times, problem);
   }
@@ -155,8 +167,8 @@ std::optional<Error> settle_wall_times(std::string_view text, const TableLayout&
                    std::string(what) + "; if it is no day, leave that column out of the table");
     }
   }
-  const std::size_t colon = times.front().find(':');
-  time.to_the_minute = times.front().find(':', colon + 1) == std::string_view::npos;
+  const std::size_t colon = with_time.find(':');
+  time.to_the_minute = with_time.find(':', colon + 1) == std::string_view::npos;
   const bool dated = !clock || time.date;
   time.since_1970 = dated && (first.offset_s || time.zone);
   if (time.since_1970) return std::nullopt;
@@ -167,8 +179,7 @@ std::optional<Error> settle_wall_times(std::string_view text, const TableLayout&
 }  // namespace
 
 bool is_date_with_time(const FirstFields& fields) {
-  return !fields.empty() && looks_like_date(fields.front()) &&
-         fields.front().find(':') != std::string_view::npos;
+  return !fields.empty() && looks_like_date(fields.front()) && has_time(first_with_time(fields));
 }
 
 std::optional<std::size_t> only_dated(std::string_view text, const TableLayout& table,

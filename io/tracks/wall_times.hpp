@@ -17,7 +17,7 @@
 
 namespace beespace::io {
 
-// Whether the first of them is a date with a time of day.
+// Whether they are dates, the first of them or a later one with a time of day.
 bool is_date_with_time(const FirstFields& fields);
 
 // Of several columns of times that which has the dates with the times, if the others only have the
