@@ -35,7 +35,7 @@ bool is_in_step(const std::vector<Fix>& fixes, double step_s, double time_s) {
       std::lower_bound(fixes.begin(), fixes.end(), time_s,
                        [](const Fix& fix, double wanted_s) { return fix.time_s < wanted_s; });
   if (at == fixes.end() || at->time_s != time_s) return true;  // it is left out
-  const auto is_step = [step_s](double seconds) {
+  const auto is_step = [&](double seconds) {
     return std::abs(seconds - step_s) <= std::max(kDiffers * step_s, kAtLeast_s);
   };
   return (at != fixes.begin() && is_step(time_s - std::prev(at)->time_s)) ||

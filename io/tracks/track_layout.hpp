@@ -55,6 +55,7 @@ struct TimeChoice {
   // Of dates and times, or times of day, without a zone: what they are counted from.
   std::optional<WallClock> clock = {};
   double frames_per_second = 0.0;
+  double zero_s = 0.0;  // since 1970: what numbers count from, as the dates of `other` tell
   // Of whole seconds, as ROS has them: the column of what is to be added, in nanoseconds.
   std::optional<std::size_t> nanoseconds = {};
   std::optional<std::size_t> other = {};  // another column that looks like a time, and is not taken

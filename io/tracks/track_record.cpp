@@ -280,8 +280,9 @@ std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
                          std::string(kOrLeaveOut),
                      time.column);
   }
-  record.time_s = without_dust(time.form == TimeForm::kFrames ? value / time.frames_per_second
-                                                              : in_metric(value, time.unit));
+  record.time_s = without_dust(time.form == TimeForm::kFrames
+                                   ? value / time.frames_per_second
+                                   : in_metric(value, time.unit) + time.zero_s);
   if (in_motion_domain(record.time_s)) return std::nullopt;
   return outside_domain(text, "time", " s", time.column);
 }

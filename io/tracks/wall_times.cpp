@@ -37,11 +37,8 @@ bool names_utc(const std::string& name) {
   return utc && name.find_first_of("+-") == std::string::npos;
 }
 
-// "study-local-timestamp", which tables of Movebank may have beside the time in UTC.
 bool names_local(const Header& header, std::size_t column) {
-  if (column >= header.size()) return false;
-  const auto words = split_words(header.table().names[column]);
-  return std::find(words.begin(), words.end(), "local") != words.end();
+  return column < header.size() && names_local_time(header.table().names[column]);
 }
 
 // Which zone dates and times are of that name none: the caller's, or that of a known source, or of
@@ -58,6 +55,18 @@ void choose_zone(const Header& header, const RecordingOptions& options, TimeChoi
     time.zone = TimeZone::utc();
     time.zone_reason = "the header says it";
   }
+}
+
+// Clocks of a place are turned, or those of several places are not one.
+std::optional<Error> zone_of_place_problem(const Header& header, const TimeChoice& time) {
+  if (!time.clock || !time.clock->dated || !names_local(header, time.column)) return std::nullopt;
+  if (find_clock_zone(header.table())) return std::nullopt;
+  return at_column(ErrorCode::kInvalidArgument,
+                   column_text(header.table(), time.column) +
+                       " is of the clocks of a place, but of which? Say it with --time-zone, as in "
+                       "--time-zone Europe/Madrid, or by what they are ahead of UTC, as in "
+                       "--time-zone +02:00",
+                   time.column);
 }
 
 bool may_say_day(const std::string& name) {
@@ -178,6 +187,13 @@ std::optional<Error> settle_wall_times(std::string_view text, const TableLayout&
 
 }  // namespace
 
+bool names_local_time(std::string_view column) {
+  const auto words = split_words(column);
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return word == "lmt" || word.starts_with("local");
+  });
+}
+
 bool is_date_with_time(const FirstFields& fields) {
   return !fields.empty() && looks_like_date(fields.front()) && has_time(first_with_time(fields));
 }
@@ -211,7 +227,8 @@ std::optional<Error> choose_wall_times(std::string_view text, const Header& head
   if (auto error = choose_form(text, header, times, time)) return error;
   if (time.form == TimeForm::kNumbers) return std::nullopt;
   choose_zone(header, options, time);
-  return settle_wall_times(text, header.table(), times, options.dates, time);
+  auto error = settle_wall_times(text, header.table(), times, options.dates, time);
+  return error ? error : zone_of_place_problem(header, time);
 }
 
 std::string read_wall_time(const TimeChoice& time, std::string_view text, std::string_view day,

@@ -17,6 +17,10 @@
 
 namespace beespace::io {
 
+// Whether a column of times says that they are of the clocks of a place: "study-local-timestamp",
+// which tables of Movebank may have beside the time in UTC, "LMT".
+bool names_local_time(std::string_view column);
+
 // Whether they are dates, the first of them or a later one with a time of day.
 bool is_date_with_time(const FirstFields& fields);
 
