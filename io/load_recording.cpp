@@ -12,6 +12,7 @@
 #include "io/mavlink/telemetry_log.hpp"
 #include "io/mavlink/telemetry_reading.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/problems/foreign_containers.hpp"
 #include "io/problems/json_kind.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/px4/flight_reading.hpp"
@@ -228,7 +229,12 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
   assembly.add_bytes(bytes.view.size());
   auto content = unpacked(std::move(bytes), source);
   if (!content) return content.error();
-  if (is_zip(content->view)) return read_archive(*std::move(content), source, assembly);
+  if (is_zip(content->view)) {
+    if (std::string words = words_of_npz(content->view); !words.empty()) {
+      return Error{ErrorCode::kUnsupportedFormat, "this is " + words, {}};
+    }
+    return read_archive(*std::move(content), source, assembly);
+  }
   const bool tables = format == RecordingFormat::kTable || format == RecordingFormat::kSkybrushCsv;
   const bool object = front_of(content->view) == '{';
   if (format == RecordingFormat::kAuto) {
