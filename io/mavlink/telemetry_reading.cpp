@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -60,11 +61,8 @@ class TelemetryReading {
 
   std::optional<Error> read(std::string_view path) {
     // Of several inputs, what is said may be of the tables among them.
-    if (!assembly_.has_several()) {
-      if (auto error = fixed_layout_problem(assembly_.options(), "MAVLink telemetry")) {
-        return error;
-      }
-    }
+    unused_ = fixed_layout_problem(assembly_.options(), "MAVLink telemetry");
+    if (unused_ && !assembly_.has_several()) return unused_;
     gather();
     if (auto error = choose_kind()) return error;
     if (auto error = assembly_.agree(facts())) return error;
@@ -172,6 +170,7 @@ class TelemetryReading {
                            : UnitTaken{"x, y and z", Unit::kMetre, UnitEvidence::kNamed,
                                        "MAVLink message 32 has them so"}};
     facts.description = "MAVLink telemetry log";
+    facts.unused_options = unused_;
     return facts;
   }
 
@@ -391,6 +390,7 @@ class TelemetryReading {
 
   TelemetryWalk walk_;
   RecordingAssembly& assembly_;
+  std::optional<Error> unused_ = {};  // which of the options are not for logs
   std::vector<Heard> heard_;
   VehicleCensus census_;
   std::string before_;  // ids of systems

@@ -59,8 +59,10 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   const auto disagree = [this](ErrorCode code, const std::string& message) {
     return Error{code, message, {sources_.back()}};
   };
+  if (!facts.unused_options) unused_options_.reset();
   if (!facts_) {
     facts_ = facts;
+    unused_options_ = facts.unused_options;
     facts_source_ = sources_.back();
     if (facts.begins_at_zero) {
       zero_source_ = facts_source_;

@@ -58,6 +58,8 @@ struct SourceFacts {
   Unit height_unit = Unit::kMetre;  // in which TrackGathering is told them as they are stated
   std::vector<UnitTaken> units = {};
   std::string description = {};  // "text, comma-separated"
+  // Of what has a layout of its own: which of the options that were given are not for it.
+  std::optional<Error> unused_options = {};
   // Where times may begin again with each trial, and where an animal may have several tags at
   // once: which column tells, and what to do then.
   struct Parts {
@@ -263,6 +265,8 @@ class RecordingAssembly {
   bool frame_is_settled_ = false;
   std::optional<SourceFacts> facts_;                     // of all inputs so far
   std::string facts_source_;                             // who said so first
+  // That of the first, as long as options are for none of them.
+  std::optional<Error> unused_options_;
   std::optional<std::string> zero_source_;               // whose times begin at 0,
   bool zero_names_bees_ = false;                         // and whether it names bees
   HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by the source that states it

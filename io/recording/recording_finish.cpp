@@ -304,6 +304,10 @@ Result<Recording> RecordingAssembly::finish() {
   claims_.finish([this](const auto&... of) { settle_claim(of...); });
   if (auto error = doubled_hours_.unclear()) return *std::move(error);
   if (tracks_.empty()) return nothing_left();
+  if (unused_options_) {
+    unused_options_->location.source = facts_source_;
+    return *std::move(unused_options_);
+  }
   if (auto error = overlapping_trials()) return *std::move(error);
   if (auto error = overlapping_tags()) return *std::move(error);
   if (auto error = settle_frame()) return *std::move(error);
