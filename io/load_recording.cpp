@@ -97,9 +97,7 @@ std::optional<Error> read_text_table(Bytes content, const std::string& path, boo
                                      RecordingAssembly& assembly) {
   if (auto utf8 = text_problem(content.view) ? std::nullopt : from_windows_1252(content.view)) {
     content = *std::move(utf8);
-    assembly.note(
-        "some text is no UTF-8: it is taken for Windows-1252; if names look wrong, save the table "
-        "as UTF-8");
+    assembly.note(std::string(kTakenForWindows1252));
   }
   if (auto points = with_decimal_points(without_byte_order_mark(content.view))) {
     content = *std::move(points);

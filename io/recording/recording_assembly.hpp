@@ -136,6 +136,7 @@ class RecordingAssembly {
   // A fix of those that are not kept until the end is so high.
   void reach(double height_m) { highest_m_ = std::max(highest_m_, height_m); }
   // Of sources that were begun.
+  [[nodiscard]] ErrorLocation location_of(Origin origin) const;
   [[nodiscard]] Error conflict_error(const TimeConflict& conflict) const;
   // Says it once, however often it is handed in.
   void note(std::string text);
@@ -194,7 +195,6 @@ class RecordingAssembly {
   Result<Recording> finish();
 
  private:
-  [[nodiscard]] ErrorLocation location_of(Origin origin) const;
   [[nodiscard]] std::string place_text(Origin origin) const;
   std::optional<Error> settle_times();
   [[nodiscard]] std::optional<Error> settle_files() const;
