@@ -22,6 +22,7 @@
 #include "io/table/decimal_comma.hpp"
 #include "io/table/position_columns.hpp"
 #include "io/table/record_problems.hpp"
+#include "io/tracks/scaled_degrees.hpp"
 #include "io/tracks/sides.hpp"
 #include "io/tracks/utm_zone.hpp"
 
@@ -212,6 +213,18 @@ std::optional<Error> read_records(LoadedPoints& loaded, RecordSource& source,
   return std::nullopt;
 }
 
+// Longitude and latitude that are whole numbers of 1e-7 degrees by their size.
+std::optional<Error> settle_scaled_degrees(std::string_view text, const LoadOptions& options,
+                                           TableLayout& layout) {
+  ColumnChoice& choice = layout.choice;
+  const Frame frame = frame_before_values(options.frame, {choice.evidence, choice.reason}).frame;
+  if (frame == Frame::kMetres) return scaled_degrees_as_metres(text, layout, choice);
+  if (frame != Frame::kWgs84 || !are_scaled_degrees(text, layout, choice)) return std::nullopt;
+  choice.scaled_degrees = true;
+  layout.notes.emplace_back(kScaledDegreesNote);
+  return settle_heights_beside(text, layout, choice);
+}
+
 std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
                                 const LoadOptions& options) {
   auto beginning = find_points_table(source.bytes.view, options);
@@ -240,9 +253,9 @@ std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
     loaded.notes.push_back("eastings and northings are of UTM zone " + excerpt(zone.value_or("")) +
                            ", all of them");
   }
-  auto error = read_records(loaded, source,
-                            frame_before_values(options.frame, {choice.evidence, choice.reason}),
-                            options);
+  auto error =
+      read_records(loaded, source,
+                   frame_before_values(options.frame, {choice.evidence, choice.reason}), options);
   if (!error && loaded.repeated_headers > 0) {
     loaded.notes.push_back(repeated_headers_note(loaded.repeated_headers));
   }
@@ -388,6 +401,9 @@ Result<TableBeginning> find_points_table(std::string_view bytes, const LoadOptio
   const std::string_view text = without_byte_order_mark(bytes);
   auto layout = find_layout(text, options);
   if (!layout) return std::move(layout).error();
+  if (auto error = settle_scaled_degrees(text, options, *layout)) {
+    return at_first_line(*std::move(error), *layout);
+  }
   return TableBeginning{*std::move(layout), text};
 }
 

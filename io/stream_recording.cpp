@@ -345,10 +345,10 @@ std::optional<Error> RecordingStream::zero_run_problem() const {
     const auto fix = zero_runs_[bee].found();
     if (!fix) continue;
     return Error{ErrorCode::kInvalidArgument,
-                "a place of bee " + excerpt(id(bee)) + " is " + std::string(kZeroRun.which) +
-                    " and cannot be left out with --memory: take such records out, or leave "
-                    "--memory out",
-                assembly_->location_of(origin_of(*fix))};
+                 "a place of bee " + excerpt(id(bee)) + " is " + std::string(kZeroRun.which) +
+                     " and cannot be left out with --memory: take such records out, or leave "
+                     "--memory out",
+                 assembly_->location_of(origin_of(*fix))};
   }
   return std::nullopt;
 }

@@ -287,8 +287,9 @@ class Watch {
     if (number >= tracks_.size()) tracks_.resize(number + 1);
     if (!tracks_[number].stale.take({time_of(at), at.position}, &at.stated_velocity)) return false;
     note_heard_of(at.id);
-    note_none("says the same place as for more than 3 s before, though its speed is more than 3 "
-              "m/s, as where the last place is said again once contact is lost,");
+    note_none(
+        "says the same place as for more than 3 s before, though its speed is more than 3 "
+        "m/s, as where the last place is said again once contact is lost,");
     return true;
   }
 

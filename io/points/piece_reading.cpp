@@ -10,6 +10,7 @@
 #include "io/table/record_walk.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace beespace::io {
@@ -47,9 +48,39 @@ std::size_t read_any_line(std::string_view piece, std::size_t at, const TableLay
   return line.next;
 }
 
+// Of degrees among whole numbers of 1e-7 degrees, whatever is left out: they would be taken for
+// other places.
+std::optional<Error> part_of_scaled_degree(std::string_view piece, const TableLayout& layout,
+                                           const PieceContent& content) {
+  const auto is_whole = [](double value) { return value == std::floor(value); };
+  for (std::size_t i = 0; i < content.points.size(); ++i) {
+    const Point& at = content.points[i];
+    if (is_whole(at.x) && is_whole(at.y)) continue;
+    const std::size_t axis = is_whole(at.x) ? 1 : 0;
+    const std::uint64_t row = content.skipped.row_of(i);
+    RecordWalk walk(piece, 0, layout);
+    while (walk.next() && walk.row() < row) {
+    }
+    const std::size_t column = layout.choice.axes[axis];
+    const Field field = field_at(walk.record(), layout.delimiter, column);
+    Error error = at_column(
+        ErrorCode::kMalformedRecord,
+        excerpt(field.text) + " is no whole number of 1e-7 degrees, as the first are; correct it",
+        column);
+    error.location.line = walk.line() + 1;
+    error.location.record = row;
+    return error;
+  }
+  return std::nullopt;
+}
+
 // Checks what was read against the frame, and turns it into metres.
 void settle(std::string_view piece, const TableLayout& layout, const PieceOptions& options,
             PieceContent& content) {
+  if (layout.choice.scaled_degrees && !content.error) {
+    content.error = part_of_scaled_degree(piece, layout, content);
+    if (content.error) return;
+  }
   if (!layout.choice.is_metric()) {
     for (Point& point : content.points) point = in_metric(point, layout.choice);
   }

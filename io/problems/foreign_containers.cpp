@@ -71,8 +71,7 @@ std::string words_of_npz(std::string_view bytes) {
   const auto byte = [bytes](std::size_t at) {
     return static_cast<std::size_t>(static_cast<unsigned char>(bytes[at]));
   };
-  const std::string_view name =
-      bytes.substr(kName, byte(kNameSize) + (byte(kNameSize + 1) << 8U));
+  const std::string_view name = bytes.substr(kName, byte(kNameSize) + (byte(kNameSize + 1) << 8U));
   if (!name.ends_with(".npy")) return {};
   return std::string(has_name(bytes, "wcentroid.npy") ? kTRexNpz : kNpz);
 }

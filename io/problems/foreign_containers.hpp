@@ -1,5 +1,5 @@
-// HDF5, archives of NumPy and XML hold anything: which program wrote them, as names within tell, and
-// what makes a table of it.
+// HDF5, archives of NumPy and XML hold anything: which program wrote them, as names within tell,
+// and what makes a table of it.
 #pragma once
 
 #include <string>

@@ -263,8 +263,8 @@ class RecordingAssembly {
   std::size_t named_sources_ = 0;  // how many sources were begun when it was given away
   bool several_ = false;
   bool frame_is_settled_ = false;
-  std::optional<SourceFacts> facts_;                     // of all inputs so far
-  std::string facts_source_;                             // who said so first
+  std::optional<SourceFacts> facts_;  // of all inputs so far
+  std::string facts_source_;          // who said so first
   // That of the first, as long as options are for none of them.
   std::optional<Error> unused_options_;
   std::optional<std::string> zero_source_;               // whose times begin at 0,

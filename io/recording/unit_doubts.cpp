@@ -192,12 +192,12 @@ std::optional<Error> doubt_of_feet(const Recording& recording, double highest_m)
       "m/s";
   constexpr std::string_view kSayWhich =
       ". Say which: --units aviation, or --units height=m,speed=m/s,climb=m/s";
-  const std::string question =
-      "are heights in feet and speeds in knots" + std::string(kWhichUnits);
+  const std::string question = "are heights in feet and speeds in knots" + std::string(kWhichUnits);
   if (speeds.ratios.size() < kFewest) {
     return Error{ErrorCode::kInvalidArgument,
-                 question + ", and here neither a height, a speed, nor the way from record to "
-                            "record tells" +
+                 question +
+                     ", and here neither a height, a speed, nor the way from record to "
+                     "record tells" +
                      std::string(kSayWhich),
                  {}};
   }

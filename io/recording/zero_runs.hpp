@@ -42,8 +42,8 @@ class ZeroRunWatch {
 
   std::optional<Fix> last_ = {};
   std::optional<Run> run_ = {};
-  std::size_t others_ = 0;     // steps between places that are none of these
-  double fastest_mps_ = 0.0;   // of them
+  std::size_t others_ = 0;         // steps between places that are none of these
+  double fastest_mps_ = 0.0;       // of them
   double slowest_jump_mps_ = 0.0;  // of the run whose slower jump is the fastest
   std::uint64_t first_ = 0;        // of that run
 };

@@ -1,6 +1,6 @@
 // A walk over the records of a text table, line by line, counting lines and data rows. Blank lines,
-// comments and headers that come again are lines but no rows. Finds line ends and nothing else, so it costs little more
-// than memchr.
+// comments and headers that come again are lines but no rows. Finds line ends and nothing else, so
+// it costs little more than memchr.
 #pragma once
 
 #include "io/bytes/characters.hpp"

@@ -27,8 +27,8 @@ TableSource history_of_opensky(std::vector<KnownColumn> columns) {
   columns.push_back(perhaps("time", Role::kTime, Unit::kSecond));
   columns.push_back(perhaps("heading", Role::kTrack));
   columns.push_back(perhaps("vertrate", Role::kClimb, Unit::kMetrePerSecond));
-  TableSource source{
-      "OpenSky", "groundspeed vertical_rate altitude alt_baro alt_geom", std::move(columns)};
+  TableSource source{"OpenSky", "groundspeed vertical_rate altitude alt_baro alt_geom",
+                     std::move(columns)};
   source.since_1970 = true;
   return source;
 }
@@ -82,15 +82,14 @@ const std::array<TableSource, 12>& known_sources() {
                   false,
                   "State vectors of OpenSky have such columns: pyopensky writes them in metres, "
                   "and traffic in feet and knots"},
-      history_of_opensky({{"icao24"},
-                          {"velocity", Role::kGroundSpeed, Unit::kMetrePerSecond},
-                          {"baroaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kPressure},
-                          perhaps("geoaltitude", Role::kHeight, Unit::kMetre,
-                                  HeightDatum::kEllipsoid)}),
       history_of_opensky(
           {{"icao24"},
            {"velocity", Role::kGroundSpeed, Unit::kMetrePerSecond},
-           {"geoaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kEllipsoid}}),
+           {"baroaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kPressure},
+           perhaps("geoaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kEllipsoid)}),
+      history_of_opensky({{"icao24"},
+                          {"velocity", Role::kGroundSpeed, Unit::kMetrePerSecond},
+                          {"geoaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kEllipsoid}}),
       TableSource{"PX4 (ulog2csv)",
                   "",
                   {{"timestamp", Role::kTime, Unit::kMicrosecond},

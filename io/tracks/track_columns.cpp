@@ -124,7 +124,8 @@ ColumnSchema make_track_columns() {
   ColumnSchema schema = position;
   schema.roles = {
       {Role::kId, "id"},
-      {Role::kTime, "time", "*time* *date* *stamp* *clock* *epoch* *zeit* *hora* *temps* *utc* *gmt* *lmt* *local*"},
+      {Role::kTime, "time",
+       "*time* *date* *stamp* *clock* *epoch* *zeit* *hora* *temps* *utc* *gmt* *lmt* *local*"},
       {Role::kDate, "date"},
       {Role::kFrame, "frame"},
   };
@@ -140,9 +141,9 @@ ColumnSchema make_track_columns() {
        {Role::kVelocityX, Role::kVelocityY, Role::kVelocityZ},
        Frame::kAuto,
        "a velocity needs vx and vy (or ve and vn), and vz (vu) where bees climb"});
-  schema.names = {position_time_names(),   time_names(),     date_names(),
-                  zone_time_names(),       frame_names(),           velocity_names(), speeds_over_ground(),
-                  directions_over_ground()};
+  schema.names = {
+      position_time_names(), time_names(),     date_names(),         zone_time_names(),
+      frame_names(),         velocity_names(), speeds_over_ground(), directions_over_ground()};
   schema.names.insert(schema.names.end(), position.names.begin(), position.names.end());
   return schema;
 }

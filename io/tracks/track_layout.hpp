@@ -45,11 +45,11 @@ struct TimeChoice {
   // The first one is 0, and nothing says that the table of another vehicle, or of another trial,
   // has the same zero.
   bool begins_at_zero = false;
-  bool to_the_minute = false;   // the first time has no seconds
+  bool to_the_minute = false;            // the first time has no seconds
   DateOrder dates = DateOrder::kUnsaid;  // where the year is last
   std::string dates_reason = {};         // why it is that one
   std::optional<std::size_t> date = {};  // the column of the day
-  bool bare_midnights = false;  // a day alone is its midnight: see bare_midnights.hpp
+  bool bare_midnights = false;           // a day alone is its midnight: see bare_midnights.hpp
   std::optional<TimeZone> zone = {};     // of dates and times that name none themselves
   std::string zone_reason = {};          // why it is that one
   // Of dates and times, or times of day, without a zone: what they are counted from.

@@ -289,10 +289,10 @@ Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Heade
     if (is_date_with_time(days)) {
       found = {*date};
     } else if (may_be_excel_days(days)) {
-      return missing_column(column_text(table, *date) +
-                            " holds numbers, in which unit is not said" + std::string(kExcelDaysAdvice) +
-                            "; otherwise say the unit, as in --columns time=" +
-                            std::to_string(*date + 1) + " --time-unit s");
+      return missing_column(
+          column_text(table, *date) + " holds numbers, in which unit is not said" +
+          std::string(kExcelDaysAdvice) + "; otherwise say the unit, as in --columns time=" +
+          std::to_string(*date + 1) + " --time-unit s");
     }
   }
   if (!column && found.size() > 1) {

@@ -49,9 +49,10 @@ TEST(BareMidnights, MayBeTheFirstOfAll) {
       record(collar({"2015-09-10", "2015-09-10 01:00:00", "2015-09-10 02:00:00"}), utc()));
   EXPECT_EQ(times_of(recording.bees.at(0)).front(), kMidnight_s);
   // In a column that is named by the day alone, too.
-  EXPECT_TRUE(record("id,date,x_m,y_m\na,2015-09-10,1,2\na,2015-09-10 01:00:00,2,2\n"
-                     "a,2015-09-10 02:00:00,3,2\n",
-                     utc()));
+  EXPECT_TRUE(
+      record("id,date,x_m,y_m\na,2015-09-10,1,2\na,2015-09-10 01:00:00,2,2\n"
+             "a,2015-09-10 02:00:00,3,2\n",
+             utc()));
 }
 
 TEST(BareMidnights, AreNoneWhereADayMayBeMeant) {

@@ -114,7 +114,9 @@ TEST(ZeroRuns, OfAStreamAreRefusedAsTheyCannotBeLeftOut) {
 }
 
 TEST(TextOfWindows, IsReadByAStreamAsItWasWritten) {
-  std::string text = "id,time_s,x_m,y_m,z_m,ma\xF1" "ana\n";
+  std::string text =
+      "id,time_s,x_m,y_m,z_m,ma\xF1"
+      "ana\n";
   for (int t = 0; t < 20; ++t) text += "Jos\xE9," + std::to_string(t) + ",1,2,3,\xE1\n";
   const Recording recording = recording_of(at_the_end_of_a_stream(text));
   EXPECT_EQ(ids_of(recording), std::vector<std::string>{"Jos\u00e9"});

@@ -107,8 +107,8 @@ TEST(DoubtfulFeet, StateVectorsInMetresUnderTheNamesOfTrafficAreAskedAbout) {
 
 TEST(DoubtfulFeet, TablesOfTrafficThatSayWhatTheyAreAreRead) {
   for (const std::string& text :
-       {under_names_of_traffic(kDegreesOf100Mps, "3000", "194"),    // by its speed
-        under_names_of_traffic(0.0, "35000", "194", 1),             // by its height
+       {under_names_of_traffic(kDegreesOf100Mps, "3000", "194"),     // by its speed
+        under_names_of_traffic(0.0, "35000", "194", 1),              // by its height
         under_names_of_traffic(kDegreesOf100Mps, "3000", "450", 1),  // too fast for m/s
         under_names_of_traffic(kDegreesOf100Mps * 0.9, "3000", "194")}) {
     const Recording recording = recording_of(record(text));
@@ -123,9 +123,9 @@ TEST(DoubtfulFeet, TheHistoryOfOpenSkyIsInMetresWhateverElseIsLeftOut) {
     EXPECT_EQ(recording.bees.at(0).fixes.at(0).position.z, 3000.0) << names;
     EXPECT_TRUE(recording.since_1970) << names;
   }
-  const Recording all = recording_of(
-      record("lat,lon,baroaltitude,geoaltitude,velocity,heading,vertrate,time,icao24\n"
-             "48,2,3000,3100,180,90,3,1714564800,a\n"));
+  const Recording all =
+      recording_of(record("lat,lon,baroaltitude,geoaltitude,velocity,heading,vertrate,time,icao24\n"
+                          "48,2,3000,3100,180,90,3,1714564800,a\n"));
   EXPECT_EQ(all.bees.at(0).fixes.at(0).position.z, 3100.0);
   EXPECT_NEAR(all.bees[0].velocities.at(0).x, 180.0, 1e-9);
 }

@@ -30,8 +30,9 @@ TEST(FineTime, OfMillisecondsBesideDatesIsTaken) {
   ASSERT_EQ(times.size(), 30u);
   EXPECT_NEAR(times.front(), kNoon_s + 0.3, 1e-6);
   EXPECT_NEAR(times.back(), kNoon_s + 3.2, 1e-6);
-  EXPECT_TRUE(has_note(recording, "times are read from column 1 'time(millisecond)' in ms from the "
-                                  "moment on that column 2 'datetime(utc)' tells to the second"));
+  EXPECT_TRUE(has_note(recording,
+                       "times are read from column 1 'time(millisecond)' in ms from the "
+                       "moment on that column 2 'datetime(utc)' tells to the second"));
   const auto said = record(flight(30), columns_are("time=2", Unit::kUnstated));
   EXPECT_EQ(recording_of(said).bees.at(0).fixes.size(), 30u);
 }
@@ -59,7 +60,8 @@ TEST(TimesByTheirZone, AreTimesInUtc) {
 }
 
 TEST(TimesByTheirZone, OfTheClocksOfAPlaceAskForTheZone) {
-  for (const std::string name : {"local_time", "Local Time", "localtime", "LMT", "local_datetime"}) {
+  for (const std::string name :
+       {"local_time", "Local Time", "localtime", "LMT", "local_datetime"}) {
     expect_error(record(dated(name)),
                  {ErrorCode::kInvalidArgument, "bees.csv:1:2",
                   "is of the clocks of a place, but of which? Say it with --time-zone, as in "
@@ -76,8 +78,8 @@ TEST(TimesByTheirZone, AreTakenWhereNoOtherColumnIsTheTime) {
   const std::string rows =
       "a,2024-05-01 12:00:00,2024-05-01 14:00:00,1,2\na,2024-05-01 12:00:01,2024-05-01 "
       "14:00:01,2,2\n";
-  for (const std::string names : {"utc,local_time", "utc_time,LMT", "timestamp,utc",
-                                  "timestamp,local_time"}) {
+  for (const std::string names :
+       {"utc,local_time", "utc_time,LMT", "timestamp,utc", "timestamp,local_time"}) {
     const Recording recording =
         recording_of(record("id," + names + ",x_m,y_m\n" + rows, columns_are("", Unit::kUnstated)));
     EXPECT_TRUE(has_note(recording, "times are read from column 2 ")) << names;

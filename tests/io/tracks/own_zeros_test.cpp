@@ -298,8 +298,8 @@ TEST(PlainTables, WithIdsThatEachBeginAtTimeZeroAreAskedAbout) {
   // A file a vehicle, beside one of several: whose zero it is is not known either.
   expect_problem(several({first, "time_s,x_m,y_m,z_m\n0,4,5,6\n1,4,5,6\n"}), question);
   const std::string dated = "id,time,x_m,y_m,z_m\n";
-  EXPECT_TRUE(
-      several({dated + "a,2024-05-01T00:00:00Z,1,2,3\n", dated + "b,2024-05-01T00:00:00Z,4,5,6\n"}));
+  EXPECT_TRUE(several(
+      {dated + "a,2024-05-01T00:00:00Z,1,2,3\n", dated + "b,2024-05-01T00:00:00Z,4,5,6\n"}));
 }
 
 // ---- Names of files -----------------------------------------------------------------------------

@@ -316,7 +316,8 @@ TEST(JoinedTables, TheHeaderThatComesAgainIsPassedOverAndThatIsSaid) {
   const Recording recording = recording_of(record(text));
   EXPECT_EQ(ids_of(recording), (std::vector<std::string>{"a", "b"}));
   EXPECT_TRUE(recording.missing.none());
-  EXPECT_TRUE(has_note(recording, "the header comes again in bees.csv, as where tables were joined"));
+  EXPECT_TRUE(
+      has_note(recording, "the header comes again in bees.csv, as where tables were joined"));
   // Of Excel, behind a byte-order mark each; and with ends of lines of Windows.
   EXPECT_EQ(recording_of(record("id,time_s,x_m,y_m,z_m\r\na,1,1,2,3\r\n\xEF\xBB\xBF"
                                 "id,time_s,x_m,y_m,z_m\r\nb,1,4,5,6\r\n"))
@@ -325,8 +326,9 @@ TEST(JoinedTables, TheHeaderThatComesAgainIsPassedOverAndThatIsSaid) {
 }
 
 TEST(JoinedTables, OtherColumnsAreRefusedWhateverIsLeftOut) {
-  const std::string text = std::string(kJoinedHeader) + "a,1,1,2,3\nid,time_s,y_m,x_m,z_m\n"
-                                                        "b,1,4,5,6\n";
+  const std::string text = std::string(kJoinedHeader) +
+                           "a,1,1,2,3\nid,time_s,y_m,x_m,z_m\n"
+                           "b,1,4,5,6\n";
   for (const RecordingOptions& options : {RecordingOptions(), skipping_bad()}) {
     expect_error(record(text, options), {ErrorCode::kMalformedRecord, "bees.csv:3",
                                          "another header, 'id,time_s,y_m,x_m,z_m', than "
