@@ -7,6 +7,7 @@
 #include "cli/input/moving_output.hpp"
 #include "cli/output/event_lines.hpp"
 #include "cli/watch/live_advice.hpp"
+#include "cli/watch/no_places.hpp"
 #include "cli/watch/pace.hpp"
 #include "cli/watch/watch_request.hpp"
 #include "cli/watch/watch_tally.hpp"
@@ -14,8 +15,6 @@
 #include "io/live/report_lines.hpp"
 #include "io/recording/jumps.hpp"
 #include "io/recording/shared_id.hpp"
-#include "io/recording/stale_places.hpp"
-#include "io/recording/zero_places.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -85,7 +84,6 @@ class Watch {
     io::SharedId shared = {};
     io::Jumps jumps = {};
     bool jumping = false;
-    io::StalePlaces stale = {};
   };
 
   // By a clock that never goes back, when the last line came, or nothing did; 0 where only the
@@ -212,9 +210,10 @@ class Watch {
       const auto bee = feed_ ? feed_->leave(at.id) : std::nullopt;
       if (bee && advice_) advice_->remove(*bee);
       if (bee && *bee < tracks_.size()) tracks_[*bee] = {};
+      if (bee) no_places_.forget(*bee);
       return std::monostate{};
     }
-    if (is_nowhere(at)) return std::monostate{};
+    if (counts_as_none(no_places_.zero(at), at.id)) return std::monostate{};
     if (!feed_) begin(at.frame, at.height_unit);
     const auto metres = in_metres(at.position, at.velocity, at.frame, geometry_,
                                   {at.stated_height, at.height_unit});
@@ -231,7 +230,9 @@ class Watch {
       note_bad(feed_->too_many());
       return std::monostate{};
     }
-    if (is_stale(*number, at)) return std::monostate{};
+    if (counts_as_none(no_places_.stale(*number, time_of(at), at), at.id)) {
+      return std::monostate{};
+    }
     look_for_doubt(*number, {time_of(at), metres->position},
                    metres->velocity ? &*metres->velocity : nullptr);
     Status taken = feed_->take({*number, time_of(at), metres->position, metres->velocity,
@@ -271,35 +272,16 @@ class Watch {
     return came_s_ + since_1970_;
   }
 
-  // Zeros that are written where no place is known; whether other places are near them is judged by
-  // the reports before.
-  bool is_nowhere(const io::ReportLine& at) {
-    if (at.frame != io::Frame::kWgs84) return false;
-    zeros_.look_at(at.position);
-    if (!zeros_.is_none(at.position)) return false;
-    note_heard_of(at.id);
-    note_none("is " + std::string(io::kZeroPlace.which));
-    return true;
-  }
-
-  // A place that the bee must have left by its own speed: from then on it is silent.
-  bool is_stale(AgentId number, const io::ReportLine& at) {
-    if (number >= tracks_.size()) tracks_.resize(number + 1);
-    if (!tracks_[number].stale.take({time_of(at), at.position}, &at.stated_velocity)) return false;
-    note_heard_of(at.id);
-    note_none(
-        "says the same place as for more than 3 s before, though its speed is more than 3 "
-        "m/s, as where the last place is said again once contact is lost,");
-    return true;
-  }
-
-  // The report that was read last counts as none.
-  void note_none(const std::string& why) {
+  // The report that was read last counts as none, if there is a reason: its bee is silent.
+  bool counts_as_none(const std::optional<std::string>& why, std::string_view id) {
+    if (!why) return false;
+    note_heard_of(id);
     Error error{ErrorCode::kOutsideDomain,
-                "this report " + why + " and counts as none",
+                "this report " + *why + " and counts as none",
                 {request_.input == "-" ? "<stdin>" : request_.input}};
     (lines_.in_frames() ? error.location.record : error.location.line) = line_number();
     note_bad(error);
+    return true;
   }
 
   // Of the report that was read last; of a log, the number of its record.
@@ -313,6 +295,7 @@ class Watch {
   // Two that report in turn under one id, and one that is somewhere else too fast: it is not known
   // where they are.
   void look_for_doubt(AgentId number, const Fix& fix, const Velocity* velocity) {
+    if (number >= tracks_.size()) tracks_.resize(number + 1);
     Doubts& doubts = tracks_[number];
     if (doubts.jumps.take(fix, velocity) && !std::exchange(doubts.jumping, true)) {
       if (advice_) advice_->note_unplaced(many_unplaced_ = true);
@@ -445,7 +428,7 @@ class Watch {
           .count();
   LeftOutOfWatch left_out_;
   std::vector<Doubts> tracks_;  // by number
-  io::ZeroPlaces zeros_;
+  NoPlaces no_places_;
   std::set<std::string, std::less<>> unplaced_;  // ids, for advice
   bool many_unplaced_ = false;                   // more than are kept
   std::uint64_t unadvised_looks_ = 0;

@@ -15,7 +15,6 @@
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
 #include "io/tracks/wall_times.hpp"
-#include "io/units/iso_time.hpp"
 
 #include <cmath>
 #include <iterator>
@@ -67,18 +66,6 @@ std::string_view coordinate_name(const TrackLayout& layout, std::size_t axis) {
   constexpr std::array<std::string_view, 3> kGeographic = {"longitude", "latitude", "height"};
   constexpr std::array<std::string_view, 3> kMetres = {"x", "y", "z"};
   return layout.frame == Frame::kWgs84 ? kGeographic[axis] : kMetres[axis];
-}
-
-bool is_day_alone(std::string_view text, DateOrder order) {
-  std::int64_t day_s = 0;
-  return text.find(':') == std::string_view::npos && parse_day(text, day_s, order).empty();
-}
-
-// "2015-09-10 00:00:00", "2015-09-10T00:00:00.000Z".
-bool says_midnight(std::string_view text) {
-  const std::size_t time = text.find_first_of("T ");
-  return time != std::string_view::npos && text.substr(time + 1).starts_with("00:00") &&
-         text.find_first_of("123456789+-", time) == std::string_view::npos;
 }
 
 bool is_of_argos(std::string_view sensor) {

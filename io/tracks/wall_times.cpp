@@ -231,6 +231,17 @@ std::optional<Error> choose_wall_times(std::string_view text, const Header& head
   return error ? error : zone_of_place_problem(header, time);
 }
 
+bool is_day_alone(std::string_view text, DateOrder order) {
+  std::int64_t day_s = 0;
+  return text.find(':') == std::string_view::npos && parse_day(text, day_s, order).empty();
+}
+
+bool says_midnight(std::string_view text) {
+  const std::size_t time = text.find_first_of("T ");
+  return time != std::string_view::npos && text.substr(time + 1).starts_with("00:00") &&
+         text.find_first_of("123456789+-", time) == std::string_view::npos;
+}
+
 std::string read_wall_time(const TimeChoice& time, std::string_view text, std::string_view day,
                            double& seconds, double& again_after_s) {
   again_after_s = 0.0;
