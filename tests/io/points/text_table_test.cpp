@@ -226,8 +226,10 @@ TEST(ScaledDegrees, AreKnownByTheirSize) {
 TEST(ScaledDegrees, AreAllOrNone) {
   LoadOptions options;
   options.skip_bad = true;
-  expect_error(load_text("lat,lon\n473977418,85455940\n47.3977518,8.545594\n", options),
-               {ErrorCode::kMalformedRecord, "bees.csv:3:2",
+  std::string rows = "lat,lon\n";
+  for (int i = 0; i < 20; ++i) rows += "473977418,85455940\n";
+  expect_error(load_text(rows + "47.3977518,8.545594\n", options),
+               {ErrorCode::kMalformedRecord, "bees.csv:22:2",
                 "'8.545594' is no whole number of 1e-7 degrees, as the first are"});
   options.frame = Frame::kMetres;
   expect_error(load_text("lat,lon\n473977418,85455940\n473977518,85455940\n", options),

@@ -31,7 +31,8 @@ TEST(FineTime, OfMillisecondsBesideDatesIsTaken) {
   EXPECT_NEAR(times.front(), kNoon_s + 0.3, 1e-6);
   EXPECT_NEAR(times.back(), kNoon_s + 3.2, 1e-6);
   EXPECT_TRUE(has_note(recording,
-                       "times are read from column 1 'time(millisecond)' in ms from the "
+                       "times are read from column 1 'time(millisecond)' in milliseconds "
+                       "from the "
                        "moment on that column 2 'datetime(utc)' tells to the second"));
   const auto said = record(flight(30), columns_are("time=2", Unit::kUnstated));
   EXPECT_EQ(recording_of(said).bees.at(0).fixes.size(), 30u);

@@ -112,7 +112,7 @@ TEST(RecordingFiles, AConflictBetweenFilesIsBlamedOnTheSecond) {
   const TemporaryFolder folder;
   const std::string first = folder.write("1.csv", kTwoBees);
   const std::string second = folder.write("2.csv", "id,time_s,x,y,z\nc,0,0,0,0\nb,0,9,9,9\n");
-  expect_error(load_recording({first, second}),
+  expect_error(load_recording({first, second}, columns_are("")),
                {ErrorCode::kTimeOrder, second + ":3", "in " + first + ", line 3"});
 }
 
