@@ -39,7 +39,8 @@ constexpr std::string_view kTrackMate =
     "a file of TrackMate (XML), which is not read; open it in TrackMate (Load a TrackMate file), "
     "and in its last panel choose Spots, then Export to CSV: that table is read";
 constexpr std::string_view kTrackMateTracks =
-    "tracks that TrackMate exported as XML, which are not read; make a table of them: python3 -c "
+    "an XML file of tracks that TrackMate exported, which is not read; make a table of it: python3 "
+    "-c "
     "\"import xml.etree.ElementTree as E; print('id,frame,x,y,z'); [print(i, *map(d.get, 'txyz'), "
     "sep=',') for i, p in enumerate(E.parse('FILE').iter('particle')) for d in "
     "p.iter('detection')]\" > tracks.csv, which is read with --fps and --scale";

@@ -259,7 +259,7 @@ TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
       {"<?xml version='1.0'?><TrackMate version='7'>", "a file of TrackMate (XML)",
        "Export to CSV"},
       {"<?xml version='1.0'?><Tracks nTracks='2' spaceUnits='pixel'>",
-       "tracks that TrackMate exported as XML", "iter('particle')"},
+       "an XML file of tracks that TrackMate exported", "iter('particle')"},
       {"\x80\x05\x95rest", "a pickle of Python (pandas, traffic)",
        "pandas.read_pickle('FILE').to_csv('bees.csv', index=False)"},
       {"PAR1rest", "a Parquet file", "pandas.read_parquet('FILE').to_csv('bees.csv', index=False)"},
