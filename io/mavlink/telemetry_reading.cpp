@@ -67,6 +67,7 @@ class TelemetryReading {
     if (auto error = choose_kind()) return error;
     if (auto error = assembly_.agree(facts())) return error;
     assembly_.tracks().round_times(0.0);
+    assembly_.tracks().take_own_places();
     assembly_.count_records();
     before_ =
         assembly_.has_several() ? assembly_.name_of_source(stem_of(path)) + ":" : std::string();

@@ -133,7 +133,8 @@ std::string words_of_bag_folder() {
 
 bool is_foreign_file(std::string_view bytes) {
   const Signature* const found = signature_of(bytes);
-  return found != nullptr && found->of == Of::kOthers;
+  if (found == nullptr) return false;
+  return found->of == Of::kOthers || !words_of_npz(bytes).empty() || !words_of_xml(bytes).empty();
 }
 
 }  // namespace beespace::io

@@ -51,6 +51,7 @@ class FlightReading {
     if (auto error = clock_problem()) return error;
     if (auto error = assembly_.agree(facts())) return error;
     assembly_.tracks().round_times(0.0);
+    assembly_.tracks().take_own_places();
     say_choice();
     if (source_ == Source::kGlobal) gather_velocities();
     for (const Px4Place& place : source_ == Source::kGlobal ? log_.global : log_.local) {

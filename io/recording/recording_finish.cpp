@@ -317,8 +317,8 @@ Result<Recording> RecordingAssembly::finish() {
   if (auto error = settle_files()) return *std::move(error);
   if (auto error = settle_midnights()) return *std::move(error);
   leave_out_zero_runs();
-  // Where times are rounded, or those of arrival, what is heard again is left out already.
-  if (!frame_is_settled_) leave_out_stale_places();
+  // Logs of vehicles have each place as it was told.
+  if (!frame_is_settled_ && !tracks_.takes_own_places()) leave_out_stale_places();
   if (auto doubled = doubled_drone(tracks_)) {
     return Error{ErrorCode::kInvalidArgument, std::move(doubled->problem),
                  location_of(tracks_.origin(doubled->fix))};

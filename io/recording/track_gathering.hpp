@@ -115,6 +115,9 @@ class TrackGathering {
   [[nodiscard]] std::vector<SharedTrack> jumping(Frame frame) const;
   // The same of who is in several sources at the same time, at places that do not go together.
   [[nodiscard]] std::vector<TimeConflict> contradicting(Frame frame) const;
+  // From here on vehicles tell each place anew: one that stays is none of before.
+  void take_own_places() { own_places_ = true; }
+  [[nodiscard]] bool takes_own_places() const { return own_places_; }
   // Whether times are rounded, or those of arrival.
   [[nodiscard]] bool rounds_times() const { return repeat_s_.has_value(); }
 
@@ -151,6 +154,7 @@ class TrackGathering {
   std::uint64_t repeated_ = 0;
   std::uint64_t clashing_ = 0;
   std::optional<double> repeat_s_;  // of rounded times
+  bool own_places_ = false;
   std::uint64_t in_several_sources_ = 0;
   std::uint64_t renamed_ = 0;
 };
