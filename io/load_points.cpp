@@ -21,6 +21,8 @@
 #include "io/table/coordinate_units.hpp"
 #include "io/table/decimal_comma.hpp"
 #include "io/table/position_columns.hpp"
+#include "io/table/record_problems.hpp"
+#include "io/tracks/scaled_degrees.hpp"
 #include "io/tracks/sides.hpp"
 #include "io/tracks/utm_zone.hpp"
 
@@ -186,6 +188,7 @@ std::optional<Error> read_records(LoadedPoints& loaded, RecordSource& source,
   if (!content) return content.error();
   loaded.points = std::move(content->points);
   source.skipped = std::move(content->skipped);
+  loaded.repeated_headers = content->headers;
   loaded.format_description =
       "text, " + std::string(delimiter_name(source.table->delimiter)) + "-separated";
   if (known.frame == Frame::kAuto && !loaded.points.empty()) {
@@ -208,6 +211,18 @@ std::optional<Error> read_records(LoadedPoints& loaded, RecordSource& source,
   loaded.notes.insert(loaded.notes.end(), source.table->notes.begin(), source.table->notes.end());
   note_columns(*source.table, loaded.frame, loaded.notes);
   return std::nullopt;
+}
+
+// Longitude and latitude that are whole numbers of 1e-7 degrees by their size.
+std::optional<Error> settle_scaled_degrees(std::string_view text, const LoadOptions& options,
+                                           TableLayout& layout) {
+  ColumnChoice& choice = layout.choice;
+  const Frame frame = frame_before_values(options.frame, {choice.evidence, choice.reason}).frame;
+  if (frame == Frame::kMetres) return scaled_degrees_as_metres(text, layout, choice);
+  if (frame != Frame::kWgs84 || !are_scaled_degrees(text, layout, choice)) return std::nullopt;
+  choice.scaled_degrees = true;
+  layout.notes.emplace_back(kScaledDegreesNote);
+  return settle_heights_beside(text, layout, choice);
 }
 
 std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
@@ -238,9 +253,13 @@ std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
     loaded.notes.push_back("eastings and northings are of UTM zone " + excerpt(zone.value_or("")) +
                            ", all of them");
   }
-  return read_records(loaded, source,
-                      frame_before_values(options.frame, {choice.evidence, choice.reason}),
-                      options);
+  auto error =
+      read_records(loaded, source,
+                   frame_before_values(options.frame, {choice.evidence, choice.reason}), options);
+  if (!error && loaded.repeated_headers > 0) {
+    loaded.notes.push_back(repeated_headers_note(loaded.repeated_headers));
+  }
+  return error;
 }
 
 // All points of the array, as they are.
@@ -382,6 +401,9 @@ Result<TableBeginning> find_points_table(std::string_view bytes, const LoadOptio
   const std::string_view text = without_byte_order_mark(bytes);
   auto layout = find_layout(text, options);
   if (!layout) return std::move(layout).error();
+  if (auto error = settle_scaled_degrees(text, options, *layout)) {
+    return at_first_line(*std::move(error), *layout);
+  }
   return TableBeginning{*std::move(layout), text};
 }
 

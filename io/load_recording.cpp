@@ -12,6 +12,7 @@
 #include "io/mavlink/telemetry_log.hpp"
 #include "io/mavlink/telemetry_reading.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/problems/foreign_containers.hpp"
 #include "io/problems/json_kind.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/px4/flight_reading.hpp"
@@ -97,9 +98,7 @@ std::optional<Error> read_text_table(Bytes content, const std::string& path, boo
                                      RecordingAssembly& assembly) {
   if (auto utf8 = text_problem(content.view) ? std::nullopt : from_windows_1252(content.view)) {
     content = *std::move(utf8);
-    assembly.note(
-        "some text is no UTF-8: it is taken for Windows-1252; if names look wrong, save the table "
-        "as UTF-8");
+    assembly.note(std::string(kTakenForWindows1252));
   }
   if (auto points = with_decimal_points(without_byte_order_mark(content.view))) {
     content = *std::move(points);
@@ -230,7 +229,12 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
   assembly.add_bytes(bytes.view.size());
   auto content = unpacked(std::move(bytes), source);
   if (!content) return content.error();
-  if (is_zip(content->view)) return read_archive(*std::move(content), source, assembly);
+  if (is_zip(content->view)) {
+    if (std::string words = words_of_npz(content->view); !words.empty()) {
+      return Error{ErrorCode::kUnsupportedFormat, "this is " + words, {}};
+    }
+    return read_archive(*std::move(content), source, assembly);
+  }
   const bool tables = format == RecordingFormat::kTable || format == RecordingFormat::kSkybrushCsv;
   const bool object = front_of(content->view) == '{';
   if (format == RecordingFormat::kAuto) {

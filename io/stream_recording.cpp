@@ -3,10 +3,12 @@
 #include "io/aircraft/base_station_reading.hpp"
 #include "io/bytes/byte_source.hpp"
 #include "io/bytes/gzip.hpp"
+#include "io/bytes/windows_1252.hpp"
 #include "io/bytes/zip_archive.hpp"
 #include "io/encounters/bluesky_scenario.hpp"
 #include "io/encounters/daidalus_encounter.hpp"
 #include "io/mavlink/telemetry_log.hpp"
+#include "io/problems/excerpt.hpp"
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/px4/ulog_walk.hpp"
@@ -37,6 +39,17 @@ Status list_files(const std::string& path, std::vector<std::string>& files, bool
   several = several || inside->size() > 1;
   files.insert(files.end(), inside->begin(), inside->end());
   return std::monostate{};
+}
+
+// Where the line begins that comes behind so many.
+std::size_t behind_lines(std::string_view text, std::uint64_t lines, char line_end) {
+  std::size_t at = 0;
+  for (std::uint64_t i = 0; i < lines; ++i) {
+    const std::size_t found = text.find(line_end, at);
+    if (found == std::string_view::npos) return text.size();
+    at = found + 1;
+  }
+  return at;
 }
 
 Error not_as_it_comes(const std::string& what) {
@@ -147,6 +160,13 @@ Status RecordingStream::begin_source() {
   return status ? std::move(status) : Status(placed(std::move(status).error()));
 }
 
+std::string_view RecordingStream::readable(std::string_view text, std::optional<Bytes>& converted) {
+  converted = text_problem(text) ? std::nullopt : from_windows_1252(text);
+  if (!converted) return text;
+  assembly_->note(std::string(kTakenForWindows1252));
+  return converted->view;
+}
+
 // What is pending, without a piece of a line.
 std::string_view RecordingStream::beginning() const {
   const std::string_view all = pending();
@@ -156,9 +176,11 @@ std::string_view RecordingStream::beginning() const {
 
 Status RecordingStream::begin_table(const std::string& path) {
   const bool bare = options_->format == RecordingFormat::kSkybrushCsv;
+  std::optional<Bytes> converted;
   const auto begin = [&] {
+    const std::string_view text = readable(beginning(), converted);
     return TrackTableReader::begin(
-        {beginning(), stem_of(path), bare, ended_ ? SeenRecords::kWhole : SeenRecords::kBeginning},
+        {text, stem_of(path), bare, ended_ ? SeenRecords::kWhole : SeenRecords::kBeginning},
         *assembly_);
   };
   auto table = begin();
@@ -170,7 +192,8 @@ Status RecordingStream::begin_table(const std::string& path) {
   if (!table) return std::move(table).error();
   // Drones that stand are in the way as long as any other flies, which only all of it tells.
   if (assembly_->is_show()) return not_as_it_comes("a drone show");
-  at_ += table->data_offset();
+  at_ += converted ? behind_lines(pending(), table->lines_before(), table->line_end())
+                   : table->data_offset();
   table_.emplace(*std::move(table));
   if (frame() == Frame::kAuto) {
     return Error{
@@ -222,7 +245,9 @@ Status RecordingStream::read_lines() {
       }
       if (next != std::string_view::npos) end = next + 1;
     }
-    if (auto error = table_->read(all.substr(0, end))) return placed(*std::move(error));
+    std::optional<Bytes> converted;
+    const std::string_view lines = readable(all.substr(0, end), converted);
+    if (auto error = table_->read(lines)) return placed(*std::move(error));
     at_ += end;
     return std::monostate{};
   }
@@ -246,6 +271,10 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
       if (stale_[bee].take(fix, velocity)) {
         assembly_->stale(id(bee), fix);
         return;
+      }
+      if (frame() == Frame::kMetres) {
+        if (bee >= zero_runs_.size()) zero_runs_.resize(bee + 1);
+        zero_runs_[bee].take(fix, fixes_);
       }
       const bool follows =
           last_ && last_->source == origin.source && last_->line + 1 == origin.line;
@@ -310,6 +339,20 @@ Error RecordingStream::clash(std::size_t bee, double time_s, std::uint64_t first
   return error;
 }
 
+// Those that were handed out cannot be left out any more.
+std::optional<Error> RecordingStream::zero_run_problem() const {
+  for (std::size_t bee = 0; bee < zero_runs_.size(); ++bee) {
+    const auto fix = zero_runs_[bee].found();
+    if (!fix) continue;
+    return Error{ErrorCode::kInvalidArgument,
+                 "a place of bee " + excerpt(id(bee)) + " is " + std::string(kZeroRun.which) +
+                     " and cannot be left out with --memory: take such records out, or leave "
+                     "--memory out",
+                 assembly_->location_of(origin_of(*fix))};
+  }
+  return std::nullopt;
+}
+
 Result<Recording> RecordingStream::finish(std::uint64_t repeated) {
   if (witness_) {
     if (auto error = witness_->contradiction(assembly_->facts()->dimensions)) {
@@ -317,6 +360,7 @@ Result<Recording> RecordingStream::finish(std::uint64_t repeated) {
       return *std::move(error);
     }
   }
+  if (auto problem = zero_run_problem()) return *std::move(problem);
   assembly_->tracks().add_repeated(repeated);
   assembly_->settled_frame();  // of each bee only the last fix is there
   return assembly_->finish();

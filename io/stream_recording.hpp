@@ -6,6 +6,7 @@
 // together.
 #pragma once
 
+#include "io/bytes/byte_source.hpp"
 #include "io/bytes/byte_stream.hpp"
 #include "io/bytes/progress.hpp"
 #include "io/frames/frame_witness.hpp"
@@ -16,6 +17,7 @@
 #include "io/recording/shared_id.hpp"
 #include "io/recording/stale_places.hpp"
 #include "io/recording/zero_places.hpp"
+#include "io/recording/zero_runs.hpp"
 #include "io/tracks/track_table.hpp"
 
 #include <beespace/result.hpp>
@@ -78,6 +80,9 @@ class RecordingStream {
   [[nodiscard]] Origin origin_of(std::uint64_t fix) const;
   [[nodiscard]] bool is_nowhere(const Fix& fix);
   void look_for_doubt(std::size_t bee, const Fix& fix, Origin origin);
+  // As text in UTF-8, in `converted` where it is none.
+  std::string_view readable(std::string_view text, std::optional<Bytes>& converted);
+  [[nodiscard]] std::optional<Error> zero_run_problem() const;
 
   std::unique_ptr<RecordingOptions> options_;
   Progress* progress_;  // of bytes of files, packed as they are
@@ -112,6 +117,7 @@ class RecordingStream {
   std::vector<bool> jumping_;            // whose jumps have been told
   std::vector<StalePlaces> stale_;       // by bee
   ZeroPlaces zeros_;
+  std::vector<ZeroRunWatch> zero_runs_;  // by bee, of places in metres
 };
 
 }  // namespace beespace::io

@@ -7,6 +7,7 @@
 #include "cli/input/moving_output.hpp"
 #include "cli/output/event_lines.hpp"
 #include "cli/watch/live_advice.hpp"
+#include "cli/watch/no_places.hpp"
 #include "cli/watch/pace.hpp"
 #include "cli/watch/watch_request.hpp"
 #include "cli/watch/watch_tally.hpp"
@@ -14,7 +15,6 @@
 #include "io/live/report_lines.hpp"
 #include "io/recording/jumps.hpp"
 #include "io/recording/shared_id.hpp"
-#include "io/recording/zero_places.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -210,9 +210,10 @@ class Watch {
       const auto bee = feed_ ? feed_->leave(at.id) : std::nullopt;
       if (bee && advice_) advice_->remove(*bee);
       if (bee && *bee < tracks_.size()) tracks_[*bee] = {};
+      if (bee) no_places_.forget(*bee);
       return std::monostate{};
     }
-    if (is_nowhere(at)) return std::monostate{};
+    if (counts_as_none(no_places_.zero(at), at.id)) return std::monostate{};
     if (!feed_) begin(at.frame, at.height_unit);
     const auto metres = in_metres(at.position, at.velocity, at.frame, geometry_,
                                   {at.stated_height, at.height_unit});
@@ -227,6 +228,10 @@ class Watch {
     if (!number) {
       note_heard_of(at.id);
       note_bad(feed_->too_many());
+      return std::monostate{};
+    }
+    // Logs of vehicles have each place as it was told.
+    if (!lines_.in_frames() && counts_as_none(no_places_.stale(*number, time_of(at), at), at.id)) {
       return std::monostate{};
     }
     look_for_doubt(*number, {time_of(at), metres->position},
@@ -268,15 +273,12 @@ class Watch {
     return came_s_ + since_1970_;
   }
 
-  // Zeros that are written where no place is known; whether other places are near them is judged by
-  // the reports before.
-  bool is_nowhere(const io::ReportLine& at) {
-    if (at.frame != io::Frame::kWgs84) return false;
-    zeros_.look_at(at.position);
-    if (!zeros_.is_none(at.position)) return false;
-    note_heard_of(at.id);
+  // The report that was read last counts as none, if there is a reason: its bee is silent.
+  bool counts_as_none(const std::optional<std::string>& why, std::string_view id) {
+    if (!why) return false;
+    note_heard_of(id);
     Error error{ErrorCode::kOutsideDomain,
-                "this report is " + std::string(io::kZeroPlace.which) + " and counts as none",
+                "this report " + *why + " and counts as none",
                 {request_.input == "-" ? "<stdin>" : request_.input}};
     (lines_.in_frames() ? error.location.record : error.location.line) = line_number();
     note_bad(error);
@@ -427,7 +429,7 @@ class Watch {
           .count();
   LeftOutOfWatch left_out_;
   std::vector<Doubts> tracks_;  // by number
-  io::ZeroPlaces zeros_;
+  NoPlaces no_places_;
   std::set<std::string, std::less<>> unplaced_;  // ids, for advice
   bool many_unplaced_ = false;                   // more than are kept
   std::uint64_t unadvised_looks_ = 0;

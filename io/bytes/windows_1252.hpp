@@ -12,4 +12,9 @@ namespace beespace::io {
 // nothing where `text` is UTF-8.
 std::optional<Bytes> from_windows_1252(std::string_view text);
 
+// What is to be said then.
+inline constexpr std::string_view kTakenForWindows1252 =
+    "some text is no UTF-8: it is taken for Windows-1252; if names look wrong, save the table as "
+    "UTF-8";
+
 }  // namespace beespace::io

@@ -216,9 +216,9 @@ std::optional<Error> read_daidalus_encounter(std::string_view text, RecordingAss
   assembly.note("the first aircraft of each time is the ownship");
   const bool geographic = layout->frame == Frame::kWgs84;
   if (!geographic) assembly.note("sx counts to the east, sy to the north, sz upwards");
-  std::uint64_t rows = 0;
+  RecordsBefore none;
   return read_track_records(std::string_view(*table).substr(layout->table.data_offset), *layout, {},
-                            RecordPlace::kLineAndColumn, rows, assembly);
+                            RecordPlace::kLineAndColumn, none, assembly);
 }
 
 }  // namespace beespace::io

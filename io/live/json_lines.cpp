@@ -306,7 +306,7 @@ class JsonLines final : public LineReader {
         return json_number_problem(*value, name_of(choice.columns[i]));
       }
     }
-    report.velocity = known(in_metric(velocity, choice));
+    set_velocity(report, in_metric(velocity, choice));
     return std::nullopt;
   }
 

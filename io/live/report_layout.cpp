@@ -78,7 +78,7 @@ Result<std::optional<ReportLine>> report_line(const AircraftReport& report,
   line.frame = Frame::kWgs84;
   line.stated_height = fix.stated_height;
   line.height_unit = report.height_unit;
-  line.velocity = known(fix.velocity);
+  set_velocity(line, fix.velocity);
   line.since_1970 = true;
   return std::optional<ReportLine>(line);
 }

@@ -27,10 +27,10 @@ Result<std::optional<ReportLine>> report_line(const AircraftReport& report,
 // What is wrong with a position in degrees that is none.
 std::optional<Error> out_of_range(const Point& position, Frame frame);
 
-// The velocity, if all of it is known.
-inline std::optional<Velocity> known(const Velocity& velocity) {
-  if (!std::isfinite(velocity.x + velocity.y + velocity.z)) return std::nullopt;
-  return velocity;
+// The line says that velocity, of which not-a-numbers are not known.
+inline void set_velocity(ReportLine& line, const Velocity& velocity) {
+  line.stated_velocity = velocity;
+  if (std::isfinite(velocity.x + velocity.y + velocity.z)) line.velocity = velocity;
 }
 
 }  // namespace beespace::io

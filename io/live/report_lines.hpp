@@ -30,6 +30,7 @@
 #include <beespace/result.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,6 +38,10 @@
 #include <vector>
 
 namespace beespace::io {
+
+inline constexpr Velocity kNoVelocity = {std::numeric_limits<double>::quiet_NaN(),
+                                         std::numeric_limits<double>::quiet_NaN(),
+                                         std::numeric_limits<double>::quiet_NaN()};
 
 struct ReportLine {
   std::string_view id = {};     // as long as the line, and until the next one is taken
@@ -49,6 +54,7 @@ struct ReportLine {
   Frame frame = Frame::kMetres;  // which of them: never kAuto, and the same for all lines
   // m/s along x, y, z; or east, north, up beside degrees. Nothing unless all of it is known.
   std::optional<Velocity> velocity = {};
+  Velocity stated_velocity = kNoVelocity;  // the same with not-a-numbers for what is not known
   bool since_1970 = false;
   bool leaves = false;  // only the id is known: it is there no longer
 };

@@ -176,7 +176,7 @@ class TableLines final : public LineReader {
     report.stated_height = record_.stated_height;
     report.height_unit = layout_.table.choice.height_unit();
     report.since_1970 = layout_.time->since_1970;
-    if (layout_.velocity) report.velocity = known(record_.velocity);
+    if (layout_.velocity) set_velocity(report, record_.velocity);
     return std::optional<ReportLine>(report);
   }
 

@@ -223,7 +223,7 @@ class TelemetryFrames final : public LineReader {
     line.position = at.position;
     line.stated_height = at.position.z;
     line.frame = at.global() ? Frame::kWgs84 : Frame::kMetres;
-    line.velocity = known(at.velocity);
+    set_velocity(line, at.velocity);
     line.since_1970 = true;
     return std::optional<ReportLine>(line);
   }

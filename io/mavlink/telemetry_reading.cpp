@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -55,11 +56,8 @@ class TelemetryReading {
 
   std::optional<Error> read(std::string_view path) {
     // Of several inputs, what is said may be of the tables among them.
-    if (!assembly_.has_several()) {
-      if (auto error = fixed_layout_problem(assembly_.options(), "MAVLink telemetry")) {
-        return error;
-      }
-    }
+    unused_ = fixed_layout_problem(assembly_.options(), "MAVLink telemetry");
+    if (unused_ && !assembly_.has_several()) return unused_;
     gather();
     if (auto error = choose_kind()) return error;
     if (auto error = assembly_.agree(facts())) return error;
@@ -169,6 +167,7 @@ class TelemetryReading {
                            : UnitTaken{"x, y and z", Unit::kMetre, UnitEvidence::kNamed,
                                        "MAVLink message 32 has them so"}};
     facts.description = "MAVLink telemetry log";
+    facts.unused_options = unused_;
     return facts;
   }
 
@@ -373,7 +372,7 @@ class TelemetryReading {
     origin.line = (heard.frame + 1) & 0xFF'FFFF'FFFFu;
     assembly_.tracks().add(id, {heard.time_s, heard.at.position}, &heard.at.velocity, origin);
     const bool is_other = heard.at.by == PlaceBy::kOfAnother;
-    if (!is_other) assembly_.may_stand_still(id);
+    if (is_other) assembly_.told_by_others(id);
     if (is_other && !heard.at.name.empty()) assembly_.tracks().label(id, heard.at.name);
     return std::nullopt;
   }
@@ -419,6 +418,7 @@ class TelemetryReading {
 
   TelemetryWalk walk_;
   RecordingAssembly& assembly_;
+  std::optional<Error> unused_ = {};  // which of the options are not for logs
   std::vector<Heard> heard_;
   VehicleCensus census_;
   VehicleLandings landings_;

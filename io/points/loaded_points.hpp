@@ -33,7 +33,8 @@ struct LoadedPoints {
   std::vector<std::string> notes;  // what else was decided and must be said aloud
   std::vector<Error> skipped;      // with skip_bad: the first bad records
   std::uint64_t skipped_count = 0;
-  std::uint64_t bytes = 0;  // size of the input as read (compressed, if it was)
+  std::uint64_t repeated_headers = 0;  // lines that are the header again, and passed over
+  std::uint64_t bytes = 0;             // size of the input as read (compressed, if it was)
   std::shared_ptr<const RecordSource> records;
 };
 

@@ -6,9 +6,11 @@
 #include "io/points/record_reading.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/table/coordinate_units.hpp"
+#include "io/table/record_problems.hpp"
 #include "io/table/record_walk.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace beespace::io {
@@ -20,11 +22,20 @@ std::size_t read_any_line(std::string_view piece, std::size_t at, const TableLay
   const Line line = line_at(piece, at, layout.line_end);
   ++content.lines;
   if (is_blank_line(line.text) || is_comment(line.text, layout)) return line.next;
+  if (repeats_header(line.text, layout.header)) {
+    ++content.headers;
+    return line.next;
+  }
   Point point;
   auto error = read_record(line.text, layout, point);
   const std::uint64_t row = content.rows++;
   if (!error) {
     content.points.push_back(point);
+    return line.next;
+  }
+  if (auto other = other_header_problem(line.text, layout)) {
+    other->location.line = content.lines;
+    content.error = std::move(other);
     return line.next;
   }
   error->location.line = content.lines;
@@ -37,9 +48,39 @@ std::size_t read_any_line(std::string_view piece, std::size_t at, const TableLay
   return line.next;
 }
 
+// Of degrees among whole numbers of 1e-7 degrees, whatever is left out: they would be taken for
+// other places.
+std::optional<Error> part_of_scaled_degree(std::string_view piece, const TableLayout& layout,
+                                           const PieceContent& content) {
+  const auto is_whole = [](double value) { return value == std::floor(value); };
+  for (std::size_t i = 0; i < content.points.size(); ++i) {
+    const Point& at = content.points[i];
+    if (is_whole(at.x) && is_whole(at.y)) continue;
+    const std::size_t axis = is_whole(at.x) ? 1 : 0;
+    const std::uint64_t row = content.skipped.row_of(i);
+    RecordWalk walk(piece, 0, layout);
+    while (walk.next() && walk.row() < row) {
+    }
+    const std::size_t column = layout.choice.axes[axis];
+    const Field field = field_at(walk.record(), layout.delimiter, column);
+    Error error = at_column(
+        ErrorCode::kMalformedRecord,
+        excerpt(field.text) + " is no whole number of 1e-7 degrees, as the first are; correct it",
+        column);
+    error.location.line = walk.line() + 1;
+    error.location.record = row;
+    return error;
+  }
+  return std::nullopt;
+}
+
 // Checks what was read against the frame, and turns it into metres.
 void settle(std::string_view piece, const TableLayout& layout, const PieceOptions& options,
             PieceContent& content) {
+  if (layout.choice.scaled_degrees && !content.error) {
+    content.error = part_of_scaled_degree(piece, layout, content);
+    if (content.error) return;
+  }
   if (!layout.choice.is_metric()) {
     for (Point& point : content.points) point = in_metric(point, layout.choice);
   }
@@ -72,6 +113,7 @@ void PieceContent::clear() {
   extent = {};
   lines = 0;
   rows = 0;
+  headers = 0;
   skipped = {};
   error.reset();
 }

@@ -28,6 +28,7 @@ struct PieceContent {
   Extent extent = {};              // of the points as they were read
   std::uint64_t lines = 0;
   std::uint64_t rows = 0;
+  std::uint64_t headers = 0;  // lines that are the header again
   SkippedRecords skipped = {};
   std::optional<Error> error = {};  // of the lowest line that has one; location.line is 1-based
 

@@ -51,7 +51,12 @@ void visit_table(const RecordSource& source, const std::vector<PointId>& ascendi
     } while (walk.row() < row);
     Record record{point, row, {}, walk.record(), {}};
     if (wanted.geographic || wanted.height) {
-      fill(record, point_of(walk.record(), readable_end, layout), layout.choice.units, wanted);
+      Point stated = point_of(walk.record(), readable_end, layout);
+      if (layout.choice.scaled_degrees) {
+        stated.x /= kScaledPerDegree;
+        stated.y /= kScaledPerDegree;
+      }
+      fill(record, stated, layout.choice.units, wanted);
     }
     if (layout.choice.id) {
       const Field field = field_at(walk.record(), layout.delimiter, *layout.choice.id);

@@ -105,6 +105,7 @@ class TableReading {
     take_points(piece, content);
     rows_ += content.rows;
     lines_ += content.lines;
+    content_.headers += content.headers;
     if (options_.progress != nullptr) options_.progress->done += piece.text.size();
     ++appended_;
     turn_.notify_all();

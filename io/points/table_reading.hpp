@@ -33,6 +33,7 @@ struct TableContent {
   std::vector<Point> points = {};  // in metres when the frame is known
   Extent extent = {};              // of the points as they were read
   SkippedRecords skipped = {};
+  std::uint64_t headers = 0;  // lines that are the header again
 };
 
 // Errors have line, column and record, but no source.

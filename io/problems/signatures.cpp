@@ -1,5 +1,7 @@
 #include "io/problems/signatures.hpp"
 
+#include "io/problems/foreign_containers.hpp"
+
 #include <array>
 #include <cstddef>
 
@@ -32,12 +34,6 @@ constexpr std::string_view kDataFlash =
 constexpr std::string_view kMatlab =
     ", which is not read; see what it has: pip install scipy, then python3 -c \"import scipy.io; "
     "print(scipy.io.whosmat('FILE'))\"; docs/recipes/matlab.md has the lines that ask about it";
-constexpr std::string_view kHdf5 =
-    " (also .mat of MATLAB 7.3), which is not read; see what it has: pip install h5py, then "
-    "python3 -c \"import h5py; h5py.File('FILE').visititems(print)\"; docs/recipes/matlab.md has "
-    "the lines that ask about arrays; poses of DeepLabCut become a table that is read: pip install "
-    "pandas tables, then python3 -c \"import pandas; pandas.read_hdf('FILE').to_csv('poses.csv')\";"
-    " of SLEAP: sleap-convert --format analysis.csv";
 constexpr std::string_view kParquet =
     ", which is not read; make CSV of it: pip install pandas pyarrow, then python3 -c \"import "
     "pandas; pandas.read_parquet('FILE').to_csv('bees.csv', index=False)\"";
@@ -54,7 +50,7 @@ constexpr std::string_view kObjects =
     "CSV: idtrackerai_csv FOLDER, with the folder of the session";
 
 // Longer ones before those they begin with.
-constexpr std::array<Signature, 33> kSignatures = {{
+constexpr std::array<Signature, 34> kSignatures = {{
     {std::string_view("\xFF\xFE\0\0", 4), "UTF-32 text; save it as UTF-8"},
     {std::string_view("\0\0\xFE\xFF", 4), "UTF-32 text; save it as UTF-8"},
     {"\xFF\xFE", "UTF-16 text; save it as UTF-8"},
@@ -81,7 +77,8 @@ constexpr std::array<Signature, 33> kSignatures = {{
     {"\xA3\x95\x80\x80\x59", "a DataFlash log of ArduPilot (.bin)", kDataFlash, Of::kOthers},
     {"FMT, 128, 89, FMT,", "a DataFlash log of ArduPilot, as text (.log)", kDataFlash, Of::kOthers},
     {"MATLAB 5.0 MAT-file", "a file of MATLAB (.mat)", kMatlab, Of::kOthers},
-    {"\x89HDF\r\n\x1A\n", "an HDF5 file", kHdf5, Of::kOthers},
+    {"MATLAB 7.3 MAT-file", "a file of MATLAB 7.3 (.mat)", {}, Of::kOthers},
+    {"\x89HDF\r\n\x1A\n", "an HDF5 file", {}, Of::kOthers},
     {"PAR1", "a Parquet file", kParquet, Of::kOthers},
     {"ARROW1", "a Feather file (Arrow)", kFeather, Of::kOthers},
     {"\x80\x04\x95", "a pickle of Python (pandas, traffic)", kPickle, Of::kOthers},
@@ -96,7 +93,7 @@ constexpr std::array<Signature, 33> kSignatures = {{
      "a program",
      {},
      Of::kOthers},
-    {"\x89HDF", "an HDF5 file", kHdf5, Of::kOthers},
+    {"\x89HDF", "an HDF5 file", {}, Of::kOthers},
     {"<?xml", "XML; export the table as CSV"},
     {"<kml", "KML, which is not read; export the table as CSV"},
     {"\xD0\xCF\x11\xE0",
@@ -121,6 +118,12 @@ std::string words_of_signature(std::string_view bytes) {
   }
   const Signature* const found = signature_of(bytes);
   if (found == nullptr) return {};
+  const bool hdf5 = found->bytes.starts_with("\x89HDF") || found->bytes.starts_with("MATLAB 7.3");
+  if (hdf5) return words_of_hdf5(bytes);
+  if (std::string words = words_of_npz(bytes); !words.empty()) return words;
+  if (found->bytes == "<?xml") {
+    if (std::string words = words_of_xml(bytes); !words.empty()) return words;
+  }
   return std::string(found->what).append(found->advice);
 }
 
@@ -130,7 +133,8 @@ std::string words_of_bag_folder() {
 
 bool is_foreign_file(std::string_view bytes) {
   const Signature* const found = signature_of(bytes);
-  return found != nullptr && found->of == Of::kOthers;
+  if (found == nullptr) return false;
+  return found->of == Of::kOthers || !words_of_npz(bytes).empty() || !words_of_xml(bytes).empty();
 }
 
 }  // namespace beespace::io

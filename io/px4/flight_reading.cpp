@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -40,8 +41,9 @@ enum class Source : std::uint8_t { kGlobal, kReferred, kLocal };
 
 class FlightReading {
  public:
-  FlightReading(Px4FlightLog log, RecordingAssembly& assembly)
-      : log_(std::move(log)), assembly_(assembly) {}
+  // `unused`: which of the options are not for logs.
+  FlightReading(Px4FlightLog log, std::optional<Error> unused, RecordingAssembly& assembly)
+      : log_(std::move(log)), unused_(std::move(unused)), assembly_(assembly) {}
 
   std::optional<Error> read(std::string_view path) {
     id_ = assembly_.name_of_source(stem_of(path));
@@ -50,7 +52,6 @@ class FlightReading {
     if (auto error = assembly_.agree(facts())) return error;
     assembly_.tracks().round_times(0.0);
     say_choice();
-    assembly_.may_stand_still(id_);
     if (source_ == Source::kGlobal) gather_velocities();
     const std::vector<Px4Place>& places = source_ == Source::kGlobal ? log_.global : log_.local;
     const std::vector<bool> landed = landed_at(places);
@@ -182,6 +183,7 @@ class FlightReading {
     facts.units = {{degrees ? "heights" : "x, y and z", Unit::kMetre, UnitEvidence::kNamed,
                     "PX4 logs have them so"}};
     facts.description = "PX4 log (ULog)";
+    facts.unused_options = unused_;
     return facts;
   }
 
@@ -326,6 +328,7 @@ class FlightReading {
   }
 
   Px4FlightLog log_;
+  std::optional<Error> unused_;
   RecordingAssembly& assembly_;
   std::string id_;
   Source source_ = Source::kGlobal;
@@ -337,12 +340,11 @@ class FlightReading {
 std::optional<Error> read_flight(std::string_view bytes, std::string_view path,
                                  RecordingAssembly& assembly) {
   // Of several inputs, what is said may be of the tables among them.
-  if (!assembly.has_several()) {
-    if (auto error = fixed_layout_problem(assembly.options(), "a PX4 log")) return error;
-  }
+  auto unused = fixed_layout_problem(assembly.options(), "a PX4 log");
+  if (unused && !assembly.has_several()) return unused;
   auto log = read_flight_log(bytes);
   if (!log) return std::move(log).error();
-  return FlightReading(*std::move(log), assembly).read(path);
+  return FlightReading(*std::move(log), std::move(unused), assembly).read(path);
 }
 
 }  // namespace beespace::io

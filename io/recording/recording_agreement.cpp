@@ -38,13 +38,6 @@ std::string clock_words(const SourceFacts& facts) {
   return facts.clock->dated ? "dates without a time zone" : "times of day without a date";
 }
 
-// As --time-unit says it.
-std::string_view option_of(Unit time) {
-  if (time == Unit::kMillisecond) return "ms";
-  if (time == Unit::kMicrosecond) return "us";
-  return time == Unit::kNanosecond ? "ns" : "s";
-}
-
 // Whether it means itself within quotes, in whatever program.
 bool is_plain(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](unsigned char c) {
@@ -66,10 +59,15 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   const auto disagree = [this](ErrorCode code, const std::string& message) {
     return Error{code, message, {sources_.back()}};
   };
+  if (!facts.unused_options) unused_options_.reset();
   if (!facts_) {
     facts_ = facts;
+    unused_options_ = facts.unused_options;
     facts_source_ = sources_.back();
-    if (facts.begins_at_zero) zero_source_ = facts_source_;
+    if (facts.begins_at_zero) {
+      zero_source_ = facts_source_;
+      zero_names_bees_ = facts.names_bees;
+    }
     recording_.units = facts.units;
     return agree_on_heights(facts.heights);
   }
@@ -107,18 +105,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
                              : "; read them apart, or name the column unix_time_s if it counts "
                                "from 1970"));
   }
-  if (facts.since_start || facts_->since_start || (facts.begins_at_zero && zero_source_)) {
-    const std::string other = zero_source_ && facts.begins_at_zero ? *zero_source_ : facts_source_;
-    return disagree(
-        ErrorCode::kInvalidArgument,
-        "times here and in " + other +
-            (facts.begins_at_zero && zero_source_ ? " both begin at 0, and" : "") +
-            " may be counted from a zero of each vehicle's own, as when it was switched "
-            "on: then they cannot be compared; give times since 1970 (of PX4 the logs "
-            "themselves, .ulg), or, if all have one clock, say so with their unit, --time-unit " +
-            std::string(option_of(facts.time_unit)));
-  }
-  if (facts.begins_at_zero) zero_source_ = sources_.back();
+  if (auto error = agree_on_zeros(facts)) return error;
   if (facts.clock.has_value() != facts_->clock.has_value() ||
       (facts.clock && facts.clock->dated != facts_->clock->dated)) {
     return disagree(ErrorCode::kInvalidArgument, "times here are " + clock_words(facts) +
@@ -142,6 +129,32 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   if (facts_->tags.column.empty()) facts_->tags = facts.tags;
   agree_on_units(facts);
   if (facts.description != facts_->description) facts_->description = "several formats";
+  return std::nullopt;
+}
+
+// Times that are counted from a zero of each file's own cannot be compared.
+std::optional<Error> RecordingAssembly::agree_on_zeros(const SourceFacts& facts) {
+  const bool both = facts.begins_at_zero && zero_source_;
+  if (facts.since_start || facts_->since_start || both) {
+    // Of files that name their bees each may be a trial of its own.
+    const bool trials = both && !facts.since_start && !facts_->since_start &&
+                        (facts.names_bees || zero_names_bees_);
+    return Error{
+        ErrorCode::kInvalidArgument,
+        "times here and in " + (both ? *zero_source_ : facts_source_) +
+            (both ? " both begin at 0, and" : "") + " may be counted from a zero of each " +
+            (trials ? "file's own, as of several trials: then they cannot be compared; read the "
+                      "files each for itself, give times since 1970"
+                    : "vehicle's own, as when it was switched on: then they cannot be compared; "
+                      "give times since 1970 (of PX4 the logs themselves, .ulg)") +
+            ", or, if all have one clock, say so with their unit, --time-unit " +
+            std::string(time_unit_option(facts.time_unit)),
+        {sources_.back()}};
+  }
+  if (facts.begins_at_zero && !zero_source_) {
+    zero_source_ = sources_.back();
+    zero_names_bees_ = facts.names_bees;
+  }
   return std::nullopt;
 }
 

@@ -8,6 +8,7 @@
 #include "io/frames/frame_decision.hpp"
 #include "io/problems/left_out.hpp"
 #include "io/recording/address_names.hpp"
+#include "io/recording/bare_midnights.hpp"
 #include "io/recording/doubled_hours.hpp"
 #include "io/recording/ground_claims.hpp"
 #include "io/recording/part_spans.hpp"
@@ -49,13 +50,16 @@ struct SourceFacts {
   std::optional<double> doubted_above_mps = {};
   std::optional<double> stamps_ahead_s = {};  // of ROS, of the times of recording
   bool since_start = false;                   // times count since the one vehicle was switched on
-  bool begins_at_zero = false;                // those of the one bee that is in it
+  bool begins_at_zero = false;                // the first one is 0
+  bool names_bees = false;                    // by an id: there may be several in it
   Unit time_unit = Unit::kUnstated;           // in which times are numbers
   Unit named_time = Unit::kUnstated;  // that of the times, where nothing but the header says it
   HeightDatum heights = HeightDatum::kUnstated;
   Unit height_unit = Unit::kMetre;  // in which TrackGathering is told them as they are stated
   std::vector<UnitTaken> units = {};
   std::string description = {};  // "text, comma-separated"
+  // Of what has a layout of its own: which of the options that were given are not for it.
+  std::optional<Error> unused_options = {};
   // Where times may begin again with each trial, and where an animal may have several tags at
   // once: which column tells, and what to do then.
   struct Parts {
@@ -132,6 +136,7 @@ class RecordingAssembly {
   // A fix of those that are not kept until the end is so high.
   void reach(double height_m) { highest_m_ = std::max(highest_m_, height_m); }
   // Of sources that were begun.
+  [[nodiscard]] ErrorLocation location_of(Origin origin) const;
   [[nodiscard]] Error conflict_error(const TimeConflict& conflict) const;
   // Says it once, however often it is handed in.
   void note(std::string text);
@@ -149,6 +154,7 @@ class RecordingAssembly {
   // As many records of that bee, or of an unknown one, may hide what it did.
   void miss(std::uint64_t records, std::string_view id);
   DoubledHours& doubled_hours() { return doubled_hours_; }
+  BareMidnights& bare_midnights() { return bare_midnights_; }
   // A record of that bee is left out without being a mistake.
   void leave_out(const LeftOutReason& reason, std::string_view id);
   // A file, or a folder, beside those that are read: who may be in it is not known.
@@ -179,9 +185,8 @@ class RecordingAssembly {
   void heard_of(const LeftOutReason& reason, std::string_view id);
   // It was there, at no known place.
   void unplaced(std::string_view id, double time_s);
-  // Where times are rounded, or those of arrival, what is said again is known already; but of that
-  // bee places are told by an estimator that may stand still.
-  void may_stand_still(std::string_view id) { may_stand_still_.emplace(id); }
+  // Others tell its places, and say them again until they hear anew.
+  void told_by_others(std::string_view id) { told_by_others_.emplace(id); }
   // The place of that fix is one that the bee had left (see stale_places.hpp): it counts for none.
   void stale(const std::string& id, const Fix& fix);
   // Two bees seem to share that id: they are not known.
@@ -196,10 +201,10 @@ class RecordingAssembly {
   Result<Recording> finish();
 
  private:
-  [[nodiscard]] ErrorLocation location_of(Origin origin) const;
   [[nodiscard]] std::string place_text(Origin origin) const;
   std::optional<Error> settle_times();
   [[nodiscard]] std::optional<Error> settle_files() const;
+  [[nodiscard]] std::optional<Error> settle_midnights() const;
   std::optional<Error> settle_frame();
   void leave_out_zeros();
   void leave_out_zero_runs();
@@ -219,6 +224,7 @@ class RecordingAssembly {
   [[nodiscard]] Error nothing_left() const;
   std::optional<Error> agree_on_heights(HeightDatum heights);
   [[nodiscard]] std::optional<Error> agree_on_origins(const SourceFacts& facts);
+  [[nodiscard]] std::optional<Error> agree_on_zeros(const SourceFacts& facts);
   [[nodiscard]] std::optional<Error> overlapping_trials() const;
   [[nodiscard]] std::optional<Error> overlapping_tags() const;
   void agree_on_units(const SourceFacts& facts);
@@ -234,7 +240,7 @@ class RecordingAssembly {
     double last_s;
   };
   std::unordered_map<std::string, Times> unplaced_;  // by id
-  std::unordered_set<std::string> may_stand_still_;  // by id
+  std::unordered_set<std::string> told_by_others_;   // by id
   std::uint64_t kept_in_flight_ = 0;
   std::uint64_t rough_records_ = 0;
   std::unordered_set<std::string> rough_ids_;
@@ -253,6 +259,7 @@ class RecordingAssembly {
   PartSpans tags_;  // within each animal
   AddressNames address_names_;
   DoubledHours doubled_hours_;
+  BareMidnights bare_midnights_;
   std::unordered_map<std::string, double> times_of_day_s_;  // by bee: the last one
   // The same of dates and times, and how many records came in order.
   struct ClockTime {
@@ -264,9 +271,12 @@ class RecordingAssembly {
   std::size_t named_sources_ = 0;  // how many sources were begun when it was given away
   bool several_ = false;
   bool frame_is_settled_ = false;
-  std::optional<SourceFacts> facts_;                     // of all inputs so far
-  std::string facts_source_;                             // who said so first
-  std::optional<std::string> zero_source_;               // whose times begin at 0
+  std::optional<SourceFacts> facts_;  // of all inputs so far
+  std::string facts_source_;          // who said so first
+  // That of the first, as long as options are for none of them.
+  std::optional<Error> unused_options_;
+  std::optional<std::string> zero_source_;               // whose times begin at 0,
+  bool zero_names_bees_ = false;                         // and whether it names bees
   HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by the source that states it
   std::string stated_by_;
   std::uint64_t nameless_ = 0;

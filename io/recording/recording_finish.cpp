@@ -59,8 +59,7 @@ void RecordingAssembly::leave_out_zero_runs() {
 // Once all are in order.
 void RecordingAssembly::leave_out_stale_places() {
   const auto which = [this](const RecordedBee& bee) {
-    if (tracks_.rounds_times() && !may_stand_still_.contains(bee.id)) return std::vector<bool>();
-    if (bee.velocities.empty()) return std::vector<bool>();
+    if (bee.velocities.empty() || told_by_others_.contains(bee.id)) return std::vector<bool>();
     StalePlaces places;
     std::vector<bool> none(bee.fixes.size());
     bool any = false;
@@ -156,6 +155,17 @@ std::optional<Error> RecordingAssembly::settle_files() const {
                location_of(conflict.second)};
 }
 
+// Days without a time of day that may not be their midnights.
+std::optional<Error> RecordingAssembly::settle_midnights() const {
+  const auto doubt = bare_midnights_.doubt(tracks_);
+  if (!doubt) return std::nullopt;
+  return Error{ErrorCode::kNotANumber,
+               "the time is a day alone, as R writes midnight, but " + doubt->why +
+                   ": is it midnight? Write times out, as 2015-09-10 00:00:00 (in R: format(time, "
+                   "\"%Y-%m-%d %H:%M:%S\")), or take the record out",
+               location_of(doubt->origin)};
+}
+
 std::optional<Error> RecordingAssembly::settle_frame() {
   if (!facts_ || frame_is_settled_) return std::nullopt;
   SourceFacts& facts = *facts_;
@@ -198,6 +208,10 @@ void RecordingAssembly::note_counts() {
     note(counted(count, "record says", "records say") +
          " another place for a time that the same bee has been heard at (times are rounded); the "
          "first is taken");
+  }
+  if (const auto count = bare_midnights_.count(); count > 0) {
+    note(counted(count, "time is a day alone and is", "times are days alone and are") +
+         " taken for midnight, as R writes it");
   }
   for (std::string& text : left_out_.notes()) note(std::move(text));
   if (kept_in_flight_ > 0) {
@@ -256,6 +270,13 @@ std::optional<Error> RecordingAssembly::doubtful_units() const {
       return error;
     }
   }
+  const bool is_said = options_.units.convention == UnitConvention::kAviation;
+  if (facts_ && recording_.missing.shared == 0 && !is_said) {
+    if (auto error = doubt_of_feet(recording_, highest_m_)) {
+      error->location.source = facts_source_;
+      return error;
+    }
+  }
   if (!facts_ || facts_->named_time == Unit::kUnstated) return std::nullopt;
   auto error = doubt_of_time_unit(recording_, facts_->named_time);
   if (error) error->location.source = facts_source_;
@@ -264,7 +285,7 @@ std::optional<Error> RecordingAssembly::doubtful_units() const {
 
 std::optional<Error> RecordingAssembly::doubtful_heights() const {
   if (!facts_ || facts_->frame != Frame::kWgs84) return std::nullopt;
-  auto error = doubt_of_heights(recording_.units, std::max(highest_m_, tracks_.highest_m()));
+  auto error = doubt_of_heights(recording_.units, highest_m_);
   if (error) error->location.source = facts_source_;
   return error;
 }
@@ -283,6 +304,10 @@ Result<Recording> RecordingAssembly::finish() {
   claims_.finish([this](const auto&... of) { settle_claim(of...); });
   if (auto error = doubled_hours_.unclear()) return *std::move(error);
   if (tracks_.empty()) return nothing_left();
+  if (unused_options_) {
+    unused_options_->location.source = facts_source_;
+    return *std::move(unused_options_);
+  }
   if (auto error = overlapping_trials()) return *std::move(error);
   if (auto error = overlapping_tags()) return *std::move(error);
   if (auto error = settle_frame()) return *std::move(error);
@@ -290,12 +315,14 @@ Result<Recording> RecordingAssembly::finish() {
   if (tracks_.empty()) return nothing_left();
   if (auto error = settle_times()) return *std::move(error);
   if (auto error = settle_files()) return *std::move(error);
+  if (auto error = settle_midnights()) return *std::move(error);
   leave_out_zero_runs();
   if (!frame_is_settled_) leave_out_stale_places();
   if (auto doubled = doubled_drone(tracks_)) {
     return Error{ErrorCode::kInvalidArgument, std::move(doubled->problem),
                  location_of(tracks_.origin(doubled->fix))};
   }
+  highest_m_ = std::max(highest_m_, tracks_.highest_m());
   if (auto error = doubtful_heights()) return *std::move(error);
   if (facts_) {
     recording_.frame = facts_->frame;

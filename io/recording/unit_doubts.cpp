@@ -54,19 +54,39 @@ Steps steps_of(const Recording& recording) {
   return steps;
 }
 
+// What aircraft say of their speeds over ground, and how fast they are by their places.
+struct SpeedsOverGround {
+  double fastest_mps = 0.0;
+  std::vector<double> ratios;  // of those by their places to what they say
+};
+
+SpeedsOverGround speeds_over_ground(const Recording& recording) {
+  constexpr std::size_t kMost = 100'000;
+  constexpr double kLongest_s = 60.0;  // turns make the way between two records shorter
+  constexpr double kFlies_mps = 20.0;
+  SpeedsOverGround speeds;
+  for (const RecordedBee& bee : recording.bees) {
+    for (std::size_t i = 0; i < bee.velocities.size(); ++i) {
+      const double stated_mps = std::hypot(bee.velocities[i].x, bee.velocities[i].y);
+      if (!std::isfinite(stated_mps)) continue;
+      speeds.fastest_mps = std::max(speeds.fastest_mps, stated_mps);
+      if (i + 1 >= bee.fixes.size() || stated_mps < kFlies_mps) continue;
+      const double seconds = bee.fixes[i + 1].time_s - bee.fixes[i].time_s;
+      const double metres =
+          flat_distance_m(bee.fixes[i].position, bee.fixes[i + 1].position, recording.frame);
+      if (seconds > kLongest_s || !(metres > 0.0) || speeds.ratios.size() >= kMost) continue;
+      speeds.ratios.push_back(metres / seconds / stated_mps);
+    }
+  }
+  return speeds;
+}
+
 std::string short_number(double value) {
   std::array<char, 32> text = {};
   const auto end =
       std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3)
           .ptr;
   return {text.data(), end};
-}
-
-// As --time-unit has it.
-std::string_view word_of(Unit unit) {
-  if (unit == Unit::kSecond) return "s";
-  if (unit == Unit::kMillisecond) return "ms";
-  return unit == Unit::kMicrosecond ? "us" : "ns";
 }
 
 // The unit of which a thousand are one; or the other way round.
@@ -85,8 +105,8 @@ Unit larger(Unit unit) {
 Error doubt(const Steps& steps, Unit named, Unit other, double times, const std::string& why) {
   const double speed = median(steps.speeds);
   const double seconds = median(steps.seconds);
-  const std::string is(word_of(named));
-  const std::string would_be(word_of(other));
+  const std::string is(time_unit_option(named));
+  const std::string would_be(time_unit_option(other));
   return {ErrorCode::kInvalidArgument,
           "are the times in " + is + ", as the header says? Then bees move at " +
               short_number(speed) + " m/s and are heard of every " + short_number(seconds) + " s" +
@@ -147,6 +167,46 @@ std::optional<Error> doubt_of_heights(const std::vector<UnitTaken>& units, doubl
                up_to +
                    ", but no unit is named: are they metres, feet, or millimetres? Say it in the "
                    "header, or with --units height=ft, height=mm or height=m",
+               {}};
+}
+
+std::optional<Error> doubt_of_feet(const Recording& recording, double highest_m) {
+  const bool by_source =
+      std::any_of(recording.units.begin(), recording.units.end(), [](const UnitTaken& taken) {
+        return taken.evidence == UnitEvidence::kSource &&
+               (taken.unit == Unit::kFoot || taken.unit == Unit::kKnot);
+      });
+  if (!by_source || recording.frame != Frame::kWgs84) return std::nullopt;
+  // No airliner is so high in metres, or so fast in m/s, even with the wind.
+  constexpr double kHighest = 20'000.0;
+  constexpr double kFastest = 400.0;
+  if (highest_m > in_metric(kHighest, Unit::kFoot)) return std::nullopt;
+  const SpeedsOverGround speeds = speeds_over_ground(recording);
+  if (speeds.fastest_mps > in_metric(kFastest, Unit::kKnot)) return std::nullopt;
+  constexpr double kKnots = 1.4;    // times as fast as they say, at most: between 1 and
+  constexpr double kMetres = 2.7;   // 1.94, as m/s that are taken for knots; not beyond
+  constexpr double kTurning = 0.6;  // on ways that are not straight
+  constexpr std::string_view kWhichUnits =
+      ", as the names tell that traffic gives them? State vectors of OpenSky without columns of "
+      "their own (origin_country, sensors, position_source) have the same names, in metres and "
+      "m/s";
+  constexpr std::string_view kSayWhich =
+      ". Say which: --units aviation, or --units height=m,speed=m/s,climb=m/s";
+  const std::string question = "are heights in feet and speeds in knots" + std::string(kWhichUnits);
+  if (speeds.ratios.size() < kFewest) {
+    return Error{ErrorCode::kInvalidArgument,
+                 question +
+                     ", and here neither a height, a speed, nor the way from record to "
+                     "record tells" +
+                     std::string(kSayWhich),
+                 {}};
+  }
+  const double ratio = median(speeds.ratios);
+  if (ratio > kTurning && ratio < kKnots) return std::nullopt;
+  const std::string how = ratio >= kKnots && ratio < kMetres ? ", and would fit" : "";
+  return Error{ErrorCode::kInvalidArgument,
+               question + how + ": from record to record aircraft go " + short_number(ratio) +
+                   " times as fast as they say in knots" + std::string(kSayWhich),
                {}};
 }
 

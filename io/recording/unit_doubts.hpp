@@ -25,6 +25,11 @@ inline constexpr double kFastestShow_mps = 20.0;
 inline constexpr double kFastestFilmed_mps = 100.0;
 inline constexpr double kFastestUsual_mps = 340.0;
 
+// Heights in feet and speeds in knots that only the names of a known source tell, which others have
+// in metres: doubts them where no height or speed, and no way from record to record, bears them
+// out. `highest_m` is the greatest height. Errors: kInvalidArgument, without source.
+std::optional<Error> doubt_of_feet(const Recording& recording, double highest_m);
+
 // Doubts that positions, whose unit nothing names, are in metres, where these make them faster than
 // that. Errors: kInvalidArgument, without source.
 std::optional<Error> doubt_of_metres(const Recording& recording, double fastest_mps);

@@ -55,4 +55,41 @@ std::vector<bool> zero_runs(const std::vector<Fix>& fixes) {
   return any ? none : std::vector<bool>();
 }
 
+void ZeroRunWatch::take(const Fix& fix, std::uint64_t number) {
+  if (last_ && !(last_->time_s < fix.time_s)) return;
+  const bool zero = is_at_zero(fix);
+  const std::optional<double> step_mps =
+      last_ ? std::optional(speed_mps(*last_, fix)) : std::nullopt;
+  if (zero && !run_) run_ = Run{number, 0, step_mps};
+  if (zero) {
+    ++run_->fixes;
+  } else if (run_) {
+    end(*run_, step_mps);
+    run_.reset();
+  } else if (step_mps) {
+    ++others_;
+    fastest_mps_ = std::max(fastest_mps_, *step_mps);
+  }
+  last_ = fix;
+}
+
+void ZeroRunWatch::end(const Run& run, std::optional<double> left_mps) {
+  const bool both = run.came_mps && left_mps;
+  if (!both && run.fixes < kFewestAtAnEnd) return;
+  if (!run.came_mps && !left_mps) return;
+  const double slower_mps = std::min(run.came_mps.value_or(left_mps.value_or(0.0)),
+                                     left_mps.value_or(run.came_mps.value_or(0.0)));
+  if (slower_mps <= slowest_jump_mps_) return;
+  slowest_jump_mps_ = slower_mps;
+  first_ = run.first;
+}
+
+std::optional<std::uint64_t> ZeroRunWatch::found() const {
+  ZeroRunWatch all = *this;
+  if (all.run_) all.end(*all.run_, std::nullopt);
+  if (all.others_ < kFewestOthers) return std::nullopt;
+  if (!(all.slowest_jump_mps_ > kTimesFaster * all.fastest_mps_)) return std::nullopt;
+  return all.first_;
+}
+
 }  // namespace beespace::io

@@ -6,6 +6,9 @@
 
 #include <beespace/track.hpp>
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace beespace::io {
@@ -18,5 +21,31 @@ inline constexpr LeftOutReason kZeroRun = {
 // Which of the fixes of a bee, in the order of time, are such; empty where none is. Of a few fixes
 // it is not said.
 std::vector<bool> zero_runs(const std::vector<Fix>& fixes);
+
+// The same of fixes that come one after the other; those that go back in time count for nothing.
+class ZeroRunWatch {
+ public:
+  // `number`: how the caller knows the fix again.
+  void take(const Fix& fix, std::uint64_t number);
+  // Once all came: the first fix of such a run; nothing where there is none.
+  [[nodiscard]] std::optional<std::uint64_t> found() const;
+
+ private:
+  struct Run {
+    std::uint64_t first = 0;
+    std::size_t fixes = 0;
+    std::optional<double> came_mps = {};  // how fast the bee would have got there
+  };
+
+  // The run is over; `left_mps`: how fast the bee would have gone on.
+  void end(const Run& run, std::optional<double> left_mps);
+
+  std::optional<Fix> last_ = {};
+  std::optional<Run> run_ = {};
+  std::size_t others_ = 0;         // steps between places that are none of these
+  double fastest_mps_ = 0.0;       // of them
+  double slowest_jump_mps_ = 0.0;  // of the run whose slower jump is the fastest
+  std::uint64_t first_ = 0;        // of that run
+};
 
 }  // namespace beespace::io

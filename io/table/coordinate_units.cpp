@@ -209,6 +209,7 @@ std::optional<Error> settle_coordinate_units(const ColumnSchema& schema, const T
 Point in_metric(const Point& point, const ColumnChoice& choice) {
   const auto metres = [&choice](double value, std::size_t axis) {
     const Unit unit = choice.units[axis];
+    if (choice.scaled_degrees && axis < 2) return value / kScaledPerDegree;
     return unit == Unit::kPixel ? value * choice.pixel_m : in_metric(value, unit);
   };
   return {metres(point.x, 0), metres(point.y, 1), metres(point.z, 2)};

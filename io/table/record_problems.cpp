@@ -74,6 +74,21 @@ std::optional<Error> record_problem(std::string_view line, const TableLayout& la
   return std::nullopt;
 }
 
+std::optional<Error> other_header_problem(std::string_view line, const TableLayout& layout) {
+  if (layout.header.empty() || !header_names(line, layout.delimiter)) return std::nullopt;
+  return Error{ErrorCode::kMalformedRecord,
+               "another header, " + excerpt(line) + ", than " + excerpt(layout.header) +
+                   " before: read tables of different columns each for itself, or take this line "
+                   "out if the columns are the same",
+               {}};
+}
+
+std::string repeated_headers_note(std::uint64_t count) {
+  return (count == 1 ? std::string("1 line is the header again and is passed over")
+                     : std::to_string(count) + " lines are the header again and are passed over") +
+         ", as where tables were joined";
+}
+
 Error number_problem(NumberKind kind, std::string_view text, std::string_view name,
                      std::string_view least, std::size_t column) {
   const std::string role = " (" + std::string(name) + "); ";

@@ -8,6 +8,7 @@
 #include <beespace/result.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,6 +33,13 @@ Error comment_or_record(std::string_view line);
 // its problem(). Errors: kUnsupportedFormat (NUL bytes), kMalformedRecord, kColumnCount.
 std::optional<Error> record_problem(std::string_view line, const TableLayout& layout,
                                     std::size_t count, std::string_view cursor_problem);
+
+// kMalformedRecord: the line is another header than that of the table, or the same written
+// otherwise; what follows may have other columns. Nothing where it is none.
+std::optional<Error> other_header_problem(std::string_view line, const TableLayout& layout);
+
+// What is to be said where the header came again so often.
+std::string repeated_headers_note(std::uint64_t count);
 
 // Why the text of a field, without padding, is not the number that `name` needs. Of numbers that
 // are too small, `least` says which are not: "3.9e-121 m to 2.6e+120 m".

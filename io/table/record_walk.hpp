@@ -1,6 +1,6 @@
-// A walk over the records of a text table, line by line, counting lines and data rows. Blank lines
-// and comments are lines but no rows. Finds line ends and nothing else, so it costs little more
-// than memchr.
+// A walk over the records of a text table, line by line, counting lines and data rows. Blank lines,
+// comments and headers that come again are lines but no rows. Finds line ends and nothing else, so
+// it costs little more than memchr.
 #pragma once
 
 #include "io/bytes/characters.hpp"
@@ -24,6 +24,7 @@ class RecordWalk {
   RecordWalk(std::string_view text, std::size_t begin, const TableLayout& layout)
       : RecordWalk(text, begin, layout.line_end) {
     layout_ = &layout;
+    header_ = layout.header;
   }
 
   // To the next record; false when there is none.
@@ -36,6 +37,10 @@ class RecordWalk {
       ++lines_;
       if (line_end_ == '\n' && behind > begin && behind[-1] == '\r') --behind;
       line_ = std::string_view(begin, static_cast<std::size_t>(behind - begin));
+      if (repeats_header(line_, header_)) {
+        ++headers_;
+        continue;
+      }
       const bool surely_record = behind > begin && *begin > ' ' && *begin != '#';
       if (surely_record || (!is_blank_line(line_) && !passes_over(line_))) {
         ++rows_;
@@ -49,6 +54,8 @@ class RecordWalk {
   // 0-based, of the current record, counted from where the walk began.
   [[nodiscard]] std::uint64_t row() const { return rows_ - 1; }
   [[nodiscard]] std::uint64_t line() const { return lines_ - 1; }
+  // How often the header has come again so far.
+  [[nodiscard]] std::uint64_t headers() const { return headers_; }
 
  private:
   [[nodiscard]] bool passes_over(std::string_view line) const {
@@ -61,6 +68,8 @@ class RecordWalk {
   std::string_view line_ = {};
   std::uint64_t rows_ = 0;
   std::uint64_t lines_ = 0;
+  std::uint64_t headers_ = 0;
+  std::string_view header_ = {};
   const TableLayout* layout_ = nullptr;
 };
 

@@ -22,6 +22,8 @@
 
 namespace beespace::io {
 
+inline constexpr double kScaledPerDegree = 1e7;
+
 // Which columns (0-based) hold which coordinate, and what that says about the frame.
 struct ColumnChoice {
   std::array<std::size_t, 3> axes = {0, 1, 2};  // x or longitude, y or latitude, z or height
@@ -35,9 +37,12 @@ struct ColumnChoice {
   std::vector<UnitTaken> units_taken = {};
   HeightDatum datum = HeightDatum::kUnstated;
   double pixel_m = 1.0;  // of those that are in pixels
+  // Longitude and latitude are whole numbers of 1e-7 degrees, which in_metric() makes degrees.
+  bool scaled_degrees = false;
 
   [[nodiscard]] bool is_metric() const {
-    return units == std::array<Unit, 3>{Unit::kMetre, Unit::kMetre, Unit::kMetre};
+    return !scaled_degrees &&
+           units == std::array<Unit, 3>{Unit::kMetre, Unit::kMetre, Unit::kMetre};
   }
   [[nodiscard]] Unit height_unit() const {
     return dimensions == 3 && units[2] != Unit::kPixel ? units[2] : Unit::kMetre;
@@ -86,6 +91,16 @@ bool has_comment_sign(std::string_view line);
 // a record that was taken out, or has an id that begins so, since it has a number between
 // delimiters: those are errors of read_record() and its like.
 bool is_comment(std::string_view line, const TableLayout& layout);
+
+// Whether it is the header again, as where tables were joined one behind the other; perhaps behind
+// a byte-order mark.
+inline bool repeats_header(std::string_view line, std::string_view header) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (header.empty() || line.size() < header.size()) return false;
+  if (line.size() == header.size()) return line == header;
+  return line.size() == header.size() + kByteOrderMark.size() && line.starts_with(kByteOrderMark) &&
+         line.ends_with(header);
+}
 
 // kNoPoints where nothing follows the header.
 std::optional<Error> no_record_problem(std::string_view text, const TableLayout& layout);

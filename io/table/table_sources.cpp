@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace beespace::io {
 namespace {
@@ -20,6 +21,18 @@ KnownColumn perhaps(std::string_view name, Role role, Unit unit = Unit::kUnstate
 constexpr std::string_view kNotOfTraffic =
     "velocity vertrate baroaltitude origin_country position_source sensors";
 
+// A table of the history of OpenSky: "velocity" beside "icao24" and such heights is of no other
+// one, whichever of its columns were left out.
+TableSource history_of_opensky(std::vector<KnownColumn> columns) {
+  columns.push_back(perhaps("time", Role::kTime, Unit::kSecond));
+  columns.push_back(perhaps("heading", Role::kTrack));
+  columns.push_back(perhaps("vertrate", Role::kClimb, Unit::kMetrePerSecond));
+  TableSource source{"OpenSky", "groundspeed vertical_rate altitude alt_baro alt_geom",
+                     std::move(columns)};
+  source.since_1970 = true;
+  return source;
+}
+
 // traffic: https://traffic-viz.github.io (columns of its Flight and Traffic tables). State vectors
 // of OpenSky come from pyopensky and from traffic under the same names, in other units.
 // OpenSky: the history tables state_vectors_data4, as its documentation lists them.
@@ -31,8 +44,8 @@ constexpr std::string_view kNotOfTraffic =
 // PX4: vehicle_global_position, and vehicle_local_position, as ulog2csv of pyulog writes them.
 // Their times are those of each drone. QGroundControl: the table beside each .tlog, in the units of
 // its settings.
-const std::array<TableSource, 11>& known_sources() {
-  static const std::array<TableSource, 11> sources = {
+const std::array<TableSource, 12>& known_sources() {
+  static const std::array<TableSource, 12> sources = {
       TableSource{"traffic",
                   kNotOfTraffic,
                   {{"icao24"},
@@ -69,19 +82,14 @@ const std::array<TableSource, 11>& known_sources() {
                   false,
                   "State vectors of OpenSky have such columns: pyopensky writes them in metres, "
                   "and traffic in feet and knots"},
-      TableSource{"OpenSky",
-                  "groundspeed vertical_rate altitude",
-                  {{"icao24"},
-                   {"time", Role::kTime, Unit::kSecond, HeightDatum::kUnstated, false},
-                   {"velocity", Role::kGroundSpeed, Unit::kMetrePerSecond},
-                   {"heading", Role::kTrack},
-                   {"vertrate", Role::kClimb, Unit::kMetrePerSecond},
-                   {"baroaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kPressure},
-                   {"geoaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kEllipsoid}},
-                  false,
-                  false,
-                  false,
-                  true},
+      history_of_opensky(
+          {{"icao24"},
+           {"velocity", Role::kGroundSpeed, Unit::kMetrePerSecond},
+           {"baroaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kPressure},
+           perhaps("geoaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kEllipsoid)}),
+      history_of_opensky({{"icao24"},
+                          {"velocity", Role::kGroundSpeed, Unit::kMetrePerSecond},
+                          {"geoaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kEllipsoid}}),
       TableSource{"PX4 (ulog2csv)",
                   "",
                   {{"timestamp", Role::kTime, Unit::kMicrosecond},

@@ -22,6 +22,7 @@ FirstFields first_fields(std::string_view text, const TableLayout& table, std::s
     const Line line = line_at(text, offset, table.line_end);
     offset = line.next;
     if (has_comment_sign(line.text) || is_blank_line(line.text)) continue;
+    if (repeats_header(line.text, table.header)) continue;
     ++record;
     if (line.text.size() > kLongestLine) continue;
     const auto field = without_padding(field_at(line.text, table.delimiter, column).text);

@@ -309,9 +309,9 @@ std::optional<Error> read_cells(JsonCells& cells, std::string description, const
                                : "there is no id: bees are numbered in their order, from 0");
   }
   if (place == RecordPlace::kRecordAndName) assembly.count_records();
-  std::uint64_t rows = 0;
+  RecordsBefore none;
   const std::string bee = is_named_after_file(*layout) ? assembly.name_of_source(stem) : stem;
-  return read_track_records(cells.text(), *layout, bee, place, rows, assembly);
+  return read_track_records(cells.text(), *layout, bee, place, none, assembly);
 }
 
 std::string_view description_of(Form form) {

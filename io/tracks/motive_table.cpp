@@ -218,8 +218,8 @@ std::optional<Error> read_motive_table(std::string_view text, RecordingAssembly&
   if (motive->others > 0) assembly.note("markers and bones of the take are left out");
   if (auto error = assembly.agree(facts_of(*layout, "take of Motive (OptiTrack)"))) return error;
   for (std::string& note : layout->notes) assembly.note(std::move(note));
-  std::uint64_t rows = 0;
-  return read_track_records(records, *layout, {}, RecordPlace::kLineAndName, rows, assembly);
+  RecordsBefore none;
+  return read_track_records(records, *layout, {}, RecordPlace::kLineAndName, none, assembly);
 }
 
 }  // namespace beespace::io

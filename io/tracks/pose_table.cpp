@@ -312,8 +312,8 @@ std::optional<Error> read_pose_table(std::string_view text, const std::string& s
   const bool named = layout->table.choice.id.has_value();
   if (!named) assembly.note("there is no id: each file is taken for one bee, named after it");
   const std::string animal = named ? std::string() : assembly.name_of_source(stem);
-  std::uint64_t rows = 0;
-  return read_track_records(records.text, *layout, animal, RecordPlace::kLineAndName, rows,
+  RecordsBefore none;
+  return read_track_records(records.text, *layout, animal, RecordPlace::kLineAndName, none,
                             assembly);
 }
 

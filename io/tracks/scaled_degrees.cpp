@@ -2,6 +2,7 @@
 
 #include "io/bytes/number.hpp"
 #include "io/table/column_names.hpp"
+#include "io/table/position_columns.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/tracks/first_fields.hpp"
 
@@ -51,14 +52,14 @@ bool are_scaled_degrees(std::string_view text, const TableLayout& table,
          *longitude <= 360.0 * kScaledPerDegree && *latitude <= 90.0 * kScaledPerDegree;
 }
 
-std::optional<Error> scaled_degrees_as_metres(std::string_view text, const Header& header,
+std::optional<Error> scaled_degrees_as_metres(std::string_view text, const TableLayout& table,
                                               const ColumnChoice& position) {
-  if (header.size() == 0) return std::nullopt;
-  const Role role = header.meaning(position.axes[0]).role;
+  if (position.axes[0] >= table.names.size()) return std::nullopt;
+  const Role role = read_column_name(position_columns(), table.names[position.axes[0]]).role;
   const bool named = role == Role::kLongitude || role == Role::kLatitude;
-  if (!named || !are_scaled_degrees(text, header.table(), position)) return std::nullopt;
+  if (!named || !are_scaled_degrees(text, table, position)) return std::nullopt;
   return Error{ErrorCode::kUnknownFrame,
-               column_text(header.table(), position.axes[0]) +
+               column_text(table, position.axes[0]) +
                    " is no coordinate in metres: its name and its size say that it has whole "
                    "numbers of 1e-7 degrees; leave --crs metres, x and y out",
                {}};

@@ -12,15 +12,18 @@
 
 namespace beespace::io {
 
-inline constexpr double kScaledPerDegree = 1e7;
-
 // Whether the first records can have nothing else in the columns of the position: whole numbers,
 // some of them beyond all degrees.
 bool are_scaled_degrees(std::string_view text, const TableLayout& table,
                         const ColumnChoice& position);
 
+// What is to be said of them.
+inline constexpr std::string_view kScaledDegreesNote =
+    "longitude and latitude are whole numbers of 1e-7 degrees, as MAVLink and PX4 have them: their "
+    "size tells";
+
 // That such columns, by their names too, are to be taken for metres.
-std::optional<Error> scaled_degrees_as_metres(std::string_view text, const Header& header,
+std::optional<Error> scaled_degrees_as_metres(std::string_view text, const TableLayout& table,
                                               const ColumnChoice& position);
 
 // Of heights beside them, in whole numbers whose unit is not named: they are in millimetres

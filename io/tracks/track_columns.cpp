@@ -47,6 +47,22 @@ NamePattern position_time_names() {
   return pattern;
 }
 
+// Times of a zone, by its name alone, and of the clocks of a place: whole names.
+NamePattern zone_time_names() {
+  NamePattern pattern;
+  pattern.words = {
+      {Says::kNoun, "utc gmt", Role::kTime, "of a zone"},
+      {Says::kNoun,
+       "lmt lmt-time lmt-datetime time-lmt local local-time localtime time-local local-datetime "
+       "local-date-time localdatetime datetime-local date-time-local local-timestamp "
+       "localtimestamp timestamp-local timestamplocal",
+       Role::kTime, "of a place"},
+  };
+  pattern.needed = Says::kNoun;
+  pattern.whole = true;
+  return pattern;
+}
+
 // "date", "UTC_date", "Datum".
 NamePattern date_names() {
   NamePattern pattern;
@@ -108,7 +124,8 @@ ColumnSchema make_track_columns() {
   ColumnSchema schema = position;
   schema.roles = {
       {Role::kId, "id"},
-      {Role::kTime, "time", "*time* *date* *stamp* *clock* *epoch* *zeit* *hora* *temps* *utc*"},
+      {Role::kTime, "time",
+       "*time* *date* *stamp* *clock* *epoch* *zeit* *hora* *temps* *utc* *gmt* *lmt* *local*"},
       {Role::kDate, "date"},
       {Role::kFrame, "frame"},
   };
@@ -124,9 +141,9 @@ ColumnSchema make_track_columns() {
        {Role::kVelocityX, Role::kVelocityY, Role::kVelocityZ},
        Frame::kAuto,
        "a velocity needs vx and vy (or ve and vn), and vz (vu) where bees climb"});
-  schema.names = {position_time_names(),   time_names(),     date_names(),
-                  frame_names(),           velocity_names(), speeds_over_ground(),
-                  directions_over_ground()};
+  schema.names = {
+      position_time_names(), time_names(),     date_names(),         zone_time_names(),
+      frame_names(),         velocity_names(), speeds_over_ground(), directions_over_ground()};
   schema.names.insert(schema.names.end(), position.names.begin(), position.names.end());
   return schema;
 }

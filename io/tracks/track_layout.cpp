@@ -246,13 +246,11 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   layout.frame = frame.frame;
   layout.frame_reason = frame.reason;
   if (layout.frame == Frame::kMetres) {
-    auto problem = scaled_degrees_as_metres(text, header, choice);
+    auto problem = scaled_degrees_as_metres(text, layout.table, choice);
     if (problem) return *std::move(problem);
   } else if (layout.frame == Frame::kWgs84 && are_scaled_degrees(text, layout.table, choice)) {
     layout.scaled_degrees = true;
-    layout.notes.emplace_back(
-        "longitude and latitude are whole numbers of 1e-7 degrees, as MAVLink and PX4 have them: "
-        "their size tells");
+    layout.notes.emplace_back(kScaledDegreesNote);
     if (auto problem = settle_heights_beside(text, layout.table, choice))
       return *std::move(problem);
   }
@@ -308,10 +306,10 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   layout.show = layout.time && layout.frame != Frame::kWgs84 && names_colours(layout.table);
   layout.doubted_above_mps = doubted_above(layout);
   if (layout.time) {
-    layout.time->begins_at_zero = options.time_unit == Unit::kUnstated && !choice.id &&
-                                  header.source() == nullptr && !layout.show &&
-                                  !names_one_colour(layout.table) &&
-                                  times_begin_at_zero(text, layout.table, *layout.time);
+    if (seen != SeenRecords::kWhole) layout.time->bare_midnights = false;
+    layout.time->begins_at_zero =
+        options.time_unit == Unit::kUnstated && header.source() == nullptr && !layout.show &&
+        !names_one_colour(layout.table) && times_begin_at_zero(text, layout.table, *layout.time);
     layout.notes.push_back(
         time_note(layout.table, *layout.time, options.time_unit != Unit::kUnstated));
   }

@@ -42,17 +42,20 @@ struct TimeChoice {
   bool named = false;        // the header alone, or the format, says the unit
   bool of_position = false;  // when it was measured: records in between say the position again
   bool since_start = false;  // of the vehicle whose table it is: those of others have other zeros
-  bool begins_at_zero = false;  // the first one is 0, of the one bee of a table, and nothing says
-                                // that others have the same zero
-  bool to_the_minute = false;   // the first time has no seconds
+  // The first one is 0, and nothing says that the table of another vehicle, or of another trial,
+  // has the same zero.
+  bool begins_at_zero = false;
+  bool to_the_minute = false;            // the first time has no seconds
   DateOrder dates = DateOrder::kUnsaid;  // where the year is last
   std::string dates_reason = {};         // why it is that one
   std::optional<std::size_t> date = {};  // the column of the day
+  bool bare_midnights = false;           // a day alone is its midnight: see bare_midnights.hpp
   std::optional<TimeZone> zone = {};     // of dates and times that name none themselves
   std::string zone_reason = {};          // why it is that one
   // Of dates and times, or times of day, without a zone: what they are counted from.
   std::optional<WallClock> clock = {};
   double frames_per_second = 0.0;
+  double zero_s = 0.0;  // since 1970: what numbers count from, as the dates of `other` tell
   // Of whole seconds, as ROS has them: the column of what is to be added, in nanoseconds.
   std::optional<std::size_t> nanoseconds = {};
   std::optional<std::size_t> other = {};  // another column that looks like a time, and is not taken

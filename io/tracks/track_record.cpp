@@ -232,7 +232,12 @@ std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
   if (time.form == TimeForm::kDatesAndTimes || time.form == TimeForm::kClock) {
     const std::string_view day = without_padding(fields_[TrackSlot::kDate].text);
     double again_after_s = 0.0;
-    const std::string problem = read_wall_time(time, text, day, record.time_s, again_after_s);
+    record.is_bare_midnight = time.bare_midnights && is_day_alone(text, time.dates);
+    record.is_midnight = time.bare_midnights && says_midnight(text);
+    const std::string problem = record.is_bare_midnight
+                                    ? read_wall_time(time, std::string(text) + " 00:00:00", day,
+                                                     record.time_s, again_after_s)
+                                    : read_wall_time(time, text, day, record.time_s, again_after_s);
     if (problem.empty()) return std::nullopt;
     Error error = at_column(ErrorCode::kNotANumber,
                             excerpt(text) + " is not a time: " + problem + std::string(kOrLeaveOut),
@@ -261,8 +266,9 @@ std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
                          std::string(kOrLeaveOut),
                      time.column);
   }
-  record.time_s = without_dust(time.form == TimeForm::kFrames ? value / time.frames_per_second
-                                                              : in_metric(value, time.unit));
+  record.time_s =
+      without_dust(time.form == TimeForm::kFrames ? value / time.frames_per_second
+                                                  : in_metric(value, time.unit) + time.zero_s);
   if (in_motion_domain(record.time_s)) return std::nullopt;
   return outside_domain(text, "time", " s", time.column);
 }

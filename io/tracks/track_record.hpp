@@ -34,6 +34,8 @@ struct TrackRecord {
   std::string_view id = {};      // as long as the line and the reader live
   double time_s = 0.0;           // 0 where there is no time
   std::optional<Doubled> doubled = {};
+  bool is_bare_midnight = false;     // the time is a day alone, taken for its midnight,
+  bool is_midnight = false;          // or midnight, written out
   bool is_rough = false;             // a place of Argos' Doppler shifts
   bool is_timed = false;             // of a record that is left out since it has no place
   Point position = {};               // metres, or degrees and a height in metres

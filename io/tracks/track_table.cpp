@@ -7,6 +7,7 @@
 #include "io/problems/unplaced.hpp"
 #include "io/table/column_overrides.hpp"
 #include "io/table/fields.hpp"
+#include "io/table/record_problems.hpp"
 #include "io/table/record_walk.hpp"
 #include "io/tracks/local_positions.hpp"
 #include "io/tracks/track_aircraft.hpp"
@@ -52,6 +53,33 @@ Error set_back(const TrackRecord& record, double back_s, const TimeChoice& time)
                   "--time-zone, of a place as Europe/Madrid, or UTC, in which clocks are never set "
                   "back and the records only have to be brought into order" +
                   std::string(kOrLeaveOut),
+              {}};
+  error.location.column = time.column + 1;
+  return error;
+}
+
+// The first record behind a header that came again, as where tables were joined: what they would be
+// asked about each for itself.
+std::optional<Error> joined_problem(const TrackRecord& record, const TrackLayout& layout) {
+  if (!layout.time) return std::nullopt;
+  if (!layout.table.choice.id) {
+    return Error{ErrorCode::kMissingColumn,
+                 "the header comes again before this record, as where tables were joined, and no "
+                 "column says whose records they are: give the files as they were, each of which "
+                 "is taken for one bee, or add a column 'id'; if all are of one bee, take the line "
+                 "of the header out",
+                 {}};
+  }
+  const TimeChoice& time = *layout.time;
+  if (!time.since_start && !(time.begins_at_zero && record.time_s == 0.0)) return std::nullopt;
+  Error error{ErrorCode::kInvalidArgument,
+              "the header comes again before this record, as where tables were joined, and times " +
+                  std::string(time.since_start ? "count from a zero of each vehicle's own"
+                                               : "begin at 0 again") +
+                  ", which may be another moment, as of another trial: then they cannot be "
+                  "compared; read the tables each for itself, or, if all have one clock, say so "
+                  "with their unit, --time-unit " +
+                  std::string(time_unit_option(time.unit)),
               {}};
   error.location.column = time.column + 1;
   return error;
@@ -108,6 +136,7 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   facts.stamps_ahead_s = layout.stamps_ahead_s;
   facts.since_start = layout.time && layout.time->since_start;
   facts.begins_at_zero = layout.time && layout.time->begins_at_zero;
+  facts.names_bees = choice.id.has_value();
   if (layout.time && layout.time->form == TimeForm::kNumbers) facts.time_unit = layout.time->unit;
   facts.trials.column = columns_of_trials(layout);
   if (layout.tag && choice.id) {
@@ -131,7 +160,7 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
 
 std::optional<Error> read_track_records(std::string_view text, const TrackLayout& layout,
                                         const std::string& stem, RecordPlace place_of,
-                                        std::uint64_t& rows_before, RecordingAssembly& assembly) {
+                                        RecordsBefore& before, RecordingAssembly& assembly) {
   constexpr std::uint64_t kRowsPerReport = 4096;
   Progress* const progress = assembly.options().progress;
   const bool nameless_rows = !layout.table.choice.id && !layout.time;
@@ -149,8 +178,11 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
   std::string file_id;
   std::uint64_t rows = 0;
   const char* reported = text.data();
+  std::uint64_t headers = 0;
   RecordWalk walk(text, 0, layout.table);
   while (walk.next()) {
+    before.joined = before.joined || walk.headers() > headers;
+    headers = walk.headers();
     const std::uint64_t line =
         layout.table.lines_before + walk.line() / layout.table.records_per_line + 1;
     const char* const here = walk.record().data();
@@ -174,7 +206,7 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     }
     if (!record.late_height.empty()) {
       Error error = height_after_all(record.late_height, *layout.no_height_yet);
-      place(error, line, rows_before + walk.row(), place_of, layout);
+      place(error, line, before.rows + walk.row(), place_of, layout);
       return error;
     }
     if (!layout.sets.empty() && !record.id.empty()) {
@@ -185,7 +217,11 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       name_within_file(stem, assembly.has_several(), record, file_id);
     }
     if (problem) {
-      place(*problem, line, rows_before + walk.row(), place_of, layout);
+      if (auto other = other_header_problem(walk.record(), layout.table)) {
+        place(*other, line, before.rows + walk.row(), place_of, layout);
+        return other;
+      }
+      place(*problem, line, before.rows + walk.row(), place_of, layout);
       if (auto fatal = assembly.bad(*std::move(problem), record.id)) return fatal;
       continue;
     }
@@ -201,21 +237,27 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       if (record.is_timed) assembly.unplaced(record.id, record.time_s);
       continue;
     }
+    if (std::exchange(before.joined, false)) {
+      if (auto error = joined_problem(record, layout)) {
+        place(*error, line, before.rows + walk.row(), place_of, layout);
+        return error;
+      }
+    }
     if (turned) {
       if (record.doubled)
-        place(record.doubled->unclear, line, rows_before + walk.row(), place_of, layout);
+        place(record.doubled->unclear, line, before.rows + walk.row(), place_of, layout);
       if (auto error = settle_doubled(record, assembly)) return error;
     }
     if (times_of_day && assembly.goes_back(record.id, record.time_s)) {
       Error error = goes_back(record, *layout.time);
-      place(error, line, rows_before + walk.row(), place_of, layout);
+      place(error, line, before.rows + walk.row(), place_of, layout);
       if (auto fatal = assembly.bad(std::move(error), record.id)) return fatal;
       continue;
     }
     if (dated) {
       if (const auto back_s = assembly.set_back_by(record.id, record.time_s)) {
         Error error = set_back(record, *back_s, *layout.time);
-        place(error, line, rows_before + walk.row(), place_of, layout);
+        place(error, line, before.rows + walk.row(), place_of, layout);
         if (auto fatal = assembly.bad(std::move(error), record.id)) return fatal;
         continue;
       }
@@ -227,20 +269,20 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
               "; if it is but a name, and all have one origin and direction, say so "
               "with --crs metres";
         }
-        place(*error, line, rows_before + walk.row(), place_of, layout);
+        place(*error, line, before.rows + walk.row(), place_of, layout);
         return error;
       }
     }
     if (layout.zone) {
       if (auto error = assembly.agree_on_zone(record.zone, utm_zone_of(record.zone))) {
-        place(*error, line, rows_before + walk.row(), place_of, layout);
+        place(*error, line, before.rows + walk.row(), place_of, layout);
         return error;
       }
     }
     if (layout.clock_zone) {
       if (auto error = assembly.agree_on_clock_zone(record.clock_zone)) {
         error->location.column = *layout.clock_zone + 1;
-        place(*error, line, rows_before + walk.row(), place_of, layout);
+        place(*error, line, before.rows + walk.row(), place_of, layout);
         return error;
       }
     }
@@ -252,6 +294,11 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     Origin origin;
     origin.source = assembly.source() & 0xFF'FFFFu;
     origin.line = line & 0xFF'FFFF'FFFFu;
+    if (record.is_bare_midnight) {
+      assembly.bare_midnights().take(record.id, record.time_s, origin);
+    } else if (record.is_midnight) {
+      assembly.bare_midnights().take_written();
+    }
     if (!layout.trials.empty()) assembly.take_trial(record.trial, record.time_s, origin);
     if (layout.tag && !is_unknown(record.tag)) {
       assembly.take_tag(record.id, record.tag, record.time_s, origin);
@@ -266,7 +313,9 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     progress->done += static_cast<std::uint64_t>(text.data() + text.size() - reported);
   }
   if (nameless_rows) assembly.add_nameless(rows);
-  rows_before += rows;
+  before.rows += rows;
+  before.joined = before.joined || walk.headers() > headers;
+  before.headers += walk.headers();
   return std::nullopt;
 }
 
@@ -311,8 +360,13 @@ Result<TrackTableReader> TrackTableReader::begin(const TrackTable& beginning,
 }
 
 std::optional<Error> TrackTableReader::read(std::string_view lines) {
+  const std::uint64_t headers = before_.headers;
   auto error =
-      read_track_records(lines, *layout_, stem_, RecordPlace::kLineAndColumn, rows_, *assembly_);
+      read_track_records(lines, *layout_, stem_, RecordPlace::kLineAndColumn, before_, *assembly_);
+  if (before_.headers > headers && headers == 0) {
+    assembly_->note("the header comes again in " + assembly_->source_name() +
+                    ", as where tables were joined: those lines are passed over");
+  }
   layout_->table.lines_before +=
       static_cast<std::uint64_t>(std::count(lines.begin(), lines.end(), layout_->table.line_end));
   return error;

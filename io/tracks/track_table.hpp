@@ -32,11 +32,18 @@ enum class RecordPlace : std::uint8_t {
 // Facts of a layout that `description` says the form of.
 SourceFacts facts_of(const TrackLayout& layout, std::string description);
 
-// All records of `text`, some lines behind the header and behind so many rows, into the source that
-// `assembly` has begun; counts the rows. `stem` is the bee where there is no id column.
+// What of a table has been read before.
+struct RecordsBefore {
+  std::uint64_t rows = 0;
+  std::uint64_t headers = 0;  // that came again
+  bool joined = false;        // the last line but blanks and comments was such a header
+};
+
+// All records of `text`, some lines behind the header and behind others, into the source that
+// `assembly` has begun; counts them. `stem` is the bee where there is no id column.
 std::optional<Error> read_track_records(std::string_view text, const TrackLayout& layout,
                                         const std::string& stem, RecordPlace place,
-                                        std::uint64_t& rows_before, RecordingAssembly& assembly);
+                                        RecordsBefore& before, RecordingAssembly& assembly);
 
 // A table whose lines come some at a time, into the source that `assembly` has begun; it must
 // outlive this.
@@ -66,7 +73,7 @@ class TrackTableReader {
   std::unique_ptr<std::string> header_;  // which it views
   std::size_t data_offset_;
   std::string stem_;
-  std::uint64_t rows_ = 0;  // that were read
+  RecordsBefore before_ = {};
   RecordingAssembly* assembly_;
 };
 

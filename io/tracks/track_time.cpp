@@ -9,6 +9,8 @@
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/table/table_sources.hpp"
+#include "io/tracks/excel_days.hpp"
+#include "io/tracks/fine_time.hpp"
 #include "io/tracks/first_fields.hpp"
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/wall_times.hpp"
@@ -127,6 +129,25 @@ bool is_of_ros(std::string_view name) {
   return has("header") && has("stamp");
 }
 
+// What says "utc", or "local_time", is the time where no other column is, the first before the
+// second: they are taken out of `found` otherwise. One that was.
+std::optional<std::size_t> take_faint(const TableLayout& table, std::vector<std::size_t>& found) {
+  const auto faintness = [&table](std::size_t column) {
+    const std::string& name = table.names[column];
+    if (names_local_time(name)) return 2;
+    return is_one_of("utc gmt", plain_name(name)) ? 1 : 0;
+  };
+  int least = 2;
+  for (const std::size_t column : found) least = std::min(least, faintness(column));
+  std::optional<std::size_t> taken;
+  std::erase_if(found, [&](std::size_t column) {
+    const bool faint = faintness(column) > least;
+    if (faint && !taken) taken = column;
+    return faint;
+  });
+  return taken;
+}
+
 // A time of aircraft, or of ROS, that counts from 1970 tells its unit by its size; elsewhere
 // microseconds since a boot may look the same, but no nanoseconds since one do.
 Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
@@ -163,7 +184,8 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
     return at_column(ErrorCode::kInvalidArgument,
                      column_text(table, time.column) +
                          " holds the time, but in which unit? Say it with --time-unit s, ms, us "
-                         "or ns (then several files have one clock), or in the header: time_s",
+                         "or ns (then several files have one clock), or in the header: time_s" +
+                         std::string(may_be_excel_days(times) ? kExcelDaysAdvice : ""),
                      time.column);
   }
   return time;
@@ -207,6 +229,7 @@ Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Heade
   const ColumnMeaning meaning = column ? header.stated(*column) : ColumnMeaning();
   std::vector<std::size_t> found = header.columns(Role::kTime);
   std::optional<std::size_t> other;
+  if (!column) other = take_faint(table, found);
   if (!column && found.size() == 2) {
     const bool first = is_header_stamp(table.names[found[0]]);
     if (first != is_header_stamp(table.names[found[1]])) {
@@ -252,10 +275,25 @@ Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Heade
       found = {*dated};
     }
   }
+  if (found.size() == 2 && options.time_unit == Unit::kUnstated) {
+    for (const std::size_t dated : found) {
+      const std::size_t numbers = found[dated == found[0] ? 1 : 0];
+      if (column && dated != *column) continue;
+      if (auto fine = find_fine_time(text, header, dated, numbers, options)) return fine;
+    }
+  }
   // "date", with the time in it.
   const std::optional<std::size_t> date = header.only(Role::kDate);
-  if (!column && found.empty() && date && is_date_with_time(first_fields(text, table, *date))) {
-    found = {*date};
+  if (!column && found.empty() && date) {
+    const FirstFields days = first_fields(text, table, *date);
+    if (is_date_with_time(days)) {
+      found = {*date};
+    } else if (may_be_excel_days(days)) {
+      return missing_column(
+          column_text(table, *date) + " holds numbers, in which unit is not said" +
+          std::string(kExcelDaysAdvice) + "; otherwise say the unit, as in --columns time=" +
+          std::to_string(*date + 1) + " --time-unit s");
+    }
   }
   if (!column && found.size() > 1) {
     return missing_column(
@@ -350,6 +388,10 @@ std::string time_note(const TableLayout& table, const TimeChoice& time, bool ask
            time.zone_reason;
   }
   text += " in " + std::string(symbol_of(time.unit));
+  if (time.zero_s != 0.0 && time.other) {
+    return text + " from the moment on that " + column_text(table, *time.other) +
+           " tells to the second";
+  }
   if (time.nanoseconds) text += " and " + column_text(table, *time.nanoseconds) + " in ns";
   if (asked) text += ", as asked for";
   if (time.since_1970) text += ", since 1970";

@@ -206,8 +206,8 @@ std::optional<Error> read_trackmate_table(std::string_view text, RecordingAssemb
   assembly.note("a table of spots, as TrackMate writes them: each track is a bee");
   if (auto error = assembly.agree(facts_of(*layout, "text, spots"))) return error;
   for (std::string& note : layout->notes) assembly.note(std::move(note));
-  std::uint64_t rows = 0;
-  return read_track_records(records, *layout, {}, RecordPlace::kLineAndName, rows, assembly);
+  RecordsBefore none;
+  return read_track_records(records, *layout, {}, RecordPlace::kLineAndName, none, assembly);
 }
 
 }  // namespace beespace::io

@@ -37,11 +37,8 @@ bool names_utc(const std::string& name) {
   return utc && name.find_first_of("+-") == std::string::npos;
 }
 
-// "study-local-timestamp", which tables of Movebank may have beside the time in UTC.
 bool names_local(const Header& header, std::size_t column) {
-  if (column >= header.size()) return false;
-  const auto words = split_words(header.table().names[column]);
-  return std::find(words.begin(), words.end(), "local") != words.end();
+  return column < header.size() && names_local_time(header.table().names[column]);
 }
 
 // Which zone dates and times are of that name none: the caller's, or that of a known source, or of
@@ -58,6 +55,18 @@ void choose_zone(const Header& header, const RecordingOptions& options, TimeChoi
     time.zone = TimeZone::utc();
     time.zone_reason = "the header says it";
   }
+}
+
+// Clocks of a place are turned, or those of several places are not one.
+std::optional<Error> zone_of_place_problem(const Header& header, const TimeChoice& time) {
+  if (!time.clock || !time.clock->dated || !names_local(header, time.column)) return std::nullopt;
+  if (find_clock_zone(header.table())) return std::nullopt;
+  return at_column(ErrorCode::kInvalidArgument,
+                   column_text(header.table(), time.column) +
+                       " is of the clocks of a place, but of which? Say it with --time-zone, as in "
+                       "--time-zone Europe/Madrid, or by what they are ahead of UTC, as in "
+                       "--time-zone +02:00",
+                   time.column);
 }
 
 bool may_say_day(const std::string& name) {
@@ -119,6 +128,16 @@ std::optional<Error> choose_form(std::string_view text, const Header& header,
                "07:30:00");
 }
 
+bool has_time(std::string_view text) {
+  return text.find(':') != std::string_view::npos;
+}
+
+// R writes midnight as a day alone: the first field with a time of day, or the first of all.
+std::string_view first_with_time(const FirstFields& fields) {
+  const auto found = std::find_if(fields.texts.begin(), fields.texts.end(), has_time);
+  return found == fields.texts.end() ? fields.front() : *found;
+}
+
 // Of dates and times, or times of day: whether they are instants, or else what they count from.
 std::optional<Error> settle_wall_times(std::string_view text, const TableLayout& table,
                                        const FirstFields& times, DateOrder asked,
@@ -134,8 +153,10 @@ std::optional<Error> settle_wall_times(std::string_view text, const TableLayout&
     time.dates = order->order;
     time.dates_reason = std::move(order->reason);
   }
+  const std::string_view with_time = first_with_time(times);
   const std::string_view problem =
-      clock ? parse_clock(times.front(), first) : parse_wall_time(times.front(), first, time.dates);
+      clock ? parse_clock(times.front(), first) : parse_wall_time(with_time, first, time.dates);
+  time.bare_midnights = !clock && !time.date && has_time(with_time);
   if (!problem.empty()) {
     return not_a("time", times, problem);
   }
@@ -155,8 +176,8 @@ std::optional<Error> settle_wall_times(std::string_view text, const TableLayout&
                    std::string(what) + "; if it is no day, leave that column out of the table");
     }
   }
-  const std::size_t colon = times.front().find(':');
-  time.to_the_minute = times.front().find(':', colon + 1) == std::string_view::npos;
+  const std::size_t colon = with_time.find(':');
+  time.to_the_minute = with_time.find(':', colon + 1) == std::string_view::npos;
   const bool dated = !clock || time.date;
   time.since_1970 = dated && (first.offset_s || time.zone);
   if (time.since_1970) return std::nullopt;
@@ -166,9 +187,15 @@ std::optional<Error> settle_wall_times(std::string_view text, const TableLayout&
 
 }  // namespace
 
+bool names_local_time(std::string_view column) {
+  const auto words = split_words(column);
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return word == "lmt" || word.starts_with("local");
+  });
+}
+
 bool is_date_with_time(const FirstFields& fields) {
-  return !fields.empty() && looks_like_date(fields.front()) &&
-         fields.front().find(':') != std::string_view::npos;
+  return !fields.empty() && looks_like_date(fields.front()) && has_time(first_with_time(fields));
 }
 
 std::optional<std::size_t> only_dated(std::string_view text, const TableLayout& table,
@@ -200,7 +227,19 @@ std::optional<Error> choose_wall_times(std::string_view text, const Header& head
   if (auto error = choose_form(text, header, times, time)) return error;
   if (time.form == TimeForm::kNumbers) return std::nullopt;
   choose_zone(header, options, time);
-  return settle_wall_times(text, header.table(), times, options.dates, time);
+  auto error = settle_wall_times(text, header.table(), times, options.dates, time);
+  return error ? error : zone_of_place_problem(header, time);
+}
+
+bool is_day_alone(std::string_view text, DateOrder order) {
+  std::int64_t day_s = 0;
+  return text.find(':') == std::string_view::npos && parse_day(text, day_s, order).empty();
+}
+
+bool says_midnight(std::string_view text) {
+  const std::size_t time = text.find_first_of("T ");
+  return time != std::string_view::npos && text.substr(time + 1).starts_with("00:00") &&
+         text.find_first_of("123456789+-", time) == std::string_view::npos;
 }
 
 std::string read_wall_time(const TimeChoice& time, std::string_view text, std::string_view day,

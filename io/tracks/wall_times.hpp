@@ -6,6 +6,7 @@
 #include "io/table/column_choice.hpp"
 #include "io/tracks/first_fields.hpp"
 #include "io/tracks/track_layout.hpp"
+#include "io/units/iso_time.hpp"
 
 #include <beespace/result.hpp>
 
@@ -17,7 +18,11 @@
 
 namespace beespace::io {
 
-// Whether the first of them is a date with a time of day.
+// Whether a column of times says that they are of the clocks of a place: "study-local-timestamp",
+// which tables of Movebank may have beside the time in UTC, "LMT".
+bool names_local_time(std::string_view column);
+
+// Whether they are dates, the first of them or a later one with a time of day.
 bool is_date_with_time(const FirstFields& fields);
 
 // Of several columns of times that which has the dates with the times, if the others only have the
@@ -36,6 +41,11 @@ std::optional<Error> choose_wall_times(std::string_view text, const Header& head
 // time, and the other one is `again_after_s` later; otherwise that is 0.
 std::string read_wall_time(const TimeChoice& time, std::string_view text, std::string_view day,
                            double& seconds, double& again_after_s);
+
+// Whether it is a day alone, without a time.
+bool is_day_alone(std::string_view text, DateOrder order);
+// Whether its time is midnight: "2015-09-10 00:00:00", "2015-09-10T00:00:00.000Z".
+bool says_midnight(std::string_view text);
 
 // The column that says in which zone, or how far ahead of UTC, each time is.
 std::optional<std::size_t> find_clock_zone(const TableLayout& table);

@@ -136,8 +136,8 @@ std::optional<Error> read_wide_table(std::string_view text, RecordingAssembly& a
     return error;
   }
   for (std::string& note : layout->notes) assembly.note(std::move(note));
-  std::uint64_t rows = 0;
-  return read_track_records(records, *layout, {}, RecordPlace::kLineAndName, rows, assembly);
+  RecordsBefore none;
+  return read_track_records(records, *layout, {}, RecordPlace::kLineAndName, none, assembly);
 }
 
 }  // namespace beespace::io

@@ -100,6 +100,12 @@ std::string_view symbol_of(Unit unit) {
   return facts == nullptr ? "an unknown unit" : facts->symbol;
 }
 
+std::string_view time_unit_option(Unit unit) {
+  if (unit == Unit::kMillisecond) return "ms";
+  if (unit == Unit::kMicrosecond) return "us";
+  return unit == Unit::kNanosecond ? "ns" : "s";
+}
+
 Unit if_unit_of(Unit unit, Quantity quantity) {
   const UnitFacts* const facts = facts_of(unit);
   return facts != nullptr && facts->quantity == quantity ? unit : Unit::kUnstated;

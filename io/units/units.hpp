@@ -46,6 +46,9 @@ enum class Unit : std::uint8_t {
 // "ft", "km/h", "seconds", ...
 std::string_view symbol_of(Unit unit);
 
+// Of a time as the values of --time-unit are: "s", "ms", "us", "ns".
+std::string_view time_unit_option(Unit unit);
+
 // The same unit if it is one of that quantity; otherwise kUnstated.
 Unit if_unit_of(Unit unit, Quantity quantity);
 

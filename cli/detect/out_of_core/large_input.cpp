@@ -10,6 +10,7 @@
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/bytes/scratch_file.hpp"
+#include "io/table/record_problems.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -205,6 +206,7 @@ Status LargeInput::read_file(LargeFile& file, const LargeInputSinks& sinks,
     file.points = in_place->size();
   }
   OddIds odd_ids;
+  std::uint64_t headers = 0;
   std::vector<PointId> all;
   // What lies in place is read where its text is wanted.
   const bool goes_through = !in_place || sinks.records != nullptr || sinks.places != nullptr;
@@ -214,6 +216,7 @@ Status LargeInput::read_file(LargeFile& file, const LargeInputSinks& sinks,
     if (!*block) break;
     io::LoadedPoints& points = **block;
     recording_.add(points);
+    headers += points.repeated_headers;
     if (auto status = skip(file, stream.row(), points); !status) return status;
     if (auto problem = recording_.problem(file.path)) return *std::move(problem);
     if (sinks.ids != nullptr || sinks.records != nullptr) {
@@ -242,6 +245,7 @@ Status LargeInput::read_file(LargeFile& file, const LargeInputSinks& sinks,
   }
   if (auto problem = recording_.problem_of_file(file.path)) return *std::move(problem);
   note_ids(odd_ids, {}, request_->form.form, file.facts.notes);
+  if (headers > 0) file.facts.notes.push_back(io::repeated_headers_note(headers));
   file.facts.bytes = std::max(stream.file_bytes(), stream.bytes_read());
   return std::monostate{};
 }

@@ -166,9 +166,9 @@ TEST(NoFalseAllClear, NothingComparedIsARisk) {
 TEST(NoFalseAllClear, SwappedDegreesAreSaid) {
   TemporaryFolder folder;
   const std::string one =
-      folder.file("a.csv", "id,time_s,lon,lat\na,0,9,47\na,1,9.00001,47\na,2,9.00002,47\n");
+      folder.file("a.csv", "id,time_s,lon,lat\na,1,9,47\na,2,9.00001,47\na,3,9.00002,47\n");
   const std::string other =
-      folder.file("b.csv", "id,time_s,lat,lon\nb,0,9.0001,47\nb,1,9.0001,47\nb,2,9.0001,47\n");
+      folder.file("b.csv", "id,time_s,lat,lon\nb,1,9.0001,47\nb,2,9.0001,47\nb,3,9.0001,47\n");
   const Finished finished = run({"replay", one, other, "--threshold", "50"});
   expect_parts(finished.err, {"bee 'a' is 5,",
                               " km from the nearest other one, but would be 0.0 km "
@@ -182,7 +182,7 @@ TEST(NoFalseAllClear, SwappedDegreesAreSaid) {
       {"replay", one, other, "--fail-on-risk", "--columns", "id=id,time=time_s,lon=lon,lat=lat"});
   EXPECT_EQ(meant.exit_code, 0) << meant.err;
   const std::string far =
-      folder.file("c.csv", "id,time_s,lon,lat\nb,0,30,-47\nb,1,30,-47\nb,2,30,-47\n");
+      folder.file("c.csv", "id,time_s,lon,lat\nb,1,30,-47\nb,2,30,-47\nb,3,30,-47\n");
   EXPECT_EQ(run({"replay", one, far}).err.find("the other way round"), std::string::npos);
 }
 
@@ -191,7 +191,7 @@ TEST(NoFalseAllClear, SwappedDegreesOfSeveralAreSaidToo) {
   TemporaryFolder folder;
   std::string right = "id,time_s,lon,lat\n";
   std::string wrong = "id,time_s,lat,lon\n";
-  for (int t = 0; t < 3; ++t) {
+  for (int t = 1; t < 4; ++t) {
     const std::string time = std::to_string(t);
     right += "a," + time + ",9,47\nb," + time + ",9.01,47\nc," + time + ",9.02,47\n";
     wrong += "d," + time + ",9.1,47\ne," + time + ",9.11,47\n";

@@ -247,8 +247,8 @@ TEST_F(Report, TheSummaryOfARecordingAgreesWithReplay) {
 }
 
 TEST_F(Report, ARecordingMayBeAFolderOrSeveralFiles) {
-  constexpr std::string_view a = "id,time_s,x,y,z\na,0,0,0,0\na,10,100,0,0\n";
-  constexpr std::string_view b = "id,time_s,x,y,z\nb,0,100,3,0\nb,10,0,3,0\n";
+  constexpr std::string_view a = "id,time_s,x,y,z\na,1,0,0,0\na,11,100,0,0\n";
+  constexpr std::string_view b = "id,time_s,x,y,z\nb,1,100,3,0\nb,11,0,3,0\n";
   const Page piped = reported({"--threshold", "5"}, std::string(a) + std::string(b.substr(16)));
   const Page of_files =
       reported({folder_.file("a.csv", a), folder_.file("b.csv", b), "--threshold", "5"});

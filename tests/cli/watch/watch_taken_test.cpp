@@ -54,6 +54,29 @@ TEST(WatchTaken, OptionsThatNothingCanBeComputedWithAreRefusedAtOnce) {
   }
 }
 
+TEST(WatchTaken, APlaceThatIsRepeatedThoughTheBeeMovesIsNone) {
+  const auto flight = [](const std::string& speed, int until_s) {
+    std::string text = "id,time_s,x_m,y_m,z_m,vx,vy,vz\n";
+    for (int t = 0; t <= 16; ++t) {
+      const std::string time = std::to_string(t);
+      text += "a," + time + "," + std::to_string(20 * std::min(t, until_s)) + ",0,0," + speed +
+              ",0,0\n";
+      text += "b," + time + ",9000,0,0,0,0,0\n";
+    }
+    return text;
+  };
+  const Arguments watch = {"watch", "--threshold", "5", "--fail-on-risk"};
+  const Finished stale = run(watch, flight("20", 4));
+  EXPECT_EQ(stale.exit_code, kRisk);
+  expect_parts(stale.err,
+               {"<stdin>:18: this report says the same place as for more than 3 s before",
+                "bad lines  9 left out"});
+  EXPECT_NE(stale.out.find("\"event\": \"stale\""), std::string::npos) << stale.out;
+  // Who says no speed, or hardly any, stands there.
+  EXPECT_EQ(run(watch, flight("", 0)).exit_code, 0);
+  EXPECT_EQ(run(watch, flight("0", 0)).exit_code, 0);
+}
+
 TEST(WatchTaken, AnAircraftWithoutPositionsIsKnownNowhere) {
   const auto readsb = [](const char* hex, int now, const char* rest) {
     return R"({"now": )" + std::to_string(now) + R"(, "hex": ")" + hex +

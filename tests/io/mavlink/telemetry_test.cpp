@@ -257,6 +257,11 @@ TEST(Telemetry, SeveralLogsTellTheirSystemsApart) {
   EXPECT_FALSE(folder.write("b.tlog", logged(kNoon, frame_v2(1, 33, somewhere()))).empty());
   EXPECT_FALSE(folder.write("a.tlog", logged(kNoon, frame_v2(1, 33, somewhere()))).empty());
   EXPECT_EQ(ids_of(recording_of(load_recording({folder.file("")}))), (Ids{"a:1", "b:1"}));
+  RecordingOptions options;
+  options.time_unit = Unit::kMillisecond;
+  expect_error(load_recording({folder.file("")}, options),
+               {ErrorCode::kInvalidArgument, folder.file("a.tlog"),
+                "the times of MAVLink telemetry have their unit; leave --time-unit out"});
   const TemporaryFolder other;
   const std::string same = other.write("a.tlog", logged(kNoon, frame_v2(1, 33, somewhere())));
   const auto name = [](const TemporaryFolder& of) {

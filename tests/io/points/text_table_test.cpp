@@ -179,5 +179,64 @@ TEST(TextTable, EveryStyleGivesTheDoublesOfStrtod) {
   }
 }
 
+TEST(JoinedTables, TheHeaderThatComesAgainIsNoRecord) {
+  const auto loaded = load_text("id,x_m,y_m,z_m\na,1,2,3\nid,x_m,y_m,z_m\nb,4,5,6\nc,7,8,9\n");
+  EXPECT_EQ(points_of(loaded), (std::vector<Point>{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}));
+  ASSERT_TRUE(loaded.has_value());
+  EXPECT_EQ(loaded->notes.back(),
+            "1 line is the header again and is passed over, as where tables were joined");
+  std::vector<std::string> ids;
+  for_each_record(*loaded, {1, 2}, [&ids](const Record& record) { ids.emplace_back(record.id); });
+  EXPECT_EQ(ids, (std::vector<std::string>{"b", "c"}));
+}
+
+TEST(JoinedTables, OtherColumnsAreRefusedWhateverIsLeftOut) {
+  const std::string text = "id,x_m,y_m,z_m\na,1,2,3\nid,y_m,x_m,z_m\nb,4,5,6\n";
+  LoadOptions skipping;
+  skipping.skip_bad = true;
+  for (const LoadOptions& options : {LoadOptions(), skipping}) {
+    expect_error(load_text(text, options), {ErrorCode::kMalformedRecord, "bees.csv:3",
+                                            "another header, 'id,y_m,x_m,z_m', than "});
+  }
+}
+
+TEST(ScaledDegrees, AreKnownByTheirSize) {
+  const std::string header = "id,lat,lon,alt\n";
+  const std::string rows = "a,473977418,85455940,488000\nb,473977518,85455940,488000\n";
+  expect_error(load_text(header + rows),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:4", "--units height=mm or height=m"});
+  LoadOptions options;
+  options.units.height = Unit::kMillimetre;
+  const auto loaded = load_text(header + rows, options);
+  const auto degrees =
+      load_text("id,lat,lon,alt_m\na,47.3977418,8.5455940,488\nb,47.3977518,8.5455940,488\n");
+  EXPECT_EQ(points_of(loaded), points_of(degrees));
+  ASSERT_TRUE(loaded.has_value());
+  EXPECT_EQ(loaded->frame, Frame::kWgs84);
+  for_each_record(*loaded, {1}, [](const Record& record) {
+    EXPECT_EQ(record.geographic.latitude_deg, 47.3977518);
+    EXPECT_EQ(record.geographic.longitude_deg, 8.545594);
+    EXPECT_EQ(record.geographic.height_m, 488.0);
+  });
+  const auto flat = load_text("lat,lon\n473977418,85455940\n473977518,85455940\n");
+  ASSERT_TRUE(flat.has_value());
+  EXPECT_NE(flat->notes.front().find("whole numbers of 1e-7 degrees"), std::string::npos);
+}
+
+TEST(ScaledDegrees, AreAllOrNone) {
+  LoadOptions options;
+  options.skip_bad = true;
+  std::string rows = "lat,lon\n";
+  for (int i = 0; i < 20; ++i) rows += "473977418,85455940\n";
+  expect_error(load_text(rows + "47.3977518,8.545594\n", options),
+               {ErrorCode::kMalformedRecord, "bees.csv:22:2",
+                "'8.545594' is no whole number of 1e-7 degrees, as the first are"});
+  options.frame = Frame::kMetres;
+  expect_error(load_text("lat,lon\n473977418,85455940\n473977518,85455940\n", options),
+               {ErrorCode::kUnknownFrame, "bees.csv:1", "leave --crs metres"});
+  EXPECT_EQ(points_of(load_text("x,y,z\n473977,854559,48\n473978,854559,48\n")).front().x,
+            473977.0);
+}
+
 }  // namespace
 }  // namespace beespace::io

@@ -397,6 +397,20 @@ TEST_F(SeveralLogs, BesideATableOfWhichTheUnitsAreSaid) {
   EXPECT_EQ(recording.bees[1].fixes[0].position.z, 5.0);
 }
 
+TEST_F(SeveralLogs, OptionsThatNoneOfSeveralLogsIsReadByAreRefused) {
+  const std::string a = write("a.ulg", small_log().bytes());
+  const std::string b = write("b.ulg", small_log().bytes());
+  RecordingOptions options;
+  options.time_unit = Unit::kSecond;
+  expect_error(load_recording({a, b}, options),
+               {ErrorCode::kInvalidArgument, a,
+                "the times of a PX4 log have their unit; leave --time-unit out"});
+  options = {};
+  options.units.height = Unit::kFoot;
+  expect_error(load_recording({a, b}, options),
+               {ErrorCode::kInvalidArgument, a, "leave --units out"});
+}
+
 TEST_F(SeveralLogs, WithoutATimeOfGpsShareNoClock) {
   UlogMaking other = px4_log();
   other.data(kGlobalNumber, global_message({.micros = 2'000'000}));

@@ -37,7 +37,7 @@ TEST(BadTrack, MissingColumnsAreNamedWithThoseThatAreThere) {
                {ErrorCode::kUnsupportedFormat, "bees.csv", "idtrackerai_csv FOLDER"});
   // A day and a time of day, under names of a collar's own.
   expect_error(record("id,LMT_Date,LMT_Time,lon,lat\na,2024-05-01,12:00:00,8,47\n"),
-               {ErrorCode::kMissingColumn, "bees.csv:1", "with --columns date=2,time=3, or those"});
+               {ErrorCode::kMissingColumn, "bees.csv:1", "say so with --columns date=2"});
   expect_error(record("CollarSerialNumber,Year,Julianday,Hour,Minute,lat,lon,FixTime,2D/3D\n"
                       "7,23,10,0,1,47,8,77,3\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1",

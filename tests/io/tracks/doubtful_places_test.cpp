@@ -86,6 +86,43 @@ TEST(ZeroRuns, ThatABeeOnlyJumpsToAreLeftOutAndCounted) {
   EXPECT_EQ(recording_of(record(with_zeros(27, 30))).missing.count, 3u);
 }
 
+// What a stream says at its end; its fixes are of no account.
+Result<Recording> at_the_end_of_a_stream(const std::string& text) {
+  const TemporaryFolder folder;
+  auto stream = RecordingStream::open({folder.write("bees.csv", text)}, {}, 64);
+  EXPECT_TRUE(stream.has_value());
+  std::vector<StreamedFix> fixes;
+  do {
+    EXPECT_TRUE(stream->next(fixes));
+  } while (!fixes.empty());
+  return stream->finish(0);
+}
+
+TEST(ZeroRuns, OfAStreamAreRefusedAsTheyCannotBeLeftOut) {
+  for (const auto& [begin, end] :
+       {std::pair{0, 3}, std::pair{5, 6}, std::pair{5, 9}, std::pair{27, 30}}) {
+    const auto read = at_the_end_of_a_stream(
+        with_zeros(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)));
+    ASSERT_FALSE(read) << begin;
+    EXPECT_EQ(read.error().location.line, static_cast<std::uint64_t>(begin + 2)) << begin;
+    EXPECT_NE(read.error().message.find("cannot be left out with --memory"), std::string::npos)
+        << read.error().message;
+  }
+  EXPECT_TRUE(at_the_end_of_a_stream(with_zeros(0, 2)));
+  EXPECT_TRUE(at_the_end_of_a_stream(with_zeros(9, 30)));
+  EXPECT_TRUE(at_the_end_of_a_stream(with_zeros(5, 9, "0,0,0.001")));
+}
+
+TEST(TextOfWindows, IsReadByAStreamAsItWasWritten) {
+  std::string text =
+      "id,time_s,x_m,y_m,z_m,ma\xF1"
+      "ana\n";
+  for (int t = 0; t < 20; ++t) text += "Jos\xE9," + std::to_string(t) + ",1,2,3,\xE1\n";
+  const Recording recording = recording_of(at_the_end_of_a_stream(text));
+  EXPECT_EQ(ids_of(recording), std::vector<std::string>{"Jos\u00e9"});
+  EXPECT_TRUE(has_note(recording, "taken for Windows-1252"));
+}
+
 TEST(ZeroRuns, PlacesThereAreKept) {
   // At an end a record or two tell little; neither do a few others.
   EXPECT_TRUE(recording_of(record(with_zeros(0, 2))).missing.none());

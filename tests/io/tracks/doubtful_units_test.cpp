@@ -67,5 +67,68 @@ TEST(UnitsOfNames, ThatAreNotKnownAreHeeded) {
   EXPECT_EQ(moving.bees[0].velocities[0].y, 2.0);
 }
 
+// As traffic names them, an aircraft to the east; one record every 10 s.
+std::string under_names_of_traffic(double degrees_a_step, const std::string& height,
+                                   const std::string& speed, int records = 12) {
+  std::string text =
+      "timestamp,icao24,callsign,latitude,longitude,altitude,geoaltitude,groundspeed,track,"
+      "vertical_rate\n";
+  for (int k = 0; k < records; ++k) {
+    text += "2024-05-01 12:0" + std::to_string(k / 6) + ":" + std::to_string(k % 6) +
+            "0Z,4b1814,AFR1,0," + std::to_string(2.0 + k * degrees_a_step) + "," + height + "," +
+            height + "," + speed + ",90,0\n";
+  }
+  return text;
+}
+
+constexpr double kDegreesOf100Mps = 1000.0 / 111'320.0;  // along the equator, in 10 s
+
+TEST(DoubtfulFeet, StateVectorsInMetresUnderTheNamesOfTrafficAreAskedAbout) {
+  const std::string metres = under_names_of_traffic(kDegreesOf100Mps, "3000", "100");
+  const std::string question =
+      "aircraft go 1.94 times as fast as they say in knots. Say which: --units aviation, or "
+      "--units height=m,speed=m/s,climb=m/s";
+  expect_error(record(metres), {ErrorCode::kInvalidArgument, "bees.csv", question});
+  RecordingOptions options;
+  options.units.height = Unit::kMetre;
+  options.units.speed = Unit::kMetrePerSecond;
+  options.units.climb = Unit::kMetrePerSecond;
+  EXPECT_EQ(recording_of(record(metres, options)).bees.at(0).fixes.at(0).position.z, 3000.0);
+  options.units = {};
+  options.units.convention = UnitConvention::kAviation;
+  EXPECT_TRUE(record(metres, options));
+  // Of one moment nothing can tell.
+  const std::string moment = under_names_of_traffic(0.0, "3000", "100", 1);
+  expect_error(record(moment), {ErrorCode::kInvalidArgument, "bees.csv",
+                                "and here neither a height, a speed, nor the way from record to "
+                                "record tells. Say which: --units aviation, or"});
+  EXPECT_TRUE(record(moment, options));
+}
+
+TEST(DoubtfulFeet, TablesOfTrafficThatSayWhatTheyAreAreRead) {
+  for (const std::string& text :
+       {under_names_of_traffic(kDegreesOf100Mps, "3000", "194"),     // by its speed
+        under_names_of_traffic(0.0, "35000", "194", 1),              // by its height
+        under_names_of_traffic(kDegreesOf100Mps, "3000", "450", 1),  // too fast for m/s
+        under_names_of_traffic(kDegreesOf100Mps * 0.9, "3000", "194")}) {
+    const Recording recording = recording_of(record(text));
+    EXPECT_EQ(recording.height_unit, Unit::kFoot) << text;
+  }
+}
+
+TEST(DoubtfulFeet, TheHistoryOfOpenSkyIsInMetresWhateverElseIsLeftOut) {
+  for (const std::string names :
+       {"time,icao24,lat,lon,velocity,baroaltitude", "time,icao24,lat,lon,velocity,geoaltitude"}) {
+    const Recording recording = recording_of(record(names + "\n1714564800,a,48,2,180,3000\n"));
+    EXPECT_EQ(recording.bees.at(0).fixes.at(0).position.z, 3000.0) << names;
+    EXPECT_TRUE(recording.since_1970) << names;
+  }
+  const Recording all =
+      recording_of(record("lat,lon,baroaltitude,geoaltitude,velocity,heading,vertrate,time,icao24\n"
+                          "48,2,3000,3100,180,90,3,1714564800,a\n"));
+  EXPECT_EQ(all.bees.at(0).fixes.at(0).position.z, 3100.0);
+  EXPECT_NEAR(all.bees[0].velocities.at(0).x, 180.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace beespace::io

@@ -273,15 +273,33 @@ TEST(PlainTables, ThatEachBeginAtTimeZeroAreAskedAbout) {
     EXPECT_TRUE(several({zero, zero}, columns_are("", Unit::kSecond)));
     EXPECT_TRUE(several({zero, table(time, "1")}));
   }
-  // What comes from one program, or is a plan, has one clock.
-  const std::string named = "id,time_s,x_m,y_m,z_m\n";
-  EXPECT_TRUE(several({named + "a,0,1,2,3\n", named + "b,0,4,5,6\n"}));
+  // What is a plan has one clock.
   const std::string show = "Time_msec,x_m,y_m,z_m,Red,Green,Blue\n0,1,2,3,0,0,0\n99,1,2,3,0,0,0\n";
   EXPECT_TRUE(several({show, show}));
   const std::string colour = "time_s,x_m,y_m,z_m,color\n0,1,2,3,#000000\n1,1,2,3,#ff8000\n";
   EXPECT_TRUE(several({colour, colour}));
   const std::string dated = "time,x_m,y_m,z_m\n00:00:00,1,2,3\n00:00:01,1,2,3\n";
   EXPECT_TRUE(several({dated, dated}));
+}
+
+TEST(PlainTables, WithIdsThatEachBeginAtTimeZeroAreAskedAbout) {
+  const std::string named = "id,time_s,x_m,y_m,z_m\n";
+  const std::string first = named + "a,0,1,2,3\na,1,1,2,3\n";
+  const std::string second = named + "b,0.0,4,5,6\nb,1,4,5,6\n";
+  const std::string question =
+      "0.csv both begin at 0, and may be counted from a zero of each file's own, as of several "
+      "trials: then they cannot be compared; read the files each for itself, give times since "
+      "1970, or, if all have one clock, say so with their unit, --time-unit s";
+  expect_problem(several({first, second}), question);
+  expect_problem(several({first, named + "c,1,4,5,6\n", second}), question);
+  EXPECT_EQ(recording_of(several({first, second}, columns_are("", Unit::kSecond))).bees.size(), 2u);
+  // One goes on where the other ends, or is of the same moment by a clock that runs on.
+  EXPECT_TRUE(several({first, named + "a,2,1,2,3\nb,2,4,5,6\n"}));
+  // A file a vehicle, beside one of several: whose zero it is is not known either.
+  expect_problem(several({first, "time_s,x_m,y_m,z_m\n0,4,5,6\n1,4,5,6\n"}), question);
+  const std::string dated = "id,time,x_m,y_m,z_m\n";
+  EXPECT_TRUE(several(
+      {dated + "a,2024-05-01T00:00:00Z,1,2,3\n", dated + "b,2024-05-01T00:00:00Z,4,5,6\n"}));
 }
 
 // ---- Names of files -----------------------------------------------------------------------------

@@ -112,7 +112,7 @@ TEST(RecordingFiles, AConflictBetweenFilesIsBlamedOnTheSecond) {
   const TemporaryFolder folder;
   const std::string first = folder.write("1.csv", kTwoBees);
   const std::string second = folder.write("2.csv", "id,time_s,x,y,z\nc,0,0,0,0\nb,0,9,9,9\n");
-  expect_error(load_recording({first, second}),
+  expect_error(load_recording({first, second}, columns_are("")),
                {ErrorCode::kTimeOrder, second + ":3", "in " + first + ", line 3"});
 }
 
@@ -318,6 +318,51 @@ TEST(RecordingFiles, AZipOfSomethingElseIsRefused) {
   expect_error(load_recording_from_memory(
                    std::string_view("PK\x05\x06\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 22), "e.zip"),
                {ErrorCode::kUnsupportedFormat, "e.zip", "but nothing"});
+}
+
+// ---- Tables that were joined one behind the other -----------------------------------------------
+
+constexpr std::string_view kJoinedHeader = "id,time_s,x_m,y_m,z_m\n";
+
+std::string joined(const std::string& first, const std::string& second) {
+  return std::string(kJoinedHeader) + first + std::string(kJoinedHeader) + second;
+}
+
+TEST(JoinedTables, TheHeaderThatComesAgainIsPassedOverAndThatIsSaid) {
+  const std::string text = joined("a,1,1,2,3\na,2,1,2,3\n", "b,1,4,5,6\n\nb,2,4,5,6\n");
+  const Recording recording = recording_of(record(text));
+  EXPECT_EQ(ids_of(recording), (std::vector<std::string>{"a", "b"}));
+  EXPECT_TRUE(recording.missing.none());
+  EXPECT_TRUE(
+      has_note(recording, "the header comes again in bees.csv, as where tables were joined"));
+  // Of Excel, behind a byte-order mark each; and with ends of lines of Windows.
+  EXPECT_EQ(recording_of(record("id,time_s,x_m,y_m,z_m\r\na,1,1,2,3\r\n\xEF\xBB\xBF"
+                                "id,time_s,x_m,y_m,z_m\r\nb,1,4,5,6\r\n"))
+                .bees.size(),
+            2u);
+}
+
+TEST(JoinedTables, OtherColumnsAreRefusedWhateverIsLeftOut) {
+  const std::string text = std::string(kJoinedHeader) +
+                           "a,1,1,2,3\nid,time_s,y_m,x_m,z_m\n"
+                           "b,1,4,5,6\n";
+  for (const RecordingOptions& options : {RecordingOptions(), skipping_bad()}) {
+    expect_error(record(text, options), {ErrorCode::kMalformedRecord, "bees.csv:3",
+                                         "another header, 'id,time_s,y_m,x_m,z_m', than "
+                                         "'id,time_s,x_m,y_m,z_m' before: read tables of "});
+  }
+}
+
+TEST(JoinedTables, WhatIsAskedOfEachForItselfIsAskedOfThemTogether) {
+  expect_error(record(joined("a,0,1,2,3\na,1,1,2,3\n", "b,0,4,5,6\n")),
+               {ErrorCode::kInvalidArgument, "bees.csv:5:2",
+                "times begin at 0 again, which may be another moment, as of another trial: then "
+                "they cannot be compared; read the tables each for itself, or, if all have one "
+                "clock, say so with their unit, --time-unit s"});
+  EXPECT_TRUE(record(joined("a,0,1,2,3\n", "b,0,4,5,6\n"), columns_are("")));
+  EXPECT_TRUE(record(joined("a,0,1,2,3\n", "a,1,4,5,6\n")));
+  expect_error(record("time_s,x_m,y_m,z_m\n1,1,2,3\n2,1,2,3\ntime_s,x_m,y_m,z_m\n3,4,5,6\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:5", "no column says whose records they are"});
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "io/stream_recording.hpp"
 #include "tests/io/tracks/recording_loading.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -68,6 +69,37 @@ TEST(StalePlaces, OneThatComesBackOrGoesOnIsNone) {
   EXPECT_FALSE(take(20.0, 1.0, &slow)) << "it may have stood there";
   EXPECT_FALSE(take(21.0, 1.0, &fast));
   EXPECT_FALSE(take(30.0, 1.0, nullptr));
+}
+
+TEST(StalePlaces, AircraftOfReadsbAndOpenSkySayThemToo) {
+  std::string lines;
+  std::string states;
+  for (int t = 0; t <= 20; ++t) {
+    const std::string now = std::to_string(1700000000 + t);
+    const std::string longitude = std::to_string(8.0 + 0.001 * std::min(t, 10));
+    lines += R"({"now":)" + now + R"(,"hex":"4b1814","lat":48,"lon":)" + longitude +
+             R"(,"alt_geom":30000,"gs":150,"track":90,"geom_rate":0,"seen_pos":0})" + "\n";
+    states += R"({"time":)" + now + R"(,"states":[["4b1814","AB1","CH",)" + now + "," + now + "," +
+              longitude + R"(,48,9000,false,75,90,0,null,9000,null,false,0]]})" + "\n";
+  }
+  for (const std::string& text : {lines, states}) {
+    const Recording recording = recording_of(record(text));
+    ASSERT_EQ(recording.bees.size(), 1u);
+    EXPECT_EQ(recording.bees[0].fixes.back().time_s, 1700000013.0) << text;
+    EXPECT_EQ(recording.missing.count, 7u) << text;
+  }
+}
+
+TEST(StalePlaces, APlaceOfReadsbWhoseAgeGrowsIsHeardOnce) {
+  std::string lines;
+  for (int t = 0; t <= 20; ++t) {
+    lines += R"({"now":)" + std::to_string(1700000000 + t) +
+             R"(,"hex":"4b1814","lat":48,"lon":8,"alt_geom":30000,"gs":150,"track":90,)" +
+             R"("geom_rate":0,"seen_pos":)" + std::to_string(t) + "}\n";
+  }
+  const Recording recording = recording_of(record(lines));
+  EXPECT_EQ(recording.bees.at(0).fixes.size(), 1u);
+  EXPECT_TRUE(recording.missing.none());
 }
 
 TEST(StalePlaces, AStreamKnowsThemToo) {

@@ -1,0 +1,88 @@
+#include "io/problems/foreign_containers.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace beespace::io {
+namespace {
+
+// What to type, with FILE for the name of the file.
+constexpr std::string_view kUnknownHdf5 =
+    "an HDF5 file (also .mat of MATLAB 7.3), which is not read; see what it has: pip install h5py, "
+    "then python3 -c \"import h5py; h5py.File('FILE').visititems(print)\"; docs/recipes/matlab.md "
+    "has the lines that ask about arrays";
+constexpr std::string_view kDeepLabCut =
+    "an HDF5 file of DeepLabCut, which is not read; the .csv that it writes beside it is, or make "
+    "one: pip install pandas tables, then python3 -c \"import pandas; "
+    "pandas.read_hdf('FILE').to_csv('poses.csv')\"";
+constexpr std::string_view kPandasHdf5 =
+    "an HDF5 file of pandas, which is not read; make CSV of it: pip install pandas tables, then "
+    "python3 -c \"import pandas; pandas.read_hdf('FILE').to_csv('bees.csv', index=False)\"";
+constexpr std::string_view kSleap =
+    "a file of SLEAP (HDF5), which is not read; make a table of it: sleap-convert --format "
+    "analysis.csv FILE";
+constexpr std::string_view kIdtracker =
+    "a file of idtracker.ai (HDF5), which is not read; make CSV of its trajectories: "
+    "idtrackerai_csv FOLDER, with the folder of the session";
+constexpr std::string_view kNpz =
+    "an archive of arrays of NumPy (.npz), which is not read; see what it has: python3 -c \"import "
+    "numpy; [print(name, array.shape) for name, array in numpy.load('FILE').items()]\"; an array "
+    "of places alone is read by 'beespace detect': python3 -c \"import numpy; "
+    "numpy.save('bees.npy', numpy.load('FILE')['NAME'])\"; docs/recipes/matlab.md has the lines "
+    "that ask about arrays of tracks";
+constexpr std::string_view kTRexNpz =
+    "a file of TRex (.npz), which is not read; let TRex write CSV (output_format csv), or make it "
+    "of each: pip install numpy pandas, then python3 -c \"import numpy, pandas; f = "
+    "numpy.load('FILE'); pandas.DataFrame({k + ' (cm)' if k[0] in 'XY' else k: f[k] for k in f if "
+    "f[k].shape == f['time'].shape}).to_csv('FILE.csv', index=False)\"";
+constexpr std::string_view kTrackMate =
+    "a file of TrackMate (XML), which is not read; open it in TrackMate (Load a TrackMate file), "
+    "and in its last panel choose Spots, then Export to CSV: that table is read";
+constexpr std::string_view kTrackMateTracks =
+    "an XML file of tracks that TrackMate exported, which is not read; make a table of it: python3 "
+    "-c "
+    "\"import xml.etree.ElementTree as E; print('id,frame,x,y,z'); [print(i, *map(d.get, 'txyz'), "
+    "sep=',') for i, p in enumerate(E.parse('FILE').iter('particle')) for d in "
+    "p.iter('detection')]\" > tracks.csv, which is read with --fps and --scale";
+
+// Whether a name is there, near the beginning or the end: such files have their names there, and
+// their numbers between.
+bool has_name(std::string_view bytes, std::string_view name) {
+  constexpr std::size_t kLookedAt = std::size_t{1} << 22;
+  const std::string_view begins = bytes.substr(0, kLookedAt);
+  const std::string_view ends = bytes.substr(bytes.size() - std::min(bytes.size(), kLookedAt));
+  return begins.find(name) != std::string_view::npos || ends.find(name) != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string words_of_hdf5(std::string_view bytes) {
+  const bool pandas = has_name(bytes, "pandas_type");
+  if (pandas) return std::string(has_name(bytes, "bodyparts") ? kDeepLabCut : kPandasHdf5);
+  const bool labels = has_name(bytes, "pred_points") && has_name(bytes, "instances");
+  if (labels || has_name(bytes, "track_occupancy")) return std::string(kSleap);
+  if (has_name(bytes, "id_probabilities")) return std::string(kIdtracker);
+  return std::string(kUnknownHdf5);
+}
+
+std::string words_of_npz(std::string_view bytes) {
+  constexpr std::size_t kNameSize = 26;  // where a local header has the size of the name
+  constexpr std::size_t kName = 30;
+  if (!bytes.starts_with("PK\x03\x04") || bytes.size() < kName) return {};
+  const auto byte = [bytes](std::size_t at) {
+    return static_cast<std::size_t>(static_cast<unsigned char>(bytes[at]));
+  };
+  const std::string_view name = bytes.substr(kName, byte(kNameSize) + (byte(kNameSize + 1) << 8U));
+  if (!name.ends_with(".npy")) return {};
+  return std::string(has_name(bytes, "wcentroid.npy") ? kTRexNpz : kNpz);
+}
+
+std::string words_of_xml(std::string_view bytes) {
+  constexpr std::size_t kHead = 1024;
+  const std::string_view head = bytes.substr(0, kHead);
+  if (head.find("<TrackMate") != std::string_view::npos) return std::string(kTrackMate);
+  if (head.find("<Tracks ") != std::string_view::npos) return std::string(kTrackMateTracks);
+  return {};
+}
+
+}  // namespace beespace::io
