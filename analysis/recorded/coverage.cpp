@@ -19,11 +19,11 @@ namespace beespace::analysis {
 namespace {
 
 constexpr double kLoggedTolerance_m = 1.0;  // logs are less exact than shows
-// What takes off or lands goes up and down.
+// What takes off or lands goes up and down; robots that are parked go nowhere.
 constexpr double kMostAtRest_mps = 0.5;
+constexpr double kMostParked_mps = 0.02;
 
-// What has heights takes off and lands where others do, or it is not known where it stands. What is
-// seen in a plane comes and goes.
+// What has heights takes off and lands where others do, or it is not known where it stands.
 bool may_be_cut_off(const io::Recording& recording) {
   if (recording.show) return true;
   if (recording.flat) return false;
@@ -33,10 +33,49 @@ bool may_be_cut_off(const io::Recording& recording) {
   });
 }
 
+bool is_in_a_plane(const io::Recording& recording) {
+  return recording.frame == io::Frame::kMetres && !may_be_cut_off(recording);
+}
+
+// Where all are that are seen from above: who comes or goes does so at its border.
+class Surroundings {
+ public:
+  explicit Surroundings(const io::Recording& recording) {
+    if (!recording.flat || !is_in_a_plane(recording)) return;
+    for (const io::RecordedBee& bee : recording.bees) {
+      for (const Fix& fix : bee.fixes) {
+        low_x_ = std::min(low_x_, fix.position.x);
+        low_y_ = std::min(low_y_, fix.position.y);
+        high_x_ = std::max(high_x_, fix.position.x);
+        high_y_ = std::max(high_y_, fix.position.y);
+      }
+    }
+  }
+
+  // Whether who is there, and goes on as it did beside that, does not reach the border in a time.
+  [[nodiscard]] bool in_the_midst(const Fix& end, const Fix& beside, double time_s) const {
+    const double step_s = std::abs(end.time_s - beside.time_s);
+    const double step_m =
+        std::hypot(end.position.x - beside.position.x, end.position.y - beside.position.y);
+    const double way_m = step_s > 0.0 ? step_m / step_s * time_s : 0.0;
+    const double to_border_m = std::min({end.position.x - low_x_, end.position.y - low_y_,
+                                         high_x_ - end.position.x, high_y_ - end.position.y});
+    return to_border_m > way_m;  // never where nothing was added
+  }
+
+ private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  double low_x_ = kInfinity;
+  double low_y_ = kInfinity;
+  double high_x_ = -kInfinity;
+  double high_y_ = -kInfinity;
+};
+
 // Whether it goes nowhere over ground from one fix to the next, or the other way round.
-bool rests(const Fix& from, const Fix& to, io::Frame frame) {
+bool rests(const Fix& from, const Fix& to, io::Frame frame, double most_mps) {
   const Point apart = io::flat_offset_m(to.position, from.position, frame);
-  return std::hypot(apart.x, apart.y) <= kMostAtRest_mps * std::abs(to.time_s - from.time_s);
+  return std::hypot(apart.x, apart.y) <= most_mps * std::abs(to.time_s - from.time_s);
 }
 
 // From the first fix of all to the last one, and as far as some are there without a place.
@@ -78,6 +117,8 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
   const auto whole = whole_time(recording);
   const double ground_m = ground_of(recording);
   const bool flies = may_be_cut_off(recording);
+  const bool in_a_plane = is_in_a_plane(recording);
+  const Surroundings surroundings(recording);
   std::vector<Outside> outside(recording.bees.size());
   // `away` is when it is not known; of that it is there without a place in `unplaced`.
   const auto add = [&](Outside& of, const TimeSpan& away, const TimeSpan& unplaced, const Fix& end,
@@ -93,8 +134,13 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
     const double height_m = end.position.z - ground_m;
     if (recording.show && height_m <= kStandsWithin_m) return;
     of.seconds += seconds;
-    const bool stands = height_m <= kLoggedTolerance_m && rests(end, beside, recording.frame);
-    if (!recording.show && !(flies && !stands && seconds > known_s)) return;
+    const bool stands =
+        height_m <= kLoggedTolerance_m && rests(end, beside, recording.frame, kMostAtRest_mps);
+    // Who is seen from above leaves the picture; a robot stops, or goes on.
+    const bool lost = in_a_plane && seconds > max_gap_s &&
+                      (recording.flat ? surroundings.in_the_midst(end, beside, max_gap_s)
+                                      : !rests(end, beside, recording.frame, kMostParked_mps));
+    if (!recording.show && !lost && !(flies && !stands && seconds > known_s)) return;
     of.cut_off = true;
     of.hidden.push_back(away);
   };
@@ -200,6 +246,7 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& all
     if (outside.cut_off) ++coverage.bees_cut_off;
     if (outside.unplaced) ++coverage.bees_unplaced;
   }
+  coverage.in_a_plane = is_in_a_plane(recording);
   coverage.instants_only = is_of_instants(recording);
   coverage.missing = recording.missing;
   return coverage;
@@ -220,7 +267,8 @@ std::string unknown_text(const Coverage& coverage) {
            (coverage.instants_only ? "an instant only, each" : "a part of the recording only"));
     if (coverage.bees_cut_off > 0) {
       text += " (" + io::grouped(std::uint64_t{coverage.bees_cut_off}) +
-              " of which begin or end in the air while others fly)";
+              (coverage.in_a_plane ? " of which appear or vanish on their way)"
+                                   : " of which begin or end in the air while others fly)");
     }
     if (coverage.bees_unplaced > 0) {
       append(io::grouped(std::uint64_t{coverage.bees_unplaced}) +

@@ -8,7 +8,9 @@
 // before and after on the ground, if it begins and ends there: otherwise it is in the air, and it
 // is not known where. What is recorded with heights may be cut off in the air, too: where its fixes
 // begin or end above the lowest place of all ends, or moving there; in degrees, where they begin
-// later or end earlier by more than a gap. What is in a plane comes and goes, but is there, and it
+// later or end earlier by more than a gap. In metres and in a plane, what is seen from above comes
+// and goes at the border of where all are, and who comes or goes in the midst of it was lost; so
+// was, where all heights are 0, who begins or ends while it moves. In a plane it is there, and it
 // is not known where, while it has records without a place. An aircraft that says to be on the
 // ground before or after is known from there on, and a drone while it says that it has landed.
 #pragma once
@@ -40,8 +42,9 @@ struct Coverage {
   double slowest_interval_s = 0.0;  // of these, the longest one
   std::size_t bees_partly =
       0;  // whose first fix is later, or whose last is earlier, than of others
-  std::size_t bees_cut_off = 0;   // of these: in the air then
+  std::size_t bees_cut_off = 0;   // of these: in the air then, or on their way in a plane
   std::size_t bees_unplaced = 0;  // of these: there then, in records without a place
+  bool in_a_plane = false;
   // Each bee is known for an instant, while time goes on: that of two bees at one is chance.
   bool instants_only = false;
   double outside_s = 0.0;  // before the first and after the last fix, summed over the bees
@@ -69,8 +72,8 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
 std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps);
 
 // When a bee is there and it is not known where, so that conflicts may be hidden: in its gaps,
-// where it jumps, and before its first fix and after its last one if it is in the air then, or has
-// records without a place. In ascending order of (track, begins_s). `gaps` as above.
+// where it jumps, and before its first fix and after its last one if it is in the air or on its way
+// then, or has records without a place. In ascending order of (track, begins_s). `gaps` as above.
 std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector<Gap>& gaps,
                                const MaxGap& max_gap);
 

@@ -48,9 +48,10 @@ void append_coverage(std::string& out, const analysis::Coverage& coverage,
         io::counted(coverage.bees_partly, "bee", "bees") +
             " before the first or after the last fix, for " + io::time_span(coverage.outside_s) +
             " in all" +
-            (coverage.bees_cut_off == 0
-                 ? ""
-                 : "; " + red(io::grouped(coverage.bees_cut_off)) + " of them in the air then") +
+            (coverage.bees_cut_off == 0 ? ""
+                                        : "; " + red(io::grouped(coverage.bees_cut_off)) +
+                                              (coverage.in_a_plane ? " of them on their way then"
+                                                                   : " of them in the air then")) +
             (coverage.bees_unplaced == 0 ? ""
                                          : "; " + red(io::grouped(coverage.bees_unplaced)) +
                                                " of them there then, in records without a place"));

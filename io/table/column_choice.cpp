@@ -312,9 +312,11 @@ ColumnMeaning Header::meaning_of(std::size_t column) const {
     }
   }
   if (!source_->of_animals) return meaning;
-  // Of several the one that is meant; who is who is told by no other.
+  // Of several the one that is meant. An event is one record.
   const auto first = source_->first(meaning.role, table_.names);
-  const bool other = first ? *first != column : meaning.role == Role::kId;
+  const bool other =
+      first ? *first != column
+            : meaning.role == Role::kId && plain_name(table_.names[column]) == "event_id";
   return other && meaning.role != Role::kHeight ? ColumnMeaning() : meaning;
 }
 

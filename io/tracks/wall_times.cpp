@@ -41,19 +41,19 @@ bool names_local(const Header& header, std::size_t column) {
   return column < header.size() && names_local_time(header.table().names[column]);
 }
 
-// Which zone dates and times are of that name none: the caller's, or that of a known source, or of
-// the header.
+// Which zone dates and times are of that name none: UTC where a known source or the header says so,
+// whichever zone the caller names for others; else that one.
 void choose_zone(const Header& header, const RecordingOptions& options, TimeChoice& time) {
   const TableSource* const source = source_of(header.table().names);
-  if (options.time_zone) {
-    time.zone = options.time_zone;
-    time.zone_reason = "as --time-zone says";
-  } else if (source != nullptr && source->in_utc && !names_local(header, time.column)) {
+  if (source != nullptr && source->in_utc && !names_local(header, time.column)) {
     time.zone = TimeZone::utc();
     time.zone_reason = "the header is that of " + std::string(source->name);
   } else if (time.column < header.size() && names_utc(header.table().names[time.column])) {
     time.zone = TimeZone::utc();
     time.zone_reason = "the header says it";
+  } else if (options.time_zone) {
+    time.zone = options.time_zone;
+    time.zone_reason = "as --time-zone says";
   }
 }
 

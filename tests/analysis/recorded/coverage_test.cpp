@@ -212,6 +212,44 @@ TEST(Coverage, DronesThatEndInTheAirAreCutOff) {
 }
 
 // In gaps, and in the air before the first fix or after the last one; not where one has landed.
+io::RecordedBee bee_along_x(const std::string& id, double from_s, double until_s, double from_m,
+                            double mps, double y_m) {
+  io::RecordedBee bee;
+  bee.id = id;
+  for (double time_s = from_s; time_s <= until_s; time_s += 0.5) {
+    bee.fixes.push_back({time_s, {from_m + mps * (time_s - from_s), y_m, 0.0}});
+  }
+  return bee;
+}
+
+TEST(Coverage, WhoVanishesInTheMidstOfAPictureIsLostAndWhoLeavesItIsNot) {
+  io::Recording recording;
+  recording.flat = true;
+  recording.bees = {bee_along_x("low", 0, 20, 0, 5, 0), bee_along_x("high", 0, 20, 0, 5, 50),
+                    bee_along_x("vanishes", 0, 10, 0, 5, 25),
+                    bee_along_x("appears", 12, 20, 30, 0, 25),
+                    bee_along_x("leaves", 0, 5, 20, -4, 20)};
+  const MaxGap max_gap{1.0, 0.5};
+  const Coverage coverage = coverage_of(recording, {}, max_gap);
+  EXPECT_EQ(coverage.bees_partly, 3U);
+  EXPECT_EQ(coverage.bees_cut_off, 2U);
+  EXPECT_TRUE(coverage.may_hide_conflicts());
+  EXPECT_NE(unknown_text(coverage).find("2 of which appear or vanish on their way"),
+            std::string::npos);
+  EXPECT_EQ(unknown_spans(recording, {}, max_gap),
+            (std::vector<Gap>{{2, 10.0, 20.0}, {3, 0.0, 12.0}}));
+}
+
+TEST(Coverage, ARobotAtHeightZeroThatEndsWhileItMovesIsLostAndOneThatStopsIsNot) {
+  io::Recording recording;
+  recording.bees = {bee_along_x("stays", 0, 20, 0, 0.6, 0),
+                    bee_along_x("falls silent", 0, 10, 30, -0.6, 0),
+                    bee_along_x("is parked", 0, 10, 5, 0, 9)};
+  const Coverage coverage = coverage_of(recording, {}, {1.0, 0.5});
+  EXPECT_EQ(coverage.bees_partly, 2U);
+  EXPECT_EQ(coverage.bees_cut_off, 1U);
+}
+
 TEST(Coverage, TellsWhenItIsNotKnownWhereABeeIs) {
   io::Recording recording;
   recording.frame = io::Frame::kMetres;
