@@ -163,7 +163,7 @@ std::vector<Moment> separation_over_time(const Findings& findings, double every_
       if (is_within(jumps, bee, now)) place.reset();
       // A drone of a show that does not fly stands.
       if (place) {
-        flying.add(bee, *place);
+        (has_landed(findings.recording, bee, now, 0.0) ? on_ground : flying).add(bee, *place);
         continue;
       }
       if (has_landed(findings.recording, bee, now, findings.coverage.max_gap.seconds)) continue;
@@ -172,7 +172,7 @@ std::vector<Moment> separation_over_time(const Findings& findings, double every_
     }
     moment.open = would_be_closer(engine, flying.at, in_gaps);
     take_closer(engine.find_closest_pair(flying.at), flying, flying, moment);
-    if (standing.empty()) continue;
+    if (standing.empty() && on_ground.bees.empty()) continue;
     for (const Standing& one : standing) {
       // At its first and its last instant it flies, which counts.
       const bool stands = one.span.begins_s <= now && now <= one.span.ends_s &&

@@ -61,6 +61,16 @@ std::vector<Gap> unknown_gaps(const io::Recording& recording, const std::vector<
   return unknown;
 }
 
+bool stand_throughout(const io::Recording& recording, const Conflict& conflict) {
+  const auto stands = [&](PointId track) {
+    const auto& landed = recording.bees[track].landed;
+    return std::any_of(landed.begin(), landed.end(), [&](const TimeSpan& span) {
+      return span.begins_s <= conflict.begins_s && conflict.ends_s <= span.ends_s;
+    });
+  };
+  return stands(conflict.first) && stands(conflict.second);
+}
+
 bool has_landed(const io::Recording& recording, PointId track, double time_s, double max_gap_s) {
   if (track >= recording.bees.size()) return false;
   const io::RecordedBee& bee = recording.bees[track];

@@ -16,6 +16,9 @@ namespace beespace::analysis {
 std::vector<Gap> unknown_gaps(const io::Recording& recording, const std::vector<Gap>& gaps,
                               double max_gap_s);
 
+// Whether both stand on the ground as long as the conflict lasts: then it is none.
+bool stand_throughout(const io::Recording& recording, const Conflict& conflict);
+
 // Whether it is known that this bee stands on the ground then: within `max_gap_s` of its own
 // records.
 bool has_landed(const io::Recording& recording, PointId track, double time_s, double max_gap_s);

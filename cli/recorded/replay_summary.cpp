@@ -1,5 +1,6 @@
 #include "cli/recorded/replay_summary.hpp"
 
+#include "analysis/recorded/landed_gaps.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
@@ -122,7 +123,13 @@ std::vector<analysis::PairInConflict> in_the_air_first(
 void append_closest(std::string& out, const analysis::Findings& findings,
                     const Distances& distances) {
   if (!findings.closest) return;
-  const std::string text = encounter_text(*findings.closest, findings.recording, distances);
+  std::string text = encounter_text(*findings.closest, findings.recording, distances);
+  const auto stands = [&](PointId bee) {
+    return analysis::has_landed(findings.recording, bee, findings.closest->closest_s, 0.0);
+  };
+  if (stands(findings.closest->first) && stands(findings.closest->second)) {
+    text += ", both on the ground";
+  }
   if (!std::count(findings.with_standing.begin(), findings.with_standing.end(),
                   *findings.closest)) {
     return append_summary_line(out, "closest", text);

@@ -364,9 +364,9 @@ class TelemetryReading {
     }
     if (heard.landed.value_or(false)) {
       assembly_.has_landed(id, {heard.time_s, heard.at.position});
-      return std::nullopt;
+    } else if (heard.landed) {
+      assembly_.flies_at(id, {heard.time_s, heard.at.position});
     }
-    if (heard.landed) assembly_.flies_at(id, {heard.time_s, heard.at.position});
     Origin origin;
     origin.source = assembly_.source() & 0xFF'FFFFu;
     origin.line = (heard.frame + 1) & 0xFF'FFFF'FFFFu;

@@ -69,12 +69,6 @@ inline constexpr double kMostHeightsDiffer_m = 1'500.0;
 inline constexpr LeftOutReason kHeightsContradict = {
     "whose heights by pressure and above the ellipsoid are more than 1,500 m apart",
     "correct them, or name one column with --columns"};
-// The same of drones, whose autopilots find out that they have landed.
-inline constexpr LeftOutReason kLanded = {"of drones that say that they are on the ground",
-                                          "--grounded keeps them", true};
-inline constexpr LeftOutReason kLandedInFlight = {
-    "of drones that say that they are on the ground, but fly by what they report beside it",
-    "--grounded keeps them"};
 inline constexpr LeftOutReason kNoHeight = {"without a height"};
 inline constexpr LeftOutReason kNoEllipsoidHeight = {
     "without a height above the ellipsoid",

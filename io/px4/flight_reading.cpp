@@ -305,9 +305,9 @@ class FlightReading {
     const Fix fix{static_cast<double>(micros) / kMicrosPerSecond, at};
     if (landed) {
       assembly_.has_landed(id_, fix);
-      return std::nullopt;
+    } else if (log_.landed.any_landed()) {
+      assembly_.flies_at(id_, fix);
     }
-    if (log_.landed.any_landed()) assembly_.flies_at(id_, fix);
     const Velocity velocity = velocity_of(place);
     Origin origin;
     origin.source = assembly_.source() & 0xFF'FFFFu;

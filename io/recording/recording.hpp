@@ -39,8 +39,8 @@ struct RecordedBee {
   // before the first fix, and since when after the last one.
   std::optional<double> on_ground_until_s = {};
   std::optional<double> on_ground_from_s = {};
-  // Of a drone whose autopilot says when it has landed, in records which are left out, too: when it
-  // surely stands, before, between and after its fixes, in ascending order.
+  // Of a drone whose autopilot says when it has landed: when it surely stands, in ascending order.
+  // Its fixes are kept: others may fly close to it.
   std::vector<TimeSpan> landed = {};
   // Since when, and until when, it has records without a place, if it has any.
   std::optional<double> unplaced_from_s = {};

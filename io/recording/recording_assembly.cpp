@@ -99,10 +99,8 @@ void RecordingAssembly::leave_file_out(std::string_view name) {
 }
 
 void RecordingAssembly::settle_claim(const std::string& id, const GroundClaims::Run& run) {
-  const LeftOutReason& on_ground = run.landed ? kLanded : kOnGround;
-  const LeftOutReason& in_flight = run.landed ? kLandedInFlight : kGroundInFlight;
-  for (std::uint64_t i = 0; i < run.claims; ++i) {
-    leave_out(run.in_flight ? in_flight : on_ground, id);
+  for (std::uint64_t i = 0; i < run.claims && !run.landed; ++i) {
+    leave_out(run.in_flight ? kGroundInFlight : kOnGround, id);
   }
   if (run.surely_ground) grounded_[id].push_back(run);
 }

@@ -176,7 +176,7 @@ class RecordingAssembly {
   void claims_ground(std::string_view id, const Fix& fix) {
     claim(id, fix, GroundClaim::kOnGround);
   }
-  // The same of a drone whose autopilot says that it has landed.
+  // The same of a drone whose autopilot says that it has landed; its fix is added, too.
   void has_landed(std::string_view id, const Fix& fix) { claim(id, fix, GroundClaim::kLanded); }
   // A record says that the bee is on the ground, but not how it could be; it is kept.
   void keep_in_flight() { ++kept_in_flight_; }

@@ -343,6 +343,12 @@ Result<Recording> RecordingAssembly::finish() {
     settle_ground(bee);
     settle_unplaced(bee);
   }
+  if (std::any_of(recording_.bees.begin(), recording_.bees.end(),
+                  [](const RecordedBee& bee) { return !bee.landed.empty(); })) {
+    note(
+        "drones that say that they have landed stand on the ground: two that both stand are no "
+        "conflict; --grounded takes them for flying");
+  }
   if (auto error = doubtful_units()) return *std::move(error);
   if (recording_.height_unit == Unit::kMetre) {
     for (RecordedBee& bee : recording_.bees) bee.stated_heights.clear();

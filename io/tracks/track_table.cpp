@@ -85,6 +85,21 @@ std::optional<Error> joined_problem(const TrackRecord& record, const TrackLayout
   return error;
 }
 
+// Two vehicles of one table were switched on at moments of their own.
+Error own_zeros(std::string_view one, std::string_view other, const TrackLayout& layout) {
+  const TimeChoice& time = *layout.time;
+  Error error{ErrorCode::kInvalidArgument,
+              "times are read from " + column_text(layout.table, time.column) +
+                  ", which counts from when each vehicle was switched on, but here are several (" +
+                  excerpt(one) + ", " + excerpt(other) +
+                  "): then they cannot be compared; use a time of one clock, or, if these have "
+                  "one, say so with its unit, --time-unit " +
+                  std::string(time_unit_option(time.unit)),
+              {}};
+  error.location.column = time.column + 1;
+  return error;
+}
+
 // What came before was read as if there were no heights.
 Error height_after_all(std::string_view text, std::size_t column) {
   Error error{ErrorCode::kMalformedRecord,
@@ -208,6 +223,15 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       Error error = height_after_all(record.late_height, *layout.no_height_yet);
       place(error, line, before.rows + walk.row(), place_of, layout);
       return error;
+    }
+    if (!problem && record.left_out == nullptr && layout.time && layout.time->since_start &&
+        layout.table.choice.id) {
+      if (before.vehicle.empty()) before.vehicle = record.id;
+      if (before.vehicle != record.id) {
+        Error error = own_zeros(before.vehicle, record.id, layout);
+        place(error, line, before.rows + walk.row(), place_of, layout);
+        return error;
+      }
     }
     if (!layout.sets.empty() && !record.id.empty()) {
       record.id = assembly.name_within_set(record.id, record.set);

@@ -37,6 +37,7 @@ struct RecordsBefore {
   std::uint64_t rows = 0;
   std::uint64_t headers = 0;  // that came again
   bool joined = false;        // the last line but blanks and comments was such a header
+  std::string vehicle = {};   // the first, where times count since it was switched on
 };
 
 // All records of `text`, some lines behind the header and behind others, into the source that

@@ -92,9 +92,9 @@ TEST(Animals, AnAnimalOfOutliersOnlyIsNoAllClear) {
 TEST(Animals, TimesAreToldInTheZoneThatIsAskedFor) {
   const Finished finished =
       run({"replay", table("movebank.csv"), "--threshold", "100", "--time-zone", "+02:00"});
-  // It would be the zone of times that name none, which Movebank's are then taken for.
-  expect_parts(finished.err, {"are of +02:00: as --time-zone says",
-                              "from       2015-09-10T07:00:00.000+02:00 to"});
+  // Movebank's are in UTC, whichever zone times are told in.
+  expect_parts(finished.err, {"are of UTC: the header is that of Movebank",
+                              "from       2015-09-10T09:00:00.000+02:00 to"});
   const Finished told =
       run({"replay", "--threshold", "1", "--time-zone", "+02:00"},
           "id,time,x_m,y_m\na,2015-09-10T07:00:00Z,0,0\na,2015-09-10T07:00:02Z,2,0\n"

@@ -333,5 +333,16 @@ TEST(SkybrushCsv, WhoseTimesMayCountPicturesAreAskedAbout) {
   EXPECT_EQ(times_of(recording_of(record(frames, options)).bees[0]).back(), 2.0);
 }
 
+TEST(OneTable, OfSeveralVehiclesThatCountFromWhenTheyWereSwitchedOnIsAskedAbout) {
+  const std::string table =
+      "sysid,time_boot_ms,x,y,z\n1,60000,0,0,5\n1,61000,1,0,5\n2,65000,0,1,5\n2,66000,1,1,5\n";
+  const auto refused = several({table});
+  expect_problem(refused, "--time-unit ms");
+  EXPECT_EQ(refused.error().location.line, 4U);
+  RecordingOptions one_clock;
+  one_clock.time_unit = Unit::kMillisecond;
+  EXPECT_TRUE(several({table}, one_clock));
+}
+
 }  // namespace
 }  // namespace beespace::io

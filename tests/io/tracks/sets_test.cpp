@@ -132,6 +132,18 @@ TEST(Trials, WhatTheMessageSaysWorks) {
             1u);
 }
 
+// As R and the interface of Movebank for programs write them.
+TEST(Sets, IdsOfMovebankHaveOtherNames) {
+  for (const std::string header : {"id,location.long,location.lat,timestamp",
+                                   "individual_id,location_long,location_lat,timestamp",
+                                   "ID,location-long,location-lat,timestamp"}) {
+    const Recording recording =
+        recording_of(record(header + "\nAnna,8.95,47.75,2023-08-15 06:00:00\n"
+                                     "Bert,8.96,47.75,2023-08-15 06:00:00\n"));
+    EXPECT_EQ(ids_of(recording), (Ids{"Anna", "Bert"})) << header;
+  }
+}
+
 // ---- Marks of the owner, and tags -----------------------------------------------------------
 
 std::string tagged(const std::string& tags, const std::string& marks = ",,") {

@@ -116,5 +116,26 @@ TEST(ClockZones, LocalTimesOfMovebankAreNotInUtc) {
   EXPECT_TRUE(recording_of(record(text)).since_1970);
 }
 
+// Of several files, some of which are of the clocks of a place.
+TEST(ClockZones, WhatIsInUtcStaysSoWhicheverZoneOthersAreOf) {
+  RecordingOptions madrid;
+  madrid.time_zone = TimeZone::find("Europe/Madrid").value();
+  const std::vector<std::string> tables = {
+      "timestamp,location-long,location-lat,individual-local-identifier\n"
+      "2023-06-01 10:00:00,10,46,a\n",
+      "id,utc_time,lon,lat\na,2023-06-01 10:00:00,10,46\n",
+      "id,Date & Time [GMT],lon,lat\na,2023-06-01 10:00:00,10,46\n",
+      "id,UTC_Date,UTC_Time,lon,lat\na,2023-06-01,10:00:00,10,46\n"};
+  for (const std::string& table : tables) {
+    EXPECT_EQ(recording_of(record(table, madrid)).bees[0].fixes[0].time_s, 1'685'613'600.0)
+        << table;
+  }
+  EXPECT_EQ(recording_of(record("id,datetime,lon,lat\na,2023-06-01 10:00:00,10,46\n", madrid))
+                .bees[0]
+                .fixes[0]
+                .time_s,
+            1'685'606'400.0);
+}
+
 }  // namespace
 }  // namespace beespace::io
