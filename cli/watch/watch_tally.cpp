@@ -56,6 +56,7 @@ std::vector<std::string> doubtful(const analysis::LiveFeed& feed) {
   add(feed.apart(), "bee's clock differs from the others'",
       "bees' clocks differ from those of the others");
   if (feed.begun_anew() > 0) texts.emplace_back("all clocks began anew");
+  if (feed.counts().agents == 1) texts.emplace_back("one bee alone was heard of, and no pair");
   add(feed.missed(), "bee was heard of too late to be compared from then on",
       "bees were heard of too late to be compared from then on");
   add(feed.counts().heard_once, "bee was heard of once only", "bees were heard of once only");
