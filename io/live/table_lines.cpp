@@ -5,6 +5,7 @@
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/recording/address_names.hpp"
+#include "io/recording/ros_frames.hpp"
 #include "io/recording/set_names.hpp"
 #include "io/table/fields.hpp"
 #include "io/tracks/track_layout.hpp"
@@ -167,6 +168,11 @@ class TableLines final : public LineReader {
                      {}};
       }
     }
+    if (layout_.axes_name) {
+      if (auto error = ros_frames_.agree(record_.axes_name, record_.id, {}, options_.frame)) {
+        return *std::move(error);
+      }
+    }
     ReportLine report;
     report.id = record_.id;
     report.label = record_.label;
@@ -208,6 +214,7 @@ class TableLines final : public LineReader {
   std::optional<TrackRecordReader> reader_;
   TrackRecord record_;
   std::optional<std::string> zone_;  // of UTM
+  RosFrames ros_frames_;
 };
 
 }  // namespace

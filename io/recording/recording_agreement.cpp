@@ -1,6 +1,5 @@
 // What inputs must agree on to be one recording: whether they are in degrees or metres, have a
 // time, what heights are above, axes, zones and units.
-#include "io/bytes/characters.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/recording/recording_assembly.hpp"
@@ -43,14 +42,6 @@ bool is_plain(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == ' ';
   });
-}
-
-// REP 105: an odometry frame is fixed, but begins anywhere. One with the name of a robot before it,
-// as "uav1/odom", is that robot's.
-bool is_odometry(std::string_view axes) {
-  if (axes.starts_with('/')) axes.remove_prefix(1);
-  const std::string name = lower_case(axes);
-  return name == "odom" || name == "odom_combined" || name == "odometry";
 }
 
 }  // namespace
@@ -231,27 +222,7 @@ std::optional<Error> RecordingAssembly::agree_on_heights(HeightDatum heights) {
 }
 
 std::optional<Error> RecordingAssembly::agree_on_axes(std::string_view name, std::string_view id) {
-  if (!axes_name_) {
-    axes_name_ = name;
-    axes_source_ = sources_.back();
-    axes_bee_ = id;
-  }
-  if (*axes_name_ == name && axes_bee_ != id && options_.frame == Frame::kAuto &&
-      is_odometry(name)) {
-    return Error{ErrorCode::kUnknownFrame,
-                 "this position of " + excerpt(id) + " and those of " + excerpt(axes_bee_) +
-                     " in " + axes_source_ + " are in a frame " + excerpt(name) +
-                     " of ROS, which begins where each robot was switched on: if these have one "
-                     "origin and direction, say so with --crs metres; else bring all into one, "
-                     "such as 'map', by the transforms of /tf",
-                 {}};
-  }
-  if (*axes_name_ == name) return std::nullopt;
-  return Error{ErrorCode::kUnknownFrame,
-               "this position is in the frame " + excerpt(name) + " of ROS, but others, as in " +
-                   axes_source_ + ", are in " + excerpt(*axes_name_) +
-                   ": they cannot be compared; bring all into one, as by the transforms of /tf",
-               {}};
+  return ros_frames_.agree(name, id, sources_.back(), options_.frame);
 }
 
 std::optional<Error> RecordingAssembly::agree_on_zone(std::string_view stated,

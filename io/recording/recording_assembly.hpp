@@ -14,6 +14,7 @@
 #include "io/recording/part_spans.hpp"
 #include "io/recording/recording.hpp"
 #include "io/recording/recording_options.hpp"
+#include "io/recording/ros_frames.hpp"
 #include "io/recording/set_names.hpp"
 #include "io/recording/track_gathering.hpp"
 #include "io/units/heights.hpp"
@@ -280,9 +281,7 @@ class RecordingAssembly {
   HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by the source that states it
   std::string stated_by_;
   std::uint64_t nameless_ = 0;
-  std::optional<std::string> axes_name_;
-  std::string axes_source_;  // who said so first,
-  std::string axes_bee_;     // and of whom
+  RosFrames ros_frames_;
   double highest_m_ = 0.0;
   std::optional<std::string> zone_;
   std::string stated_zone_;

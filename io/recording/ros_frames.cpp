@@ -1,0 +1,44 @@
+#include "io/recording/ros_frames.hpp"
+
+#include "io/bytes/characters.hpp"
+#include "io/problems/excerpt.hpp"
+
+namespace beespace::io {
+namespace {
+
+// REP 105: an odometry frame is fixed, but begins anywhere. One with the name of a robot before it,
+// as "uav1/odom", is that robot's.
+bool is_odometry(std::string_view frame) {
+  if (frame.starts_with('/')) frame.remove_prefix(1);
+  const std::string name = lower_case(frame);
+  return name == "odom" || name == "odom_combined" || name == "odometry";
+}
+
+}  // namespace
+
+std::optional<Error> RosFrames::agree(std::string_view frame, std::string_view bee,
+                                      const std::string& input, Frame asked) {
+  if (!frame_) {
+    frame_ = frame;
+    input_ = input;
+    bee_ = bee;
+  }
+  if (*frame_ != frame) {
+    const std::string as_in = input_.empty() ? "" : ", as in " + input_ + ",";
+    return Error{ErrorCode::kUnknownFrame,
+                 "this position is in the frame " + excerpt(frame) + " of ROS, but others" + as_in +
+                     " are in " + excerpt(*frame_) +
+                     ": they cannot be compared; bring all into one, as by the transforms of /tf",
+                 {}};
+  }
+  if (bee_ == bee || asked != Frame::kAuto || !is_odometry(frame)) return std::nullopt;
+  return Error{ErrorCode::kUnknownFrame,
+               "this position of " + excerpt(bee) + " and those of " + excerpt(bee_) +
+                   (input_.empty() ? "" : " in " + input_) + " are in a frame " + excerpt(frame) +
+                   " of ROS, which begins where each robot was switched on: if these have one "
+                   "origin and direction, say so with --crs metres; else bring all into one, "
+                   "such as 'map', by the transforms of /tf",
+               {}};
+}
+
+}  // namespace beespace::io
