@@ -47,7 +47,7 @@ std::vector<std::string> untaken(const analysis::LiveFeed& feed, const LeftOutOf
 }
 
 // What is known, but not well enough.
-std::vector<std::string> doubtful(const analysis::LiveFeed& feed) {
+std::vector<std::string> doubtful(const analysis::LiveFeed& feed, const LeftOutOfWatch& left_out) {
   std::vector<std::string> texts;
   const auto add = [&](std::uint64_t count, const char* one, const char* many) {
     if (count > 0) texts.push_back(several(count, one, many));
@@ -56,7 +56,9 @@ std::vector<std::string> doubtful(const analysis::LiveFeed& feed) {
   add(feed.apart(), "bee's clock differs from the others'",
       "bees' clocks differ from those of the others");
   if (feed.begun_anew() > 0) texts.emplace_back("all clocks began anew");
-  if (feed.counts().agents == 1) texts.emplace_back("one bee alone was heard of, and no pair");
+  if (feed.heard_of() == 1 && left_out.nowhere == 0) {
+    texts.emplace_back("one bee alone was heard of, and no pair");
+  }
   add(feed.missed(), "bee was heard of too late to be compared from then on",
       "bees were heard of too late to be compared from then on");
   add(feed.counts().heard_once, "bee was heard of once only", "bees were heard of once only");
@@ -68,7 +70,7 @@ std::vector<std::string> doubtful(const analysis::LiveFeed& feed) {
 }  // namespace
 
 bool WatchTally::risk(const analysis::LiveFeed& feed, const LeftOutOfWatch& left_out) const {
-  if (!untaken(feed, left_out).empty() || !doubtful(feed).empty()) return true;
+  if (!untaken(feed, left_out).empty() || !doubtful(feed, left_out).empty()) return true;
   return told(EventKind::kEntered) > 0 || told(EventKind::kLost) > 0 ||
          told(EventKind::kPossible) > 0 || told(EventKind::kOverloaded) > 0 ||
          (told(EventKind::kStale) > 0 && !speed_stated_);
@@ -165,7 +167,7 @@ std::string WatchTally::verdict(const analysis::LiveFeed& feed,
     if (!speed_stated_) text += " (state --max-speed, and it is said whom they may have met)";
   }
   const char* before = "; ";
-  for (const auto& reasons : {left, doubtful(feed)}) {
+  for (const auto& reasons : {left, doubtful(feed, left_out)}) {
     for (const std::string& reason : reasons) {
       text += std::exchange(before, ", ") + red(reason);
     }

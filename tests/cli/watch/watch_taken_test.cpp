@@ -299,5 +299,28 @@ TEST(WatchTaken, APossibleConflictBetweenTwoLooksIsReported) {
   }
 }
 
+// replay says: nothing to compare.
+TEST(WatchTaken, OneBeeAloneIsNoAllClear) {
+  const Finished finished = run({"watch", "--threshold", "5", "--fail-on-risk"},
+                                "id,time_s,x_m,y_m,z_m\na,0,0,0,5\na,1,1,0,5\na,2,2,0,5\n");
+  EXPECT_EQ(finished.exit_code, kRisk);
+  expect_parts(finished.err, {"no conflict; one bee alone was heard of, and no pair"});
+}
+
+TEST(WatchTaken, FramesOfRosThatBeginAnywhereAreNotCompared) {
+  const std::string header =
+      "header.stamp.sec,header.stamp.nanosec,header.frame_id,child_frame_id,pose.pose.position.x,"
+      "pose.pose.position.y,pose.pose.position.z\n";
+  const std::vector<std::string> watch = {"watch", "--threshold", "0.5", "--fail-on-risk"};
+  for (const std::string frames : {"odom,odom", "r1/odom,r2/odom"}) {
+    const std::size_t comma = frames.find(',');
+    const Finished finished =
+        run(watch, header + "1750000000,0," + frames.substr(0, comma) + ",r1,0,0,0\n1750000000,1," +
+                       frames.substr(comma + 1) + ",r2,5,0,0\n");
+    EXPECT_EQ(finished.exit_code, kRisk);
+    expect_parts(finished.err, {"left out: <stdin>:3: this position", "frame", "of ROS"});
+  }
+}
+
 }  // namespace
 }  // namespace beespace::cli_test
