@@ -317,8 +317,8 @@ BEESPACE_C_API int64_t beespace_io_recording_missing(const beespace_io_recording
 enum {
   BEESPACE_IO_NOWHERE = 0,           ///< It has no fix: nothing is known of it.
   BEESPACE_IO_STALE = 1,             ///< It was last heard of too long ago.
-  BEESPACE_IO_WITHOUT_VELOCITY = 2,  ///< Neither a velocity nor two fixes that are close in time.
-  BEESPACE_IO_ESTIMATED = 3,         ///< The velocity is that of its last two fixes.
+  BEESPACE_IO_WITHOUT_VELOCITY = 2,  ///< Neither a velocity nor fixes that tell it.
+  BEESPACE_IO_ESTIMATED = 3,         ///< The velocity, or a part of it, is that of its last fixes.
   BEESPACE_IO_STATED = 4             ///< The velocity is that of its last fix.
 };
 /// @brief Says where all agents are at the last time of a recording, and how fast they fly: for

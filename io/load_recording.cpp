@@ -12,8 +12,8 @@
 #include "io/mavlink/telemetry_log.hpp"
 #include "io/mavlink/telemetry_reading.hpp"
 #include "io/problems/excerpt.hpp"
-#include "io/problems/foreign_containers.hpp"
 #include "io/problems/json_kind.hpp"
+#include "io/problems/signatures.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/px4/flight_reading.hpp"
 #include "io/px4/ulog_walk.hpp"
@@ -230,7 +230,7 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
   auto content = unpacked(std::move(bytes), source);
   if (!content) return content.error();
   if (is_zip(content->view)) {
-    if (std::string words = words_of_npz(content->view); !words.empty()) {
+    if (std::string words = words_of_zip(content->view); !words.empty()) {
       return Error{ErrorCode::kUnsupportedFormat, "this is " + words, {}};
     }
     return read_archive(*std::move(content), source, assembly);

@@ -1,9 +1,12 @@
 #include "analysis/recorded/last_snapshot.hpp"
 
+#include "analysis/recorded/last_climb.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "io/bytes/number_text.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -16,7 +19,9 @@ struct LastState {
   Mover mover;
   double height_m = 0.0;
   double climb_mps = 0.0;
-  bool estimated = false;  // the velocity is that of the last two fixes
+  // What was not of the last fix but of fixes before.
+  bool estimated = false;  // the velocity; where heights go in steps, that over ground
+  std::optional<ClimbFrom> climb_from = {};  // the climb alone
 };
 
 // Of a velocity that is known.
@@ -27,34 +32,35 @@ Result<LastState> given_state(const Fix& fix, const Velocity& v, io::Frame frame
   return LastState{{at->position, *at->velocity}, at->height_m, at->climb_mps};
 }
 
-Result<LastState> last_state(const io::Recording& recording, const io::RecordedBee& bee,
-                             Geometry geometry, double max_age_s) {
-  const io::Frame frame = recording.frame;
-  const Fix& last = bee.fixes.back();
-  const std::size_t index = bee.fixes.size() - 1;
-  if (!bee.velocities.empty() && is_known(bee.velocities.back())) {
-    return given_state(last, bee.velocities.back(), frame, geometry,
-                       stated_height(recording, bee, index));
-  }
+// Nothing where the last two fixes tell a velocity.
+std::optional<Error> no_two_fixes(const io::RecordedBee& bee, double max_age_s) {
   if (bee.fixes.size() < 2) {
     return Error{ErrorCode::kMissingColumn,
                  "there is no velocity, and only one fix to tell it from; give velocities (columns "
                  "vx, vy, vz; or ve, vn, vu beside degrees)",
                  {}};
   }
-  const double lasts = last.time_s - bee.fixes[bee.fixes.size() - 2].time_s;
-  if (lasts > max_age_s) {
-    return Error{ErrorCode::kMissingColumn,
-                 "there is no velocity, and its last two fixes are " + io::exact(lasts) +
-                     " s apart, too far to tell it from; give velocities (columns vx, vy, vz; or "
-                     "ve, vn, vu beside degrees), or raise --max-age",
-                 {}};
-  }
-  const auto before = in_metres(bee.fixes[index - 1].position, std::nullopt, frame, geometry,
-                                stated_height(recording, bee, index - 1));
+  const double lasts = bee.fixes.back().time_s - bee.fixes[bee.fixes.size() - 2].time_s;
+  if (lasts <= max_age_s) return std::nullopt;
+  return Error{ErrorCode::kMissingColumn,
+               "there is no velocity, and its last two fixes are " + io::exact(lasts) +
+                   " s apart, too far to tell it from; give velocities (columns vx, vy, vz; or "
+                   "ve, vn, vu beside degrees), or raise --max-age",
+               {}};
+}
+
+// The velocity of the last two fixes. With `level` the height of the last one is taken for both.
+Result<LastState> two_fix_state(const io::Recording& recording, const io::RecordedBee& bee,
+                                Geometry geometry, bool level) {
+  const std::size_t index = bee.fixes.size() - 1;
+  const double lasts = bee.fixes[index].time_s - bee.fixes[index - 1].time_s;
+  Point from = bee.fixes[index - 1].position;
+  if (level) from.z = bee.fixes[index].position.z;
+  const auto before = in_metres(from, std::nullopt, recording.frame, geometry,
+                                stated_height(recording, bee, level ? index : index - 1));
   if (!before) return before.error();
-  const auto now =
-      in_metres(last.position, std::nullopt, frame, geometry, stated_height(recording, bee, index));
+  const auto now = in_metres(bee.fixes[index].position, std::nullopt, recording.frame, geometry,
+                             stated_height(recording, bee, index));
   if (!now) return now.error();
   const Point& p = before->position;
   const Point& q = now->position;
@@ -64,6 +70,61 @@ Result<LastState> last_state(const io::Recording& recording, const io::RecordedB
       now->height_m,
       flushed((now->height_m - before->height_m) / lasts),
       true};
+}
+
+bool known_over_ground(const Velocity& velocity) {
+  return std::isfinite(velocity.x) && std::isfinite(velocity.y);
+}
+
+// Where heights go in steps: two fixes do not tell how fast it climbs.
+Result<LastState> state_in_steps(const io::Recording& recording, const io::RecordedBee& bee,
+                                 const Velocity& told, Geometry geometry, double max_age_s) {
+  const auto climb = last_climb(bee, max_age_s);
+  if (!climb) {
+    return Error{ErrorCode::kMissingColumn,
+                 "there is no climb rate, and not " + io::exact(kShortestClimb_s) +
+                     " s of heights, which go in steps, to tell it from; give climb rates (a "
+                     "column vertical_rate)",
+                 {}};
+  }
+  Velocity known{0.0, 0.0, flushed(climb->up_mps)};
+  if (known_over_ground(told)) known = {told.x, told.y, known.z};
+  auto state = given_state(bee.fixes.back(), known, recording.frame, geometry,
+                           stated_height(recording, bee, bee.fixes.size() - 1));
+  if (!state) return state;
+  if (climb->from != ClimbFrom::kRecord) state->climb_from = climb->from;
+  if (known_over_ground(told)) return state;
+  const auto level = two_fix_state(recording, bee, geometry, true);
+  if (!level) return level.error();
+  Velocity& velocity = state->mover.velocity;
+  const Velocity& along = level->mover.velocity;
+  velocity = {flushed(velocity.x + along.x), flushed(velocity.y + along.y),
+              flushed(velocity.z + along.z)};
+  state->estimated = true;
+  return state;
+}
+
+Result<LastState> last_state(const io::Recording& recording, const io::RecordedBee& bee,
+                             Geometry geometry, double max_age_s) {
+  const std::size_t index = bee.fixes.size() - 1;
+  const Fix& last = bee.fixes[index];
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  const Velocity told =
+      bee.velocities.empty() ? Velocity{kUnknown, kUnknown, kUnknown} : bee.velocities.back();
+  const auto given = [&](const Velocity& v) {
+    return given_state(last, v, recording.frame, geometry, stated_height(recording, bee, index));
+  };
+  if (is_known(told)) return given(told);
+  if (auto error = no_two_fixes(bee, max_age_s)) return *std::move(error);
+  if (heights_in_steps(recording, bee)) {
+    return state_in_steps(recording, bee, told, geometry, max_age_s);
+  }
+  if (!known_over_ground(told)) return two_fix_state(recording, bee, geometry, false);
+  const Fix& before = bee.fixes[index - 1];
+  const double up = (last.position.z - before.position.z) / (last.time_s - before.time_s);
+  auto state = given({told.x, told.y, flushed(up)});
+  if (state) state->climb_from = ClimbFrom::kTwoFixes;
+  return state;
 }
 
 void bring_forward(LastState& state, double by_s) {
@@ -144,6 +205,7 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
                                 stated_height(recording, bee, last));
       if (!at) return of_bee(at.error(), bee);
       snapshot.unmoving.push_back({static_cast<std::uint32_t>(i), at->position, at->height_m});
+      if (!no_two_fixes(bee, max_age_s)) ++snapshot.climbless;
       no_velocity = of_bee(std::move(state).error(), bee);
       continue;
     }
@@ -154,6 +216,7 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
       snapshot.oldest_s = std::max(snapshot.oldest_s, age);
     }
     if (state->estimated) ++snapshot.estimated;
+    if (state->climb_from) ++snapshot.climbs.of(*state->climb_from);
     snapshot.movers.push_back(state->mover);
     snapshot.bees.push_back(static_cast<std::uint32_t>(i));
     if (geometry == Geometry::kSpace) continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/geometry/geometry.hpp"
+#include "analysis/recorded/last_climb.hpp"
 #include "io/recording/recording.hpp"
 
 #include <beespace/mover.hpp>
@@ -24,15 +25,31 @@ struct Snapshot {
   std::uint64_t brought_forward = 0;
   double oldest_s = 0.0;    // of those: how far
   std::uint64_t stale = 0;  // left out
-  // Of these neither a velocity nor two fixes, max_age_s apart at most, tell how fast they go: they
-  // are no movers, and known only where they were last heard of.
+  // Of these neither a velocity nor two fixes, max_age_s apart at most, tell how fast they go, or
+  // nothing tells how fast they climb: they are no movers, and known only where they were last
+  // heard of.
   struct Placed {
     std::uint32_t bee = 0;
     Point position = {};
     double height_m = 0.0;  // apart, as above
   };
   std::vector<Placed> unmoving;
+  std::uint64_t climbless = 0;  // of these: those of which only the climb rate is not known
   std::uint64_t estimated = 0;  // velocities that come from the last two fixes
+  // Climb rates that are not those of the last fix, by what they come from; velocities that come
+  // from the last two fixes as a whole are not among them.
+  struct Climbs {
+    std::uint64_t earlier = 0;
+    std::uint64_t heights = 0;
+    std::uint64_t two_fixes = 0;
+
+    std::uint64_t& of(ClimbFrom from) {
+      return from == ClimbFrom::kEarlier   ? earlier
+             : from == ClimbFrom::kHeights ? heights
+                                           : two_fixes;
+    }
+  };
+  Climbs climbs;
 
   [[nodiscard]] MoversView view() const;
   // The movers, and behind them the unmoving ones where they were last heard of: the present moment

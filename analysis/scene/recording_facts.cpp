@@ -4,6 +4,7 @@
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/jump_spans.hpp"
+#include "analysis/recorded/scale_doubt.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
@@ -183,11 +184,20 @@ void take_tracks(std::vector<Track> tracks, io::Frame frame, report::RecordingFa
   facts.tracks = std::move(tracks);
 }
 
+// As it was stated; nothing where the caller does not say it.
+std::optional<io::StatedLength> threshold_of(const SceneRequest& request) {
+  if (!request.threshold_m) return std::nullopt;
+  return io::StatedLength{*request.threshold_m,
+                          io::from_metric(*request.threshold_m, request.threshold_unit),
+                          request.threshold_unit};
+}
+
 }  // namespace
 
 Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
                                                const std::string& title,
                                                const SceneRequest& request) {
+  if (auto doubt = doubt_of_scale(recording, threshold_of(request))) return *std::move(doubt);
   const Geometry geometry = geometry_for(recording, request.vertical);
   const MaxGap max_gap = max_gap_of(recording, request.max_gap_s);
   auto in_space = tracks_of(recording, Geometry::kSpace, request.tolerance_m);

@@ -3,7 +3,9 @@
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
+#include "analysis/recorded/last_climb.hpp"
 #include "analysis/recorded/last_snapshot.hpp"
+#include "analysis/recorded/scale_doubt.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
@@ -117,6 +119,35 @@ std::string found_line(const Prediction& prediction) {
          (prediction.complete() ? "" : "; " + unknown_text(prediction));
 }
 
+// Who is not known to go anywhere, and why.
+void append_unmoving(std::string& out, const analysis::Snapshot& snapshot, double max_age_s) {
+  const auto say_of = [&out](std::uint64_t count, const std::string& why) {
+    if (count == 0) return;
+    append_summary_line(
+        out, "unknown",
+        red(io::grouped(count) + " checked for now only") + ", where last heard of: " + why);
+  };
+  say_of(snapshot.unmoving.size() - snapshot.climbless,
+         "neither a velocity nor two fixes, at most " + io::exact(max_age_s) +
+             " s apart, tell how fast they go");
+  say_of(snapshot.climbless, "neither a climb rate nor " + io::exact(analysis::kShortestClimb_s) +
+                                 " s of heights, which go in steps, tell how fast they climb");
+}
+
+// Whose velocity is not the one of the last fix, and what it is of.
+void append_estimates(std::string& out, const analysis::Snapshot& snapshot) {
+  const auto say_of = [&out](std::uint64_t count, const std::string& what) {
+    if (count > 0) append_summary_line(out, "note", io::grouped(count) + " without a " + what);
+  };
+  say_of(snapshot.estimated, "velocity: it is that of the last two fixes");
+  say_of(snapshot.climbs.earlier, "climb rate: it is the last one known, " +
+                                      io::exact(analysis::kClimbLasts_s) + " s before at most");
+  say_of(snapshot.climbs.heights, "climb rate: it is that of the heights of up to " +
+                                      io::exact(analysis::kLongestClimb_s) +
+                                      " s, or of the last two where these are farther apart");
+  say_of(snapshot.climbs.two_fixes, "climb rate: it is that of the last two fixes");
+}
+
 std::string summary(const Prediction& prediction, const PredictRequest& request, double search_s) {
   const analysis::Snapshot& snapshot = prediction.snapshot;
   std::string out = input_summary(prediction.recording, request.moving);
@@ -137,18 +168,9 @@ std::string summary(const Prediction& prediction, const PredictRequest& request,
                         red(io::grouped(snapshot.stale) + " left out") + ", not heard of for " +
                             io::exact(request.max_age_s) + " s (--max-age)");
   }
-  if (!snapshot.unmoving.empty()) {
-    append_summary_line(out, "unknown",
-                        red(io::grouped(snapshot.unmoving.size()) + " checked for now only") +
-                            ", where last heard of: neither a velocity nor two fixes, at most " +
-                            io::exact(request.max_age_s) + " s apart, tell how fast they go");
-  }
+  append_unmoving(out, snapshot, request.max_age_s);
   append_missing(out, prediction.recording.missing);
-  if (snapshot.estimated > 0) {
-    append_summary_line(
-        out, "note",
-        io::grouped(snapshot.estimated) + " without a velocity: it is that of the last two fixes");
-  }
+  append_estimates(out, snapshot);
   append_summary_line(out, "threshold",
                       separation_summary(request.moving, prediction.threshold_m,
                                          prediction.recording, prediction.distances.aviation));
@@ -196,6 +218,7 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
   load.progress = &progress.reading();
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
+  if (auto doubt = analysis::doubt_of_scale(*recording, moving.threshold)) return *std::move(doubt);
   const analysis::Geometry geometry = analysis::geometry_for(*recording, moving.vertical);
   const auto snapshot =
       snapshot_of(*recording, geometry, request.max_age_s, analysis::Wanted::kMotionOrNow);

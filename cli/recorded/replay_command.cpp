@@ -6,6 +6,7 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
+#include "analysis/recorded/scale_doubt.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "analysis/text/bee_name.hpp"
@@ -112,6 +113,7 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   load.progress = &progress.reading();
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
+  if (auto doubt = analysis::doubt_of_scale(*recording, moving.threshold)) return *std::move(doubt);
   if (Status flight = check_flight(*recording, moving.inputs.front()); !flight) {
     return flight.error();
   }

@@ -3,6 +3,7 @@
 #include "analysis/recorded/common_times.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/gaps.hpp"
+#include "analysis/recorded/scale_doubt.hpp"
 #include "analysis/recorded/verify_paths.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/progress_bar.hpp"
@@ -192,6 +193,7 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
   load.progress = &progress.reading();
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
+  if (auto doubt = analysis::doubt_of_scale(*recording, moving.threshold)) return *std::move(doubt);
   if (Status flight = check_flight(*recording, moving.inputs.front()); !flight) {
     return flight.error();
   }

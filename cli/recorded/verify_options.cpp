@@ -68,7 +68,7 @@ Result<std::vector<std::string>> read_names(const Typed& typed) {
 
 void add_check_options(Command& verify, VerifyRequest& request) {
   verify.group("Check");
-  verify.option("--threshold", "LENGTH", request.moving.threshold_m, read_threshold_in_motion,
+  verify.option("--threshold", "LENGTH", request.moving.threshold, read_stated_threshold_in_motion,
                 "Closer than this is too close (default: what the\ninput declares, or 2 for shows, "
                 "otherwise 5)");
   verify.option("--max-speed", "SPEED", request.check.max_speed_mps,

@@ -26,14 +26,22 @@ enum class Key : std::uint8_t {
   kTrack,
   kGeomRate,
   kBaroRate,
+  // Of dump1090-mutability: these are what others call alt_baro, gs and baro_rate.
+  kAltitude,
+  kOldSpeed,
+  kOldRate,
+  // What a decoder has counted: without them such words may be of any sender, in any unit.
+  kMessages,
+  kSeen,
   kCount
 };
 
 constexpr std::size_t kKeys = static_cast<std::size_t>(Key::kCount);
 
-constexpr std::array<std::string_view, kKeys> kNames = {"hex", "flight", "now",       "seen_pos",
-                                                        "lon", "lat",    "alt_geom",  "alt_baro",
-                                                        "gs",  "track",  "geom_rate", "baro_rate"};
+constexpr std::array<std::string_view, kKeys> kNames = {
+    "hex",      "flight",   "now",       "seen_pos", "lon",       "lat",
+    "alt_geom", "alt_baro", "gs",        "track",    "geom_rate", "baro_rate",
+    "altitude", "speed",    "vert_rate", "messages", "seen"};
 
 using Values = std::array<std::optional<JsonElement>, kKeys>;
 
@@ -67,10 +75,10 @@ class ObjectReading {
     double speed = AircraftReport::kUnknown;
     double geometric = AircraftReport::kUnknown;
     double pressure = AircraftReport::kUnknown;
-    if (auto error = number(Key::kSpeed, speed)) return error;
+    if (auto error = number(or_old(Key::kSpeed, Key::kOldSpeed), speed)) return error;
     if (auto error = number(Key::kTrack, report_.track_deg)) return error;
     if (auto error = number(Key::kGeomRate, geometric)) return error;
-    if (auto error = number(Key::kBaroRate, pressure)) return error;
+    if (auto error = number(or_old(Key::kBaroRate, Key::kOldRate), pressure)) return error;
     report_.ground_speed_mps = in_metric(speed, Unit::kKnot);
     report_.geometric_climb_mps = in_metric(geometric, Unit::kFootPerMinute);
     report_.pressure_climb_mps = in_metric(pressure, Unit::kFootPerMinute);
@@ -80,6 +88,11 @@ class ObjectReading {
  private:
   [[nodiscard]] const std::optional<JsonElement>& at(Key key) const {
     return values_[static_cast<std::size_t>(key)];
+  }
+  // The key of dump1090-mutability where the other one is not there.
+  [[nodiscard]] Key or_old(Key key, Key old) const {
+    const bool of_decoder = at(Key::kMessages) && at(Key::kSeen);
+    return !at(key) && at(old) && of_decoder ? old : key;
   }
   static std::string name_of(Key key) { return excerpt(kNames[static_cast<std::size_t>(key)]); }
 
@@ -130,13 +143,14 @@ class ObjectReading {
   std::optional<Error> read_heights() {
     report_.height_unit = Unit::kFoot;
     if (auto error = number(Key::kAltGeom, report_.ellipsoid_height)) return error;
-    const auto& baro = at(Key::kAltBaro);
+    const Key pressure = or_old(Key::kAltBaro, Key::kAltitude);
+    const auto& baro = at(pressure);
     std::string_view text;
     if (baro && baro->get(text) && text == "ground") {
       report_.on_ground = true;
       return std::nullopt;
     }
-    return number(Key::kAltBaro, report_.pressure_height);
+    return number(pressure, report_.pressure_height);
   }
 
   const Values& values_;

@@ -1,4 +1,5 @@
 // One aircraft as readsb and dump1090 write it: an object of aircraft.json, or of the JSON port.
+// Older dump1090 (dump1090-mutability) has other words for the height by pressure, speed and climb.
 #pragma once
 
 #include "io/aircraft/aircraft_report.hpp"

@@ -35,6 +35,13 @@ constexpr std::string_view kTRexNpz =
     "of each: pip install numpy pandas, then python3 -c \"import numpy, pandas; f = "
     "numpy.load('FILE'); pandas.DataFrame({k + ' (cm)' if k[0] in 'XY' else k: f[k] for k in f if "
     "f[k].shape == f['time'].shape}).to_csv('FILE.csv', index=False)\"";
+constexpr std::string_view kExcel =
+    "an Excel workbook (.xlsx), which is not read; save each of its sheets as CSV (File, Save As, "
+    "CSV UTF-8), or make it of the first one: pip install pandas openpyxl, then python3 -c "
+    "\"import pandas; pandas.read_excel('FILE').to_csv('bees.csv', index=False)\"";
+constexpr std::string_view kOpenSheet =
+    "a spreadsheet of LibreOffice (.ods), which is not read; save each of its sheets as CSV (File, "
+    "Save As, Text CSV)";
 constexpr std::string_view kTrackMate =
     "a file of TrackMate (XML), which is not read; open it in TrackMate (Load a TrackMate file), "
     "and in its last panel choose Spots, then Export to CSV: that table is read";
@@ -54,6 +61,17 @@ bool has_name(std::string_view bytes, std::string_view name) {
   return begins.find(name) != std::string_view::npos || ends.find(name) != std::string_view::npos;
 }
 
+// What comes first in a zip archive, as its local header has it; nothing of other bytes.
+std::string_view first_name(std::string_view bytes) {
+  constexpr std::size_t kNameSize = 26;  // where a local header has the size of the name
+  constexpr std::size_t kName = 30;
+  if (!bytes.starts_with("PK\x03\x04") || bytes.size() < kName) return {};
+  const auto byte = [bytes](std::size_t at) {
+    return static_cast<std::size_t>(static_cast<unsigned char>(bytes[at]));
+  };
+  return bytes.substr(kName, byte(kNameSize) + (byte(kNameSize + 1) << 8U));
+}
+
 }  // namespace
 
 std::string words_of_hdf5(std::string_view bytes) {
@@ -66,15 +84,21 @@ std::string words_of_hdf5(std::string_view bytes) {
 }
 
 std::string words_of_npz(std::string_view bytes) {
-  constexpr std::size_t kNameSize = 26;  // where a local header has the size of the name
-  constexpr std::size_t kName = 30;
-  if (!bytes.starts_with("PK\x03\x04") || bytes.size() < kName) return {};
-  const auto byte = [bytes](std::size_t at) {
-    return static_cast<std::size_t>(static_cast<unsigned char>(bytes[at]));
-  };
-  const std::string_view name = bytes.substr(kName, byte(kNameSize) + (byte(kNameSize + 1) << 8U));
-  if (!name.ends_with(".npy")) return {};
+  if (!first_name(bytes).ends_with(".npy")) return {};
   return std::string(has_name(bytes, "wcentroid.npy") ? kTRexNpz : kNpz);
+}
+
+std::string words_of_workbook(std::string_view bytes) {
+  const std::string_view name = first_name(bytes);
+  constexpr std::string_view kOds = "mimetypeapplication/vnd.oasis.opendocument.spreadsheet";
+  constexpr std::size_t kHead = 200;
+  if (name == "mimetype" && has_name(bytes.substr(0, kHead), kOds)) return std::string(kOpenSheet);
+  // An archive of tables may hold a workbook, too, but then its name comes first.
+  const bool of_office = name == "[Content_Types].xml" || name.starts_with("docProps/") ||
+                         name.starts_with("_rels/") || name.starts_with("xl/");
+  const bool sheets = has_name(bytes, "xl/worksheets/") || has_name(bytes, "xl/workbook.") ||
+                      has_name(bytes, "xl/theme/") || has_name(bytes, "xl/styles.");
+  return std::string(of_office && sheets ? kExcel : "");
 }
 
 std::string words_of_xml(std::string_view bytes) {

@@ -120,11 +120,16 @@ std::string words_of_signature(std::string_view bytes) {
   if (found == nullptr) return {};
   const bool hdf5 = found->bytes.starts_with("\x89HDF") || found->bytes.starts_with("MATLAB 7.3");
   if (hdf5) return words_of_hdf5(bytes);
-  if (std::string words = words_of_npz(bytes); !words.empty()) return words;
+  if (std::string words = words_of_zip(bytes); !words.empty()) return words;
   if (found->bytes == "<?xml") {
     if (std::string words = words_of_xml(bytes); !words.empty()) return words;
   }
   return std::string(found->what).append(found->advice);
+}
+
+std::string words_of_zip(std::string_view bytes) {
+  std::string words = words_of_npz(bytes);
+  return words.empty() ? words_of_workbook(bytes) : words;
 }
 
 std::string words_of_bag_folder() {
@@ -134,7 +139,7 @@ std::string words_of_bag_folder() {
 bool is_foreign_file(std::string_view bytes) {
   const Signature* const found = signature_of(bytes);
   if (found == nullptr) return false;
-  return found->of == Of::kOthers || !words_of_npz(bytes).empty() || !words_of_xml(bytes).empty();
+  return found->of == Of::kOthers || !words_of_zip(bytes).empty() || !words_of_xml(bytes).empty();
 }
 
 }  // namespace beespace::io

@@ -13,6 +13,9 @@ std::string words_of_signature(std::string_view bytes);
 // Whether it is a file of other programs, which nothing here reads whatever it is called.
 bool is_foreign_file(std::string_view bytes);
 
+// What is said of a zip archive of other programs, by what is in it; nothing of others.
+std::string words_of_zip(std::string_view bytes);
+
 // The same of a folder that ROS 2 recorded into, which is FILE in it.
 std::string words_of_bag_folder();
 

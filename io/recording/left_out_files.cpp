@@ -62,6 +62,21 @@ bool is_named(const std::string& path, const std::vector<std::string>& paths) {
                      [&](const std::string& other) { return normal(other) == normal(path); });
 }
 
+// They have no aircraft, but a name may be meant for something else.
+void note_receiver_files(const std::vector<std::string>& paths, RecordingAssembly& assembly) {
+  for (const std::string& path : paths) {
+    if (!is_folder(path)) continue;
+    std::string names;
+    for (const std::string& file : receiver_files_in(path)) {
+      if (is_named(file, paths)) continue;
+      names.append(names.empty() ? "" : ", ").append(name_in(file));
+    }
+    if (names.empty()) continue;
+    assembly.note("of " + path + " these are not read, as they tell of the receiver, not of " +
+                  "aircraft: " + names);
+  }
+}
+
 }  // namespace
 
 bool holds_no_places(std::string_view path) {
@@ -82,6 +97,7 @@ bool is_other_form_of(std::string_view name, std::string_view stem) {
 }
 
 void count_left_out(const std::vector<std::string>& paths, RecordingAssembly& assembly) {
+  note_receiver_files(paths, assembly);
   std::vector<std::string> left;
   for (const std::string& path : paths) {
     if (!is_folder(path)) continue;

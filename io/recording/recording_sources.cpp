@@ -33,6 +33,19 @@ bool is_beside_trajectories(std::string_view name) {
   return is_one_of("areas.csv id_probabilities.csv lengths.csv", lower);
 }
 
+// What readsb and dump1090 write beside their snapshots: of the receiver, and of no aircraft.
+bool is_beside_snapshots(std::string_view name) {
+  return is_one_of("receiver.json stats.json status.json outline.json clients.json", name);
+}
+
+bool is_snapshot_name(std::string_view name) {
+  return name == "aircraft.json" || (name.starts_with("history_") && name.ends_with(".json"));
+}
+
+std::string_view name_in_folder(std::string_view path) {
+  return path.substr(path.rfind('/') + 1);
+}
+
 // What a folder has, by kind.
 struct Listed {
   std::vector<std::string> tables = {};
@@ -43,6 +56,7 @@ struct Listed {
   std::vector<std::string> logs = {};
   std::vector<std::string> flights = {};
   std::vector<std::string> others = {};
+  std::vector<std::string> of_receiver = {};
   std::string_view foreign = {};  // what is said of a show of other editors
   std::error_code problem = {};
 
@@ -64,6 +78,18 @@ struct Listed {
     });
     if (!trajectories) return;
     std::erase_if(tables, [&](const auto& path) { return named(path, is_beside_trajectories); });
+  }
+  // Of readsb and dump1090 the snapshots alone have aircraft.
+  void leave_receiver() {
+    const bool snapshots = std::any_of(documents.begin(), documents.end(), [](const auto& path) {
+      return is_snapshot_name(name_in_folder(path));
+    });
+    if (!snapshots) return;
+    const auto aside = std::stable_partition(
+        documents.begin(), documents.end(),
+        [](const auto& path) { return !is_beside_snapshots(name_in_folder(path)); });
+    of_receiver.assign(aside, documents.end());
+    documents.erase(aside, documents.end());
   }
   // The kind that is read.
   std::vector<std::string>& chosen() {
@@ -107,6 +133,7 @@ Listed listed(const std::string& folder) {
   beside.insert(beside.end(), found.texts.begin(), found.texts.end());
   found.texts.clear();
   found.leave_trajectories();
+  found.leave_receiver();
   return found;
 }
 
@@ -218,6 +245,12 @@ std::vector<std::string> recordings_left_in(const std::string& folder) {
     });
   });
   return left;
+}
+
+std::vector<std::string> receiver_files_in(const std::string& folder) {
+  std::vector<std::string> files = listed(folder).of_receiver;
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 std::string stem_of(std::string_view path) {

@@ -28,12 +28,16 @@ std::string_view foreign_show(std::string_view name);
 // What there is to read in the folder, by name: its tables; where there is none, its show (.skyc),
 // its .json and .ndjson files, otherwise its .tlog files, or its .ulg files. Hidden files are left
 // out, and so is what holds no places (README.txt), and what idtracker.ai writes beside its
-// trajectories.csv. Errors: kCannotOpen, kNoPoints when there is nothing, kUnsupportedFormat for
-// several shows.
+// trajectories.csv, or readsb beside its aircraft.json. Errors: kCannotOpen, kNoPoints when there
+// is nothing, kUnsupportedFormat for several shows.
 Result<std::vector<std::string>> recordings_in(const std::string& folder);
 
 // What of a folder is not read beside what is, but for what is harmless (see left_out_files.hpp).
 std::vector<std::string> recordings_left_in(const std::string& folder);
+
+// What readsb and dump1090 tell of the receiver beside aircraft.json and history_0.json, in
+// ascending order: these are not read, and harmless.
+std::vector<std::string> receiver_files_in(const std::string& folder);
 
 // "swarm" of "data/swarm.csv.gz"; "stdin" of "-".
 std::string stem_of(std::string_view path);

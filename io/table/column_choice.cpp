@@ -294,6 +294,11 @@ Header::Header(const ColumnSchema& schema, const ColumnOptions& options, const T
 ColumnMeaning Header::meaning_of(std::size_t column) const {
   if (is_of_a_quaternion(column)) return {};
   ColumnMeaning meaning = read_column_name(schema_, table_.names[column]);
+  if (meaning.role == Role::kNone && is_flight_level(column)) {
+    meaning.role = Role::kHeight;
+    meaning.unit = Unit::kFlightLevel;
+    meaning.datum = HeightDatum::kPressure;
+  }
   if (source_ == nullptr) return meaning;
   const KnownColumn* const known = source_->find(table_.names[column]);
   if (known != nullptr) meaning.datum = known->datum;
@@ -318,6 +323,21 @@ ColumnMeaning Header::meaning_of(std::size_t column) const {
       first ? *first != column
             : meaning.role == Role::kId && plain_name(table_.names[column]) == "event_id";
   return other && meaning.role != Role::kHeight ? ColumnMeaning() : meaning;
+}
+
+// Whether it is the height: beside one that is finer it is passed over.
+bool Header::is_flight_level(std::size_t column) const {
+  const std::string& name = table_.names[column];
+  if (!schema_.reads(Role::kHeight) || !names_flight_level(name)) return false;
+  const bool in_short = plain_name(name) == "fl";
+  bool of_aircraft = !in_short;
+  for (std::size_t i = 0; i < table_.names.size(); ++i) {
+    if (i == column) continue;
+    const Role role = read_column_name(schema_, table_.names[i]).role;
+    if (role == Role::kHeight || role == Role::kZ) return false;
+    of_aircraft = of_aircraft || speaks_of_aviation(table_.names[i]);
+  }
+  return of_aircraft;
 }
 
 // Whether it is "q_RS_x" beside "q_RS_w": an attitude, as EuRoC's tables have it.

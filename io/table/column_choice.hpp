@@ -53,6 +53,7 @@ class Header {
 
  private:
   ColumnMeaning meaning_of(std::size_t column) const;
+  [[nodiscard]] bool is_flight_level(std::size_t column) const;
   [[nodiscard]] bool is_of_a_quaternion(std::size_t column) const;
   void prefer_plain_coordinates();
 

@@ -27,7 +27,10 @@ ColumnMeaning stated(const ColumnSchema& schema, const TableLayout& table, std::
   if (meaning.role != Role::kNone && meaning.role <= Role::kZ) return meaning;
   std::vector<std::string> words = split_words(table.names[column]);
   ColumnMeaning last;
-  if (const auto unit = take_unit(words, Quantity::kLength)) {
+  if (names_flight_level(table.names[column])) {
+    last.unit = Unit::kFlightLevel;
+    last.datum = HeightDatum::kPressure;
+  } else if (const auto unit = take_unit(words, Quantity::kLength)) {
     last.unit = *unit;
   } else if (words.size() > 1 && is_pixel(words.back())) {
     last.foreign_unit = words.back();

@@ -189,6 +189,10 @@ bool counts_from_takeoff(std::string_view name) {
   return height && from_there;
 }
 
+bool names_flight_level(std::string_view name) {
+  return is_one_of("flight_level flightlevel flight_levels fl", plain_name(name));
+}
+
 const ColumnSchema& position_columns() {
   static const ColumnSchema schema = make_position_columns();
   return schema;

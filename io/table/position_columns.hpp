@@ -3,6 +3,8 @@
 
 #include "io/table/column_schema.hpp"
 
+#include <string_view>
+
 namespace beespace::io {
 
 const ColumnSchema& position_columns();
@@ -10,5 +12,9 @@ const ColumnSchema& position_columns();
 // Whether it is a height above where each one took off, or above the ground below it:
 // "relative_alt_m", "altitudeRelative", "alt_agl". Those of several are not comparable.
 bool counts_from_takeoff(std::string_view name);
+
+// Whether it is a height in hundreds of feet by pressure: "Flight Level", "FL". The latter may be
+// the fork length of a fish, too.
+bool names_flight_level(std::string_view name);
 
 }  // namespace beespace::io

@@ -21,7 +21,8 @@ NamePattern time_names() {
        "min mins minute minutes h hr hour hours d day days tow ticks frames jd mjd"},
       {Says::kSince1970, "unix posix epoch 1970"},
       {Says::kBeside,
-       "since start elapsed utc iso iso8601 8601 rfc3339 boot begin sim simulation in of the from "
+       "since start elapsed over utc iso iso8601 8601 rfc3339 boot begin sim simulation in of the "
+       "from "
        "flight mission sample header field message msg ros date datum fecha gmt"},
   };
   pattern.needed = Says::kNoun;

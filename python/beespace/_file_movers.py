@@ -38,7 +38,8 @@ class FileMovers:
         Whether it is known where each is and how fast it flies. Who leaves the others out asks about
         those that are known: no conflict does not mean that there is none with the others.
     estimated : ndarray of bool, shape (a,)
-        Whether the velocity is that of the last two fixes, as the last one has none.
+        Whether the velocity is that of the last two fixes, as the last one has none. Of aircraft the
+        climb rate alone may be, of the last seconds, as their heights go in steps.
     stale : ndarray of bool, shape (a,)
         Whether it was last heard of longer ago than `max_age`.
     frame : str
@@ -92,7 +93,7 @@ class FileMovers:
         estimated, stale = np.count_nonzero(self.estimated), np.count_nonzero(self.stale)
         unknown = len(self) - np.count_nonzero(self.known) - stale
         if estimated:
-            told += f"; the velocity of {estimated:,} is that of the last two fixes"
+            told += f"; the velocity of {estimated:,} is that of the last fixes"
         if stale:
             told += f"; {stale:,} stale"
         if unknown:

@@ -207,7 +207,7 @@ def test_whom_nothing_is_known_of_is_refused_and_named(file_of):
     expected = [(each["first"], each["second"]) for each in said["conflicts"]]
     assert [(ids[i], ids[j]) for i, j in zip(found.i, found.j)] == expected == [("a", "b")]
     assert repr(now) == (
-        "<FileMovers: 5 agents at 100 s, metres; the velocity of 1 is that of the last two fixes; "
+        "<FileMovers: 5 agents at 100 s, metres; the velocity of 1 is that of the last fixes; "
         "1 stale; of 1 no velocity is known>"
     )
     old = beespace.read_recording(path).movers(max_age=math.inf)

@@ -93,6 +93,33 @@ TEST_F(LeftOutFiles, TheSameInAnotherFormIsHarmless) {
   EXPECT_EQ(ask("replay", {"--fail-on-risk"}).exit_code, 1);
 }
 
+// What readsb writes: its receiver.json has a place, too, but that of the antenna.
+TEST(LeftOutFilesOfReadsb, WhatTellsOfTheReceiverIsPassedOverAndTold) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path("run"));
+  for (const int second : {0, 1, 2}) {
+    const std::string heard =
+        R"("lat":48,"alt_geom":3000,"gs":0,"track":0,"geom_rate":0,"seen_pos":0)";
+    std::string text = R"({"now":170000000)";
+    text += std::to_string(second) + R"(,"messages":9,"aircraft":[{"hex":"aaaaaa","lon":2,)" +
+            heard + R"(},{"hex":"bbbbbb","lon":3,)" + heard + "}]}";
+    folder.file("run/history_" + std::to_string(second) + ".json", text);
+  }
+  folder.file("run/receiver.json", R"({"lat":48,"lon":2,"version":"3.14","refresh":1000})");
+  folder.file("run/stats.json", R"({"now":1700000000,"latest":{},"last1min":{}})");
+  const Arguments question = {"replay", folder.path("run"), "--threshold", "5", "--fail-on-risk"};
+  const Finished finished = run(question);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_parts(finished.err, {"bees       2\n",
+                              "tell of the receiver, not of aircraft: "
+                              "receiver.json, stats.json"});
+  // Beside no snapshots such a name may mean anything.
+  const TemporaryFolder other;
+  std::filesystem::create_directory(other.path("run"));
+  other.file("run/stats.json", R"({"now":1700000000,"latest":{},"last1min":{}})");
+  EXPECT_EQ(run({"replay", other.path("run"), "--threshold", "5"}).exit_code, 3);
+}
+
 TEST_F(LeftOutFiles, WithMemoryItIsNoAllClearEither) {
   write("3.dat", way("1"));
   const Finished finished =

@@ -303,5 +303,29 @@ TEST(NoFalseAllClear, TimesThatAreSetBackAreAskedAbout) {
   expect_parts(run({"replay"}, day).err, {"is at another place at the same time"});
 }
 
+// Of a picture of 500 pixels none comes closer than 2 mm, where pixels are taken for metres.
+TEST(NoFalseAllClear, PixelsAreNotTakenForMetresBesideAThresholdInMillimetres) {
+  std::string table = "id,t,x,y\n";
+  for (int picture = 0; picture < 20; ++picture) {
+    const std::string time = "2024-05-01T10:00:0" + std::to_string(picture * 0.04) + "Z";
+    table += "0," + time + "," + std::to_string(100 + 2 * picture) + ",300\n";
+    table += "2," + time + ",600,700\n";
+    table += "1," + time + "," + std::to_string(100 + 2 * picture) + ",312\n";
+  }
+  const TemporaryFolder folder;
+  const std::string file = folder.file("fish.csv", table);
+  const Arguments question = {file, "--threshold", "2mm"};
+  for (const std::string command : {"replay", "verify"}) {
+    expect_failure(Arguments{command} + question, {}, 2,
+                   "are x and y in metres? Nothing names their unit");
+  }
+  expect_failure(Arguments{"report", "--output", folder.path("fish.html")} + question, {}, 2,
+                 "--scale 0.1mm");
+  expect_parts(run(Arguments{"replay", "--scale", "0.1mm"} + question).err,
+               {"1 conflict of 1 pair"});
+  expect_parts(run(Arguments{"replay", "--units", "position=m"} + question).err,
+               {"keeps its distance"});
+}
+
 }  // namespace
 }  // namespace beespace::cli_test

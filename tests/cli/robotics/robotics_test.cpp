@@ -256,6 +256,14 @@ TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
                         "X#wcentroid.npy",
                         45),
        "a file of TRex (.npz)", "output_format csv"},
+      {std::string_view("PK\x03\x04\x14\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x13\0\0\0"
+                        "[Content_Types].xml..xl/workbook.xml",
+                        66),
+       "an Excel workbook (.xlsx)", "pandas.read_excel('FILE').to_csv('bees.csv', index=False)"},
+      {std::string_view("PK\x03\x04\x14\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x08\0\0\0"
+                        "mimetypeapplication/vnd.oasis.opendocument.spreadsheet",
+                        84),
+       "a spreadsheet of LibreOffice (.ods)", "save each of its sheets as CSV"},
       {"<?xml version='1.0'?><TrackMate version='7'>", "a file of TrackMate (XML)",
        "Export to CSV"},
       {"<?xml version='1.0'?><Tracks nTracks='2' spaceUnits='pixel'>",

@@ -49,6 +49,34 @@ TEST(AircraftSeries, AnAircraftALine) {
   EXPECT_EQ(times_of(recording.bees[0]), (std::vector<double>{1700000000.0, 1700000010.0}));
 }
 
+// dump1090-mutability has other words for the height by pressure, the speed and the climb.
+TEST(AircraftSeries, WordsOfOlderDecoders) {
+  const auto heard = [](std::string_view lon, std::string_view more) {
+    return std::string(R"({"hex":"4b1814","lat":47,"lon":)")
+        .append(lon)
+        .append(R"(,"altitude":10000,"speed":360,"track":90,"vert_rate":600,"seen_pos":0.5)")
+        .append(more)
+        .append("}");
+  };
+  constexpr std::string_view kOfDecoder = R"(,"messages":100,"seen":0.1,"rssi":-20)";
+  RecordingOptions pressure;
+  pressure.heights = HeightSource::kRatherPressure;
+  const auto recording =
+      recording_of(record(snapshot("1700000000.5", heard("8", kOfDecoder)) + "\n" +
+                              snapshot("1700000010.5", heard("8.02", kOfDecoder)) + "\n",
+                          pressure));
+  ASSERT_EQ(recording.bees.size(), 1u);
+  EXPECT_EQ(recording.bees[0].fixes[1].position, (Point{8.02, 47, 3048}));
+  EXPECT_EQ(recording.heights, HeightDatum::kPressure);
+  EXPECT_EQ(recording.bees[0].velocities[1].z, 3.048);
+  EXPECT_NEAR(recording.bees[0].velocities[1].x, 185.2, 1e-9);
+  // Another sender may mean metres.
+  const auto other = record(snapshot("1700000000.5", heard("8", "")) + "\n" +
+                                snapshot("1700000010.5", heard("8.02", "")) + "\n",
+                            pressure);
+  EXPECT_FALSE(other.has_value());
+}
+
 TEST(AircraftSeries, StatesOfOpenSkyALine) {
   const std::string state =
       R"(["4b1814","SWR1    ","Switzerland",1700000000,1700000000,8.0,47.0,3000,false,100,90,0,)"

@@ -95,6 +95,40 @@ TEST(UnitsInTables, TheHeaderOrTheCallerGivesThem) {
                {ErrorCode::kInvalidArgument, "bees.csv", "positions are in degrees"});
 }
 
+// They were offered as feet: FL330 below FL350 would be 20 ft apart.
+TEST(UnitsInTables, FlightLevelsAreKnownByTheirName) {
+  for (const char* header :
+       {"icao24,lat,lon,FL", "id,lat,lon,Flight Level", "id,lat,lon,flight_level",
+        "id,lat,lon,FlightLevel", "flight,lat,lon,fl"}) {
+    const auto loaded = load_text(std::string(header) + "\na,48,2,350\n");
+    EXPECT_EQ(points_of(loaded), std::vector<Point>{at(k35000Feet_m)}) << header;
+    ASSERT_EQ(loaded->units.size(), 1U);
+    EXPECT_EQ(loaded->units[0].unit, Unit::kFlightLevel);
+    EXPECT_EQ(loaded->height_unit, Unit::kFlightLevel);
+    EXPECT_EQ(loaded->heights, HeightDatum::kPressure);
+  }
+  // Whatever of columns and units the caller says.
+  LoadOptions named = with_units("aviation");
+  named.columns = "lat=2,lon=3,height=4";
+  EXPECT_EQ(points_of(load_text("icao24,a,b,Flight Level\n7,48,2,350\n", named)),
+            std::vector<Point>{at(k35000Feet_m)});
+  expect_error(
+      load_text("icao24,lat,lon,FL\n7,48,2,350\n", with_units("height=ft")),
+      {ErrorCode::kInvalidArgument, "bees.csv:1:4", "names its unit, FL, but --units says ft"});
+}
+
+TEST(UnitsInTables, FlIsNoFlightLevelOfFishAndNotBesideAHeight) {
+  // Their fork length; who says that it is a height means flight levels.
+  expect_error(load_text("id,lat,lon,FL\na,48,2,35\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1", "'FL' may or may not be it"});
+  LoadOptions named;
+  named.columns = "lat=2,lon=3,height=4";
+  EXPECT_EQ(points_of(load_text("id,lat,lon,FL\na,48,2,350\n", named)),
+            std::vector<Point>{at(k35000Feet_m)});
+  const auto finer = load_text("icao24,lat,lon,altitude_ft,FL\na,48,2,35000,347\n");
+  EXPECT_EQ(points_of(finer), std::vector<Point>{at(k35000Feet_m)});
+}
+
 TEST(UnitsInTables, WithoutWordsOfAviationHeightsAreMetresAndThatIsReported) {
   const auto loaded = load_text("lat,lon,alt\n48,2,350\n");
   EXPECT_EQ(points_of(loaded), std::vector<Point>{at(350.0)});
