@@ -91,8 +91,8 @@ FILES = {
         "3.dat": "no table",
     },
     "swapped": {
-        "a.csv": "id,time_s,lon,lat\na,0,9,47\na,1,9.00001,47\na,2,9.00002,47\n",
-        "b.csv": "id,time_s,lat,lon\nb,0,9.0001,47\nb,1,9.0001,47\nb,2,9.0001,47\n",
+        "a.csv": "id,time_s,lon,lat\na,1,9,47\na,2,9.00001,47\na,3,9.00002,47\n",
+        "b.csv": "id,time_s,lat,lon\nb,1,9.0001,47\nb,2,9.0001,47\nb,3,9.0001,47\n",
     },
     "poses": {"f.csv": "scorer,n,n,n,n,n,n\nindividuals,m,m,m,w,w,w\nbodyparts,nose,nose,nose,nose,nose,nose\n"
         "coords,x,y,likelihood,x,y,likelihood\n" + rows(*(
