@@ -320,6 +320,7 @@ class TelemetryReading {
       const LandedReports* const reports = landings_.of(first.system, first.component);
       if (reports == nullptr || !reports->any_landed()) continue;
       std::vector<LandedReports::Place> places;
+      places.reserve(of_system.size());
       for (const Heard* const heard : of_system) {
         places.push_back(
             {static_cast<std::int64_t>(heard->stamp), heard->at.position, heard->at.velocity});

@@ -282,6 +282,7 @@ class FlightReading {
       return std::vector<bool>(places.size());
     }
     std::vector<LandedReports::Place> at;
+    at.reserve(places.size());
     for (const Px4Place& place : places) {
       at.push_back(
           {static_cast<std::int64_t>(place.micros), position_of(place), velocity_of(place)});

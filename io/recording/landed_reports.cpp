@@ -9,7 +9,7 @@
 namespace beespace::io {
 namespace {
 
-constexpr std::int64_t kMostApart_us = 5'000'000;
+constexpr std::int64_t kMostApartMicros = 5'000'000;
 constexpr double kSamePlace_m = 1.0;
 // What an estimator says of who stands wavers by less.
 constexpr double kFastestLanded_mps = 2.0;
@@ -45,7 +45,7 @@ bool LandedReports::says_landed(std::int64_t micros) const {
   if (behind == reports_.begin() || !std::prev(behind)->landed) return false;
   if (all_changes_) return true;
   return behind != reports_.end() && behind->landed &&
-         behind->micros - std::prev(behind)->micros <= kMostApart_us;
+         behind->micros - std::prev(behind)->micros <= kMostApartMicros;
 }
 
 void LandedReports::add_before_first(const std::vector<Place>& places, Frame frame,
@@ -54,7 +54,8 @@ void LandedReports::add_before_first(const std::vector<Place>& places, Frame fra
       static_cast<std::size_t>(std::find(ground.begin(), ground.end(), true) - ground.begin());
   for (std::size_t i = first; i-- > 0;) {
     const std::int64_t before_us = reports_.front().micros - places[i].micros;
-    if (before_us <= 0 || before_us > kMostApart_us || is_faster_than_landed(places[i].velocity) ||
+    if (before_us <= 0 || before_us > kMostApartMicros ||
+        is_faster_than_landed(places[i].velocity) ||
         !is_same_place(places[i].position, places[first].position, frame)) {
       return;
     }
@@ -69,7 +70,8 @@ void LandedReports::add_behind_last(const std::vector<Place>& places, Frame fram
   if (last == 0) return;
   for (std::size_t i = last; i < places.size(); ++i) {
     const std::int64_t behind_us = places[i].micros - reports_.back().micros;
-    if (behind_us < 0 || behind_us > kMostApart_us || is_faster_than_landed(places[i].velocity) ||
+    if (behind_us < 0 || behind_us > kMostApartMicros ||
+        is_faster_than_landed(places[i].velocity) ||
         !is_same_place(places[i].position, places[last - 1].position, frame)) {
       return;
     }

@@ -72,8 +72,9 @@ void note_receiver_files(const std::vector<std::string>& paths, RecordingAssembl
       names.append(names.empty() ? "" : ", ").append(name_in(file));
     }
     if (names.empty()) continue;
-    assembly.note("of " + path + " these are not read, as they tell of the receiver, not of " +
-                  "aircraft: " + names);
+    std::string text = "of " + path;
+    text.append(" these are not read, as they tell of the receiver, not of aircraft: ");
+    assembly.note(text.append(names));
   }
 }
 

@@ -139,7 +139,9 @@ Lines hatching(const Box& box) {
   constexpr double kApart = 6.0;
   Lines lines{{}, kAxis, 1.0};
   const double first = std::floor((box.left + box.top) / kApart) * kApart;
-  for (double slant = first; slant < box.right() + box.bottom(); slant += kApart) {
+  const auto count = static_cast<int>(std::ceil((box.right() + box.bottom() - first) / kApart));
+  for (int i = 0; i < count; ++i) {
+    const double slant = first + i * kApart;
     // The part in the box of x + y = slant.
     const double left = std::max(box.left, slant - box.bottom());
     const double right = std::min(box.right(), slant - box.top);
