@@ -11,7 +11,7 @@
 namespace beespace::analysis {
 namespace {
 
-// Nobody looks for millimetres in a wider place: 20 m for one.
+// Millimetres are not looked for in a wider place: 20 m for one.
 constexpr double kWidest = 20'000.0;
 
 // How far it is across, from the least to the greatest coordinates.

@@ -24,7 +24,7 @@ namespace beespace::io {
 namespace {
 
 // Whether a first column that goes on by so much may count seconds, or the pictures of an
-// animation: each, every fifth or tenth, or one a second of 24, 25, 30, 48 or 60. Nobody samples a
+// animation: each, every fifth or tenth, or one a second of 24, 25, 30, 48 or 60. No tool samples a
 // show more often than each 20 ms, or writes it in such steps.
 bool may_count_pictures(double step) {
   constexpr double kShortestStep_ms = 20.0;
@@ -32,7 +32,7 @@ bool may_count_pictures(double step) {
          step == 60.0;
 }
 
-// Milliseconds, if nobody says otherwise.
+// Milliseconds, unless the options say otherwise.
 Result<TimeChoice> time_of_skybrush(const TableLayout& table, std::string_view text,
                                     const RecordingOptions& options) {
   TimeChoice time;
