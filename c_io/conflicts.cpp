@@ -4,7 +4,6 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/gaps.hpp"
-#include "analysis/recorded/landed_gaps.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "c/door/door.hpp"
 #include "c/door/structs.hpp"
@@ -161,7 +160,7 @@ Result<std::unique_ptr<beespace_io_conflicts>> find(const beespace_io_recording&
   write_velocities(found->curves, facts);
   write_closest(found->closest, facts);
   write_conflicts(found->recorded.conflicts, *conflicts);
-  write_gaps(analysis::unknown_gaps(recording, found->recorded.gaps, max_gap.seconds), *conflicts);
+  write_gaps(found->recorded.gaps, *conflicts);
   conflicts->coverage = as_struct(coverage);
   return conflicts;
 }

@@ -1,7 +1,7 @@
 #include "analysis/recorded/all_conflicts.hpp"
 
 #include "analysis/recorded/findings.hpp"
-#include "analysis/recorded/landed_gaps.hpp"
+#include "analysis/recorded/landed_times.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 
 #include <beespace/search_options.hpp>
@@ -45,8 +45,7 @@ Result<AllConflicts> all_conflicts(const io::Recording& recording, const std::ve
     found.curves = *std::move(curves);
     conflicts = merged(std::move(conflicts), found.curves.conflicts);
   }
-  std::erase_if(conflicts,
-                [&](const Conflict& conflict) { return stand_throughout(recording, conflict); });
+  leave_out_standing(recording, conflicts);
   auto closest = closest_or_encounter(conflicts, tracks, options);
   if (!closest) return std::move(closest).error();
   found.closest = *closest;

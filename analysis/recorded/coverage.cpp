@@ -2,7 +2,6 @@
 
 #include "analysis/recorded/ends.hpp"
 #include "analysis/recorded/jump_spans.hpp"
-#include "analysis/recorded/landed_gaps.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/recording/flat_distance.hpp"
@@ -183,8 +182,7 @@ std::vector<double> unknown_times_s(const io::Recording& recording, const std::v
 
 std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector<Gap>& gaps,
                                const MaxGap& max_gap) {
-  std::vector<Gap> all =
-      joined_gaps(unknown_gaps(recording, gaps, max_gap.seconds), jump_spans(recording));
+  std::vector<Gap> all = joined_gaps(gaps, jump_spans(recording));
   const auto outside = outside_of(recording, max_gap.seconds);
   for (std::size_t track = 0; track < outside.size(); ++track) {
     for (const TimeSpan& span : outside[track].hidden) {
@@ -209,16 +207,15 @@ std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector
 Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gaps,
                      const MaxGap& max_gap) {
   std::vector<BeeInterval> intervals(recording.bees.size());
-  for (const Gap& gap : unknown_gaps(recording, gaps, max_gap.seconds)) {
+  for (const Gap& gap : gaps) {
     BeeInterval& interval = intervals[gap.track];
     if (interval.fixes == 0) interval = interval_of(recording.bees[gap.track]);
   }
   return coverage_of(recording, gaps, max_gap, intervals);
 }
 
-Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& all_gaps,
+Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gaps,
                      const MaxGap& max_gap, const std::vector<BeeInterval>& intervals) {
-  const std::vector<Gap> gaps = unknown_gaps(recording, all_gaps, max_gap.seconds);
   Coverage coverage;
   coverage.max_gap = max_gap;
   coverage.gaps = gaps.size();

@@ -12,7 +12,7 @@
 // and goes at the border of where all are, and who comes or goes in the midst of it was lost; so
 // was, where all heights are 0, who begins or ends while it moves. In a plane it is there, and it
 // is not known where, while it has records without a place. An aircraft that says to be on the
-// ground before or after is known from there on, and a drone while it says that it has landed.
+// ground before or after is known from there on, and so is a drone that says that it has landed.
 #pragma once
 
 #include "analysis/recorded/gaps.hpp"
@@ -68,7 +68,7 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
                      const MaxGap& max_gap, const std::vector<BeeInterval>& intervals);
 
 // For how long it is unknown of each bee where it was, in gaps and before its first fix and after
-// its last one. `gaps` are those that are unknown: see unknown_gaps().
+// its last one. `gaps` as above.
 std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps);
 
 // When a bee is there and it is not known where, so that conflicts may be hidden: in its gaps,

@@ -1,7 +1,7 @@
 #include "analysis/recorded/findings.hpp"
 
 #include "analysis/recorded/jump_spans.hpp"
-#include "analysis/recorded/landed_gaps.hpp"
+#include "analysis/recorded/landed_times.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 
 #include <beespace/engine.hpp>
@@ -163,10 +163,9 @@ std::vector<Moment> separation_over_time(const Findings& findings, double every_
       if (is_within(jumps, bee, now)) place.reset();
       // A drone of a show that does not fly stands.
       if (place) {
-        (has_landed(findings.recording, bee, now, 0.0) ? on_ground : flying).add(bee, *place);
+        (has_landed(findings.recording, bee, now) ? on_ground : flying).add(bee, *place);
         continue;
       }
-      if (has_landed(findings.recording, bee, now, findings.coverage.max_gap.seconds)) continue;
       if (!findings.recording.show) ++moment.unknown;
       if (const auto across = position_at(findings.in_space[bee], now)) in_gaps.push_back(*across);
     }

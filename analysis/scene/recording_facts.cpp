@@ -4,6 +4,7 @@
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/jump_spans.hpp"
+#include "analysis/recorded/landed_times.hpp"
 #include "analysis/recorded/scale_doubt.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
@@ -272,6 +273,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   if (!curves) return curves.error();
   recorded->conflicts = merged(std::move(recorded->conflicts), curves->conflicts);
   recorded->conflicts = merged(std::move(recorded->conflicts), *standing);
+  leave_out_standing(recording, recorded->conflicts);
   const auto closest = closest_of(recorded->conflicts, *in_space, max_gap.seconds, request);
   if (!closest) return closest.error();
   facts.closest = *closest;

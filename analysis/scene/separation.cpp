@@ -1,7 +1,6 @@
 #include "analysis/scene/separation.hpp"
 
 #include "analysis/recorded/jump_spans.hpp"
-#include "analysis/recorded/landed_gaps.hpp"
 #include "io/recording/recording.hpp"
 
 #include <beespace/engine.hpp>
@@ -62,12 +61,9 @@ There there_at(const Uprights& uprights, const Findings& findings, const std::ve
     now.heights_m.push_back(at.height_m);
   };
   std::vector<std::pair<PointId, Upright>> in_gaps;
-  const double max_gap_s = findings.coverage.max_gap.seconds;
   for (PointId bee = 0; bee < findings.tracks.size(); ++bee) {
     if (const auto at = uprights.at(bee, time_s); at && !is_within(jumps, bee, time_s)) {
       add(bee, *at);
-    } else if (has_landed(findings.recording, bee, time_s, max_gap_s)) {
-      continue;
     } else if (const auto across = uprights.across_gaps_at(bee, time_s)) {
       in_gaps.emplace_back(bee, *across);
     }

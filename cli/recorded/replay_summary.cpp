@@ -1,6 +1,6 @@
 #include "cli/recorded/replay_summary.hpp"
 
-#include "analysis/recorded/landed_gaps.hpp"
+#include "analysis/recorded/landed_times.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
@@ -125,7 +125,7 @@ void append_closest(std::string& out, const analysis::Findings& findings,
   if (!findings.closest) return;
   std::string text = encounter_text(*findings.closest, findings.recording, distances);
   const auto stands = [&](PointId bee) {
-    return analysis::has_landed(findings.recording, bee, findings.closest->closest_s, 0.0);
+    return analysis::has_landed(findings.recording, bee, findings.closest->closest_s);
   };
   if (stands(findings.closest->first) && stands(findings.closest->second)) {
     text += ", both on the ground";

@@ -1,7 +1,6 @@
 // How far apart two fixes may be, and of how much time it is known where the bees were.
 #include "analysis/recorded/coverage.hpp"
 
-#include "analysis/recorded/landed_gaps.hpp"
 #include "analysis/recorded/track_ends.hpp"
 
 #include <gtest/gtest.h>
@@ -116,46 +115,6 @@ TEST(Coverage, AShowThatIsInTheAirThroughoutHasNoGround) {
   const Coverage flight = coverage_of(recording, {}, {5.0, 1.0});
   EXPECT_EQ(flight.bees_partly, 1U);
   EXPECT_FALSE(flight.may_hide_conflicts());
-}
-
-std::vector<double> every_second(double from_s, double to_s) {
-  std::vector<double> times_s;
-  for (double at_s = from_s; at_s <= to_s; ++at_s) times_s.push_back(at_s);
-  return times_s;
-}
-
-// A drone that lands, stands and takes off again is known all along, as long as it says so.
-TEST(Coverage, WhereADroneHasLandedThereIsNoGap) {
-  io::Recording recording;
-  std::vector<double> times_s = every_second(0, 10);
-  for (const double at_s : every_second(60, 70)) times_s.push_back(at_s);
-  recording.bees = {bee_at("a", every_second(0, 70)), bee_at("b", times_s)};
-  const std::vector<Gap> gaps = {{1, 10.0, 60.0}};
-  const MaxGap max_gap{5.0, 1.0};
-  EXPECT_EQ(coverage_of(recording, gaps, max_gap).gaps, 1u);
-  recording.bees[1].landed = {{11.0, 59.0}};
-  const Coverage known = coverage_of(recording, gaps, max_gap);
-  EXPECT_EQ(known.gaps, 0u);
-  EXPECT_TRUE(known.complete());
-  EXPECT_TRUE(unknown_spans(recording, gaps, max_gap).empty());
-  EXPECT_TRUE(has_landed(recording, 1, 30.0, 5.0));
-  EXPECT_FALSE(has_landed(recording, 1, 3.0, 5.0));
-  // It is not heard of for a while, and may have flown.
-  recording.bees[1].landed = {{11.0, 20.0}, {40.0, 59.0}};
-  EXPECT_EQ(coverage_of(recording, gaps, max_gap).in_gaps_s, 20.0);
-  EXPECT_EQ(unknown_spans(recording, gaps, max_gap), (std::vector<Gap>{{1, 20.0, 40.0}}));
-  EXPECT_FALSE(has_landed(recording, 1, 30.0, 5.0));
-}
-
-TEST(Coverage, BetweenTwoTimesOnTheGroundADroneMayHaveFlown) {
-  io::Recording recording;
-  recording.bees = {bee_at("a", every_second(0, 200)), bee_at("b", every_second(100, 110))};
-  recording.bees[1].landed = {
-      {0.0, 5.0}, {50.0, 60.0}, {96.0, 99.0}, {111.0, 112.0}, {150.0, 200.0}};
-  recording.bees[1].on_ground_until_s = 99.0;
-  recording.bees[1].on_ground_from_s = 111.0;
-  EXPECT_EQ(unknown_gaps(recording, {}, 5.0),
-            (std::vector<Gap>{{1, 5.0, 50.0}, {1, 60.0, 96.0}, {1, 112.0, 150.0}}));
 }
 
 // Faster than anything that flies: one of the two places is wrong.
