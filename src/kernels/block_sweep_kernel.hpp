@@ -30,6 +30,7 @@ struct Beside {
   std::int32_t y[kRoom];
   std::int32_t z[kRoom];
   std::uint32_t place[kRoom];  // in the sorted order
+  std::uint32_t word[kRoom];   // what the task knows of each, if anything
   std::uint32_t size = 0;
 };
 
@@ -38,16 +39,20 @@ constexpr unsigned opposite(unsigned sides) {
   return (sides & (kLowY | kLowZ)) << 1 | (sides & (kHighY | kHighZ)) >> 1;
 }
 
-// What becomes of near pairs is up to a Task. A block of its lanes asks from start to finish, which
-// name the sorted places of the block: those from `i` on, or a list of `count`.
+// What becomes of near pairs is up to a Task, which is copied into each loop, so that what it knows
+// stays in registers there. A block of its lanes asks from start to finish, which
+// name the block: the sorted places from `i` on, or the packed points from `i` on.
 //   kForItself                    whether all points of a row ask it, each for itself
-//   kMeasures                     whether it asks for distances, not for what is near
-//   start(i), start(places, count)
+//   kMeasures                     whether it asks for squared distances, not for what is near
+//   words()                       a word for each sorted place, to be packed with it, or null
+//   start(i), start(mine, i, count)
 //   beside(seen, i, j)            unless for itself: point i + lane has met point j + lane
 //   around(seen, j)               if for itself: every lane has met point j of its own row
-//   across(seen, j)               every lane has met point j across a seam
-//   finish(i, count), finish(places, count)
-// Those that take `seen` return whether to go on. One that measures is for itself, and has instead
+//   across(seen, theirs, j)       every lane has met the packed point j across a seam
+//   finish(i, count), finish(mine, i, count)
+// Those that take `seen` return whether to go on. One that measures takes instead of `seen`
+//   beside(squared, lanes, i, j), across(squared, lanes, theirs, j)   and those lanes that count;
+//                                 or, if for itself,
 //   measured(squared, j)          the squared distances of every lane to point j
 template <class Lanes, class Task>
 class BlockSweep {
@@ -79,16 +84,13 @@ class BlockSweep {
 
   static unsigned all_of(std::uint32_t count) { return (1U << count) - 1U; }
 
-  // asked(lane) and met(lane) give the two points.
-  template <class Asked, class Met>
-  [[gnu::noinline]] void decide_unsure(typename Lanes::Seen& seen, const Asked& asked,
-                                       const Met& met) const {
-    for (unsigned open = seen.within & ~seen.near; open != 0; open &= open - 1) {
-      const auto lane = static_cast<unsigned>(__builtin_ctz(open));
-      if (sweep_.unsure.decide(sweep_.unsure.context, asked(lane), met(lane))) {
-        Lanes::add_near(seen, lane);
-      }
-    }
+  struct Places {
+    std::uint32_t at[Lanes::kLanes];
+  };
+  static Places copy_of(const std::uint32_t* places) {
+    Places copy;
+    for (unsigned lane = 0; lane < Lanes::kLanes; ++lane) copy.at[lane] = places[lane];
+    return copy;
   }
 
   bool meet_own_row(Range part) {
@@ -125,54 +127,91 @@ class BlockSweep {
   bool meet_around(const Lanes& lanes, Range points, Range block, std::int32_t end_x) {
     const Positions at = sweep_.asked;
     const unsigned asking = all_of(block.end - block.begin);
-    for (std::uint32_t j = points.begin; j < points.end && at.x[j] < end_x; ++j) {
+    Task task = task_;
+    bool go_on = true;
+    for (std::uint32_t j = points.begin; go_on && j < points.end && at.x[j] < end_x; ++j) {
       const std::uint32_t lane_of_j = j - block.begin;
       const unsigned itself = lane_of_j < Lanes::kLanes ? 1U << lane_of_j : 0U;
       auto seen = lanes.meet(at.x[j], at.y[j], at.z[j], asking & ~itself);
       if (seen.within != seen.near) [[unlikely]] {
-        decide_unsure(
-            seen, [block](unsigned lane) { return block.begin + lane; },
-            [j](unsigned) { return j; });
+        Lanes::add_near(seen, decided_near(
+                                  sweep_.unsure, seen.within & ~seen.near,
+                                  [block](unsigned lane) { return block.begin + lane; },
+                                  [j](unsigned) { return j; }));
       }
-      if (!task_.around(seen, j)) return false;
+      go_on = task.around(seen, j);
     }
-    return true;
+    task_ = task;
+    return go_on;
   }
 
   // The same for distances. Lanes behind the block are measured, too: nobody reads what they find.
   void measure_around(const Lanes& lanes, Range points, Range block, std::int32_t end_x) {
     const Positions at = sweep_.asked;
     const auto squared = [&](std::uint32_t j) { return lanes.squared(at.x[j], at.y[j], at.z[j]); };
+    Task task = task_;
     std::uint32_t j = points.begin;
-    for (; j < block.begin; ++j) task_.measured(squared(j), j);
-    for (; j < block.end; ++j) task_.measured(Lanes::without(squared(j), j - block.begin), j);
-    for (; j < points.end && at.x[j] < end_x; ++j) task_.measured(squared(j), j);
+    for (; j < block.begin; ++j) task.measured(squared(j), j);
+    for (; j < block.end; ++j) task.measured(Lanes::without(squared(j), j - block.begin), j);
+    for (; j < points.end && at.x[j] < end_x; ++j) task.measured(squared(j), j);
+    task_ = task;
   }
 
   bool meet_those_behind(Range part) {
     const Positions at = sweep_.asked;
-    const std::uint32_t end = sweep_.own.end;
     Lanes lanes = lanes_;
     for (std::uint32_t i = part.begin; i < part.end; i += Lanes::kLanes) {
       const std::uint32_t count = least(part.end - i, Lanes::kLanes);
       lanes.select_block(at.x + i, at.y + i, at.z + i, reach_.units, reach_.slice);
       task_.start(i);
-      for (std::uint32_t j = i + 1; j < end; ++j) {
-        auto seen = lanes.look(at.x + j, at.y + j, at.z + j, least(count, end - j));
-        if (seen.before == 0) break;  // no lane reaches so far
-        if (seen.within != seen.near) [[unlikely]] {
-          decide_unsure(
-              seen, [i](unsigned lane) { return i + lane; },
-              [j](unsigned lane) { return j + lane; });
-        }
-        if (!task_.beside(seen, i, j)) return false;
+      if constexpr (Task::kMeasures) {
+        if (!measure_behind(lanes, {i, i + count})) return false;
+      } else {
+        if (!meet_behind(lanes, {i, i + count})) return false;
       }
       task_.finish(i, count);
     }
     return true;
   }
 
+  // Every lane of the selected block meets the points behind it, until no lane reaches so far.
+  bool meet_behind(const Lanes& lanes, Range block) {
+    const Positions at = sweep_.asked;
+    const std::uint32_t i = block.begin;
+    const std::uint32_t end = sweep_.own.end;
+    Task task = task_;
+    bool go_on = true;
+    for (std::uint32_t j = i + 1; go_on && j < end; ++j) {
+      auto seen = lanes.look(at.x + j, at.y + j, at.z + j, least(block.end - i, end - j));
+      if (seen.before == 0) break;
+      if (seen.within != seen.near) [[unlikely]] {
+        Lanes::add_near(seen, decided_near(
+                                  sweep_.unsure, seen.within & ~seen.near,
+                                  [i](unsigned lane) { return i + lane; },
+                                  [j](unsigned lane) { return j + lane; }));
+      }
+      go_on = task.beside(seen, i, j);
+    }
+    task_ = task;
+    return go_on;
+  }
+  bool measure_behind(const Lanes& lanes, Range block) {
+    const Positions at = sweep_.asked;
+    const std::uint32_t i = block.begin;
+    const std::uint32_t end = sweep_.own.end;
+    Task task = task_;
+    bool go_on = true;
+    for (std::uint32_t j = i + 1; go_on && j < end; ++j) {
+      const unsigned asking = all_of(least(block.end - i, end - j));
+      if ((lanes.reaching(at.x + j) & asking) == 0) break;
+      go_on = task.beside(lanes.squared(at.x + j, at.y + j, at.z + j), asking, i, j);
+    }
+    task_ = task;
+    return go_on;
+  }
+
   void pack(const Positions& from, Range points, unsigned sides, Beside& to) const {
+    const auto* const words = task_.words();
     std::uint32_t size = to.size;
     for (std::uint32_t i = points.begin; i < points.end; i += Lanes::kLanes) {
       const unsigned chosen =
@@ -181,6 +220,7 @@ class BlockSweep {
       Lanes::pack(from.y + i, chosen, to.y + size);
       Lanes::pack(from.z + i, chosen, to.z + size);
       Lanes::pack_numbers(i, chosen, to.place + size);
+      if (words != nullptr) Lanes::pack(words + i, chosen, to.word + size);
       size += static_cast<std::uint32_t>(__builtin_popcount(chosen));
     }
     to.size = size;
@@ -232,35 +272,50 @@ class BlockSweep {
       while (first < theirs_.size && theirs_.x[first] < from) ++first;
       if (first == theirs_.size) return true;
       lanes.select_block(mine_.x + i, mine_.y + i, mine_.z + i, reach_.units, reach_.slice);
-      task_.start(mine_.place + i, count);
-      if constexpr (Task::kMeasures) {
+      task_.start(mine_, i, count);
+      if constexpr (Task::kMeasures && Task::kForItself) {
         measure_beside(lanes, first, end);
       } else {
         if (!meet_beside(lanes, first, {i, i + count}, end)) return false;
       }
-      task_.finish(mine_.place + i, count);
+      task_.finish(mine_, i, count);
     }
     return true;
   }
 
   // The selected block meets the packed points beyond the seam from `first` on.
   bool meet_beside(const Lanes& lanes, std::uint32_t first, Range block, std::int32_t end_x) {
-    for (std::uint32_t j = first; j < theirs_.size && theirs_.x[j] < end_x; ++j) {
-      auto seen =
-          lanes.meet(theirs_.x[j], theirs_.y[j], theirs_.z[j], all_of(block.end - block.begin));
-      if (seen.within != seen.near) [[unlikely]] {
-        decide_unsure(
-            seen, [this, block](unsigned lane) { return mine_.place[block.begin + lane]; },
-            [this, j](unsigned) { return theirs_.place[j]; });
+    const unsigned asking = all_of(block.end - block.begin);
+    const std::uint32_t size = theirs_.size;
+    Task task = task_;
+    bool go_on = true;
+    for (std::uint32_t j = first; go_on && j < size && theirs_.x[j] < end_x; ++j) {
+      if constexpr (Task::kMeasures) {
+        const auto squared = lanes.squared(theirs_.x[j], theirs_.y[j], theirs_.z[j]);
+        go_on = task.across(squared, asking, theirs_, j);
+      } else {
+        auto seen = lanes.meet(theirs_.x[j], theirs_.y[j], theirs_.z[j], asking);
+        if (seen.within != seen.near) [[unlikely]] {
+          Lanes::add_near(seen, decided_near(
+                                    sweep_.unsure, seen.within & ~seen.near,
+                                    [asked = copy_of(mine_.place + block.begin)](unsigned lane) {
+                                      return asked.at[lane];
+                                    },
+                                    [met = theirs_.place[j]](unsigned) { return met; }));
+        }
+        go_on = task.across(seen, theirs_, j);
       }
-      if (!task_.across(seen, theirs_.place[j])) return false;
     }
-    return true;
+    task_ = task;
+    return go_on;
   }
   void measure_beside(const Lanes& lanes, std::uint32_t first, std::int32_t end_x) {
-    for (std::uint32_t j = first; j < theirs_.size && theirs_.x[j] < end_x; ++j) {
-      task_.measured(lanes.squared(theirs_.x[j], theirs_.y[j], theirs_.z[j]), theirs_.place[j]);
+    const std::uint32_t size = theirs_.size;
+    Task task = task_;
+    for (std::uint32_t j = first; j < size && theirs_.x[j] < end_x; ++j) {
+      task.measured(lanes.squared(theirs_.x[j], theirs_.y[j], theirs_.z[j]), theirs_.place[j]);
     }
+    task_ = task;
   }
 
   const Sweep sweep_;
@@ -282,12 +337,13 @@ class MarkBoth {
 
   explicit MarkBoth(const Marks& marks) : marks_(marks) {}
 
+  static constexpr const std::uint32_t* words() { return nullptr; }
   void start(std::uint32_t i) {
     near_ = 0;
     ahead_ = 0;
     first_ahead_ = i;
   }
-  void start(const std::uint32_t*, std::uint32_t) { near_ = 0; }
+  void start(const Beside&, std::uint32_t, std::uint32_t) { near_ = 0; }
   bool beside(const Seen& seen, std::uint32_t, std::uint32_t j) {
     if (j - first_ahead_ > kMostAhead) [[unlikely]] {
       mark_ahead();
@@ -297,8 +353,8 @@ class MarkBoth {
     near_ |= seen.near;
     return true;
   }
-  bool across(const Seen& seen, std::uint32_t j) {
-    std::uint8_t& mark = marks_.others[j - marks_.first_other];
+  bool across(const Seen& seen, const Beside& theirs, std::uint32_t j) {
+    std::uint8_t& mark = marks_.others[theirs.place[j] - marks_.first_other];
     mark = static_cast<std::uint8_t>(mark | (seen.near != 0 ? 1U : 0U));
     near_ |= seen.near;
     return true;
@@ -307,9 +363,10 @@ class MarkBoth {
     Lanes::mark(marks_.asked + (i - marks_.first_asked), near_);
     mark_ahead();
   }
-  void finish(const std::uint32_t* places, std::uint32_t) {
+  void finish(const Beside& mine, std::uint32_t i, std::uint32_t) {
     for (; near_ != 0; near_ &= near_ - 1) {
-      marks_.asked[places[__builtin_ctz(near_)] - marks_.first_asked] = 1;
+      const auto lane = static_cast<unsigned>(__builtin_ctz(near_));
+      marks_.asked[mine.place[i + lane] - marks_.first_asked] = 1;
     }
   }
 
@@ -341,15 +398,16 @@ class CountBoth {
 
   explicit CountBoth(const Counts& counts) : counts_(counts) {}
 
+  static constexpr const std::uint32_t* words() { return nullptr; }
   void start(std::uint32_t) { tally_.clear(); }
-  void start(const std::uint32_t*, std::uint32_t) { tally_.clear(); }
+  void start(const Beside&, std::uint32_t, std::uint32_t) { tally_.clear(); }
   bool around(const Seen& seen, std::uint32_t) {
     tally_.add(seen);
     return true;
   }
-  bool across(const Seen& seen, std::uint32_t j) {
+  bool across(const Seen& seen, const Beside& theirs, std::uint32_t j) {
     tally_.add(seen);
-    counts_.others[j - counts_.first_other] +=
+    counts_.others[theirs.place[j] - counts_.first_other] +=
         static_cast<std::uint32_t>(__builtin_popcount(seen.near));
     return true;
   }
@@ -359,17 +417,52 @@ class CountBoth {
     std::uint32_t* const counts = counts_.asked + (i - counts_.first_asked);
     for (std::uint32_t lane = 0; lane < count; ++lane) counts[lane] += sums[lane];
   }
-  void finish(const std::uint32_t* places, std::uint32_t count) {
+  void finish(const Beside& mine, std::uint32_t i, std::uint32_t count) {
     std::uint32_t sums[Lanes::kLanes];
     tally_.write(sums);
     for (std::uint32_t lane = 0; lane < count; ++lane) {
-      counts_.asked[places[lane] - counts_.first_asked] += sums[lane];
+      counts_.asked[mine.place[i + lane] - counts_.first_asked] += sums[lane];
     }
   }
 
  private:
   Counts counts_;
   typename Lanes::Tally tally_;
+};
+
+// Where the next pairs are written.
+class PairList {
+ public:
+  explicit PairList(PairSink& sink) : sink_(&sink) { read(); }
+
+  [[nodiscard]] PointId* first() const { return first_; }
+  [[nodiscard]] PointId* second() const { return second_; }
+  // The lanes whose bits are set have been written; returns whether to go on.
+  bool add(unsigned lanes) {
+    const auto pairs = static_cast<unsigned>(__builtin_popcount(lanes));
+    first_ += pairs;
+    second_ += pairs;
+    if (first_ <= last_) [[likely]] {
+      return true;
+    }
+    save();
+    const bool go_on = sink_->make_room(sink_->context);
+    read();
+    return go_on;
+  }
+  void save() const { sink_->size = static_cast<std::uint32_t>(first_ - sink_->first); }
+
+ private:
+  void read() {
+    first_ = sink_->first + sink_->size;
+    second_ = sink_->second + sink_->size;
+    last_ = sink_->first + (sink_->capacity - PairSink::kMostAtOnce);
+  }
+
+  PairSink* sink_;
+  PointId* first_ = nullptr;
+  PointId* second_ = nullptr;
+  PointId* last_ = nullptr;  // where there is room for the most at once
 };
 
 template <class Lanes>
@@ -381,35 +474,28 @@ class CollectOnce {
 
   CollectOnce(const Sweep& sweep, PairSink& pairs) : id_(sweep.asked.id), pairs_(pairs) {}
 
+  [[nodiscard]] const std::uint32_t* words() const { return id_; }
   void start(std::uint32_t) {}
-  void start(const std::uint32_t* places, std::uint32_t count) {
-    for (std::uint32_t lane = 0; lane < count; ++lane) asked_[lane] = id_[places[lane]];
+  void start(const Beside& mine, std::uint32_t i, std::uint32_t) {
+    asked_ = Lanes::words(mine.word + i);
   }
   bool beside(const Seen& seen, std::uint32_t i, std::uint32_t j) {
-    Lanes::store(id_ + i, seen.near, pairs_.first + pairs_.size);
-    Lanes::store(id_ + j, seen.near, pairs_.second + pairs_.size);
-    return go_on_after(seen);
+    Lanes::store(id_ + i, seen.near, pairs_.first());
+    Lanes::store(id_ + j, seen.near, pairs_.second());
+    return pairs_.add(seen.near);
   }
-  bool across(const Seen& seen, std::uint32_t j) {
-    Lanes::store(asked_, seen.near, pairs_.first + pairs_.size);
-    Lanes::fill(pairs_.second + pairs_.size, id_[j]);
-    return go_on_after(seen);
+  bool across(const Seen& seen, const Beside& theirs, std::uint32_t j) {
+    Lanes::store(asked_, seen.near, pairs_.first());
+    Lanes::fill(pairs_.second(), theirs.word[j]);
+    return pairs_.add(seen.near);
   }
-  void finish(std::uint32_t, std::uint32_t) {}
-  void finish(const std::uint32_t*, std::uint32_t) {}
+  void finish(std::uint32_t, std::uint32_t) { pairs_.save(); }
+  void finish(const Beside&, std::uint32_t, std::uint32_t) { pairs_.save(); }
 
  private:
-  bool go_on_after(const Seen& seen) {
-    pairs_.size += static_cast<std::uint32_t>(__builtin_popcount(seen.near));
-    if (pairs_.capacity - pairs_.size >= PairSink::kMostAtOnce) [[likely]] {
-      return true;
-    }
-    return pairs_.make_room(pairs_.context);
-  }
-
   const PointId* id_;
-  PairSink& pairs_;
-  PointId asked_[Lanes::kLanes];
+  PairList pairs_;
+  typename Lanes::Words asked_{};
 };
 
 // Of balls, each with a radius of its own.
@@ -417,45 +503,40 @@ template <class Lanes>
 class CollectMeeting {
  public:
   static constexpr bool kForItself = false;
-  static constexpr bool kMeasures = false;
-  using Seen = typename Lanes::Seen;
+  static constexpr bool kMeasures = true;
+  using Squared = typename Lanes::Floats;
 
   explicit CollectMeeting(const MeetingSink& meeting)
       : radius_(meeting.radius), pairs_(meeting.places) {}
 
+  [[nodiscard]] const float* words() const { return radius_; }
   void start(std::uint32_t) {}
-  void start(const std::uint32_t* places, std::uint32_t count) {
-    asked_ = places;
-    for (std::uint32_t lane = 0; lane < count; ++lane) asked_radius_[lane] = radius_[places[lane]];
+  void start(const Beside& mine, std::uint32_t i, std::uint32_t) {
+    asked_ = Lanes::words(mine.place + i);
+    asked_radius_ = Lanes::floats(mine.word + i);
   }
-  bool beside(const Seen& seen, std::uint32_t i, std::uint32_t j) {
-    const unsigned meeting = Lanes::meeting(seen, radius_ + i, radius_ + j);
-    Lanes::pack_numbers(i, meeting, pairs_.first + pairs_.size);
-    Lanes::pack_numbers(j, meeting, pairs_.second + pairs_.size);
-    return go_on_after(meeting);
+  bool beside(const Squared& squared, unsigned asking, std::uint32_t i, std::uint32_t j) {
+    const unsigned meeting = Lanes::meeting(squared, radius_ + i, radius_ + j) & asking;
+    Lanes::pack_numbers(i, meeting, pairs_.first());
+    Lanes::pack_numbers(j, meeting, pairs_.second());
+    return pairs_.add(meeting);
   }
-  bool across(const Seen& seen, std::uint32_t j) {
-    const unsigned meeting = Lanes::meeting(seen, asked_radius_, radius_[j]);
-    Lanes::store(asked_, meeting, pairs_.first + pairs_.size);
-    Lanes::fill(pairs_.second + pairs_.size, j);
-    return go_on_after(meeting);
+  bool across(const Squared& squared, unsigned asking, const Beside& theirs, std::uint32_t j) {
+    float radius;
+    __builtin_memcpy(&radius, theirs.word + j, sizeof radius);
+    const unsigned meeting = Lanes::meeting(squared, asked_radius_, radius) & asking;
+    Lanes::store(asked_, meeting, pairs_.first());
+    Lanes::fill(pairs_.second(), theirs.place[j]);
+    return pairs_.add(meeting);
   }
-  void finish(std::uint32_t, std::uint32_t) {}
-  void finish(const std::uint32_t*, std::uint32_t) {}
+  void finish(std::uint32_t, std::uint32_t) { pairs_.save(); }
+  void finish(const Beside&, std::uint32_t, std::uint32_t) { pairs_.save(); }
 
  private:
-  bool go_on_after(unsigned meeting) {
-    pairs_.size += static_cast<std::uint32_t>(__builtin_popcount(meeting));
-    if (pairs_.capacity - pairs_.size >= PairSink::kMostAtOnce) [[likely]] {
-      return true;
-    }
-    return pairs_.make_room(pairs_.context);
-  }
-
   const float* radius_;
-  PairSink& pairs_;
-  const std::uint32_t* asked_ = nullptr;
-  float asked_radius_[Lanes::kLanes] = {};
+  PairList pairs_;
+  typename Lanes::Words asked_{};
+  typename Lanes::Floats asked_radius_{};
 };
 
 template <class Lanes>
@@ -466,41 +547,53 @@ class KeepNearestOfAll {
 
   explicit KeepNearestOfAll(const NearestTable& table) : table_(table) {}
 
+  static constexpr const std::uint32_t* words() { return nullptr; }
   void start(std::uint32_t) { nearest_.clear(); }
-  void start(const std::uint32_t* places, std::uint32_t count) {
+  void start(const Beside& mine, std::uint32_t i, std::uint32_t count) {
+    Lists kept{};
     for (std::uint32_t lane = 0; lane < count; ++lane) {
-      const std::uint32_t place = places[lane] - table_.first_asked;
-      best_[lane] = table_.best[place];
-      second_[lane] = table_.second[place];
-      who_[lane] = table_.who[place];
+      const std::uint32_t place = mine.place[i + lane] - table_.first_asked;
+      kept.best[lane] = table_.best[place];
+      kept.second[lane] = table_.second[place];
+      kept.who[lane] = table_.who[place];
     }
-    nearest_.read(best_, second_, who_);
+    nearest_.read(kept.best, kept.second, kept.who);
   }
-  void measured(const typename Lanes::Squared& squared, std::uint32_t j) {
+  void measured(const typename Lanes::Floats& squared, std::uint32_t j) {
     nearest_.add_one(squared, j);
   }
   void finish(std::uint32_t i, std::uint32_t count) {
-    nearest_.write_lanes(best_, second_, who_);
+    const Lists found = lists();
     const std::uint32_t first = i - table_.first_asked;
-    for (std::uint32_t lane = 0; lane < count; ++lane) set(first + lane, lane);
+    for (std::uint32_t lane = 0; lane < count; ++lane) set(first + lane, found, lane);
   }
-  void finish(const std::uint32_t* places, std::uint32_t count) {
-    nearest_.write_lanes(best_, second_, who_);
-    for (std::uint32_t lane = 0; lane < count; ++lane) set(places[lane] - table_.first_asked, lane);
+  void finish(const Beside& mine, std::uint32_t i, std::uint32_t count) {
+    const Lists found = lists();
+    for (std::uint32_t lane = 0; lane < count; ++lane) {
+      set(mine.place[i + lane] - table_.first_asked, found, lane);
+    }
   }
 
  private:
-  void set(std::uint32_t place, std::uint32_t lane) {
-    table_.best[place] = best_[lane];
-    table_.second[place] = second_[lane];
-    table_.who[place] = who_[lane];
+  struct Lists {
+    float best[Lanes::kLanes];
+    float second[Lanes::kLanes];
+    std::uint32_t who[Lanes::kLanes];
+  };
+
+  [[nodiscard]] Lists lists() const {
+    Lists found;
+    nearest_.write_lanes(found.best, found.second, found.who);
+    return found;
+  }
+  void set(std::uint32_t place, const Lists& found, std::uint32_t lane) {
+    table_.best[place] = found.best[lane];
+    table_.second[place] = found.second[lane];
+    table_.who[place] = found.who[lane];
   }
 
   typename Lanes::Nearest nearest_;
   NearestTable table_;
-  float best_[Lanes::kLanes];
-  float second_[Lanes::kLanes];
-  std::uint32_t who_[Lanes::kLanes];
 };
 
 template <class Lanes, class Task>

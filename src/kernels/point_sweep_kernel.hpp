@@ -133,7 +133,9 @@ template <class Lanes, class Sink>
     auto seen = lanes.look(at.x + from, at.y + from, at.z + from, left);
     before += static_cast<std::uint32_t>(__builtin_popcount(seen.before));
     if (seen.within != seen.near) [[unlikely]] {
-      decide_unsure<Lanes>(unsure, i, from, seen);
+      Lanes::add_near(seen, decided_near(
+                                unsure, seen.within & ~seen.near, [i](unsigned) { return i; },
+                                [from](unsigned lane) { return from + lane; }));
     }
     if (!sink.take(seen, from)) break;
     if (left <= Lanes::kLanes || at.x[from + Lanes::kLanes - 1] >= end_x) break;

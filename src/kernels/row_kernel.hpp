@@ -40,7 +40,10 @@ template <class Lanes, class Take>
   for (std::uint32_t from = query.range.begin; from < end; from += Lanes::kLanes) {
     auto seen = lanes.look(at.x + from, at.y + from, at.z + from, end - from);
     if (seen.within != seen.near) [[unlikely]] {
-      decide_unsure<Lanes>(query.unsure, query.asked, from, seen);
+      Lanes::add_near(seen, decided_near(
+                                query.unsure, seen.within & ~seen.near,
+                                [&query](unsigned) { return query.asked; },
+                                [from](unsigned lane) { return from + lane; }));
     }
     take(seen.near, from);
   }

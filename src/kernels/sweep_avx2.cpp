@@ -10,7 +10,8 @@ namespace {
 class Lanes {
  public:
   static constexpr unsigned kLanes = 8;
-  using Squared = __m256;
+  using Words = __m256i;
+  using Floats = __m256;
 
   struct Seen {
     unsigned near;
@@ -53,10 +54,17 @@ class Lanes {
     return compare(_mm256_set1_epi32(x), _mm256_set1_epi32(y), _mm256_set1_epi32(z),
                    with_bits(lanes));
   }
-  [[nodiscard]] Squared squared(std::int32_t x, std::int32_t y, std::int32_t z) const {
+  [[nodiscard]] Floats squared(std::int32_t x, std::int32_t y, std::int32_t z) const {
     return squared(_mm256_set1_epi32(x), _mm256_set1_epi32(y), _mm256_set1_epi32(z));
   }
-  static Squared without(Squared squared, unsigned lane) {
+  [[nodiscard]] Floats squared(const std::int32_t* x, const std::int32_t* y,
+                               const std::int32_t* z) const {
+    return squared(load(x), load(y), load(z));
+  }
+  [[nodiscard]] unsigned reaching(const std::int32_t* x) const {
+    return bits(_mm256_cmpgt_epi32(bound_x_, load(x)));
+  }
+  static Floats without(Floats squared, unsigned lane) {
     return _mm256_blendv_ps(squared, _mm256_set1_ps(kInfinity),
                             _mm256_castsi256_ps(with_bits(1U << lane)));
   }
@@ -87,7 +95,8 @@ class Lanes {
     return static_cast<unsigned>(
         _mm256_movemask_ps(_mm256_cmp_ps(squared, _mm256_set1_ps(far), _CMP_LE_OQ)));
   }
-  static void pack(const std::int32_t* from, unsigned chosen, std::int32_t* to) {
+  template <class From, class To>
+  static void pack(const From* from, unsigned chosen, To* to) {
     store(to, _mm256_permutevar8x32_epi32(load(from), chosen_first(chosen)));
   }
   static void clear(std::int32_t* words) { store(words, _mm256_setzero_si256()); }
@@ -95,9 +104,9 @@ class Lanes {
     store(to, _mm256_permutevar8x32_epi32(numbers_from(first), chosen_first(chosen)));
   }
 
-  static void add_near(Seen& seen, unsigned lane) {
-    seen.near |= 1U << lane;
-    seen.near_lanes = _mm256_or_si256(seen.near_lanes, with_bits(1U << lane));
+  static void add_near(Seen& seen, unsigned lanes) {
+    seen.near |= lanes;
+    seen.near_lanes = _mm256_or_si256(seen.near_lanes, with_bits(lanes));
   }
 
   static void mark(std::uint8_t* marks, unsigned near) {
@@ -108,18 +117,22 @@ class Lanes {
     _mm_storel_epi64(place, _mm_or_si128(_mm_loadl_epi64(place), chosen));
   }
 
-  static void store(const PointId* ids, unsigned near, PointId* to) {
-    store(to, _mm256_permutevar8x32_epi32(load(ids), chosen_first(near)));
+  static Words words(const std::uint32_t* from) { return load(from); }
+  static Floats floats(const std::uint32_t* from) { return _mm256_castsi256_ps(load(from)); }
+
+  static void store(const PointId* ids, unsigned near, PointId* to) { store(load(ids), near, to); }
+  static void store(Words ids, unsigned near, PointId* to) {
+    store(to, _mm256_permutevar8x32_epi32(ids, chosen_first(near)));
   }
   static void fill(PointId* to, PointId id) {
     store(to, _mm256_set1_epi32(static_cast<std::int32_t>(id)));
   }
 
-  static unsigned meeting(const Seen& seen, const float* radii, const float* others) {
-    return meeting(seen, _mm256_add_ps(_mm256_loadu_ps(radii), _mm256_loadu_ps(others)));
+  static unsigned meeting(Floats squared, const float* radii, const float* others) {
+    return at_most(squared, _mm256_add_ps(_mm256_loadu_ps(radii), _mm256_loadu_ps(others)));
   }
-  static unsigned meeting(const Seen& seen, const float* radii, float other) {
-    return meeting(seen, _mm256_add_ps(_mm256_loadu_ps(radii), _mm256_set1_ps(other)));
+  static unsigned meeting(Floats squared, Floats radii, float other) {
+    return at_most(squared, _mm256_add_ps(radii, _mm256_set1_ps(other)));
   }
 
   static void leave_out(Seen& seen, const PointId* ids, PointId id) {
@@ -149,7 +162,7 @@ class Lanes {
       const __m256 counted = _mm256_blendv_ps(far, seen.squared, _mm256_castsi256_ps(seen.valid));
       who_ = _mm256_blendv_epi8(who_, numbers_from(from), keep_two(counted, best_, second_));
     }
-    void add_one(Squared squared, std::uint32_t who) {
+    void add_one(Floats squared, std::uint32_t who) {
       who_ = _mm256_blendv_epi8(who_, _mm256_set1_epi32(static_cast<std::int32_t>(who)),
                                 keep_two(squared, best_, second_));
     }
@@ -181,7 +194,7 @@ class Lanes {
     }
 
    private:
-    static __m256i keep_two(Squared squared, __m256& best, __m256& second) {
+    static __m256i keep_two(Floats squared, __m256& best, __m256& second) {
       const __m256 nearer = _mm256_cmp_ps(squared, best, _CMP_LT_OQ);
       second = _mm256_min_ps(second, _mm256_max_ps(best, squared));
       best = _mm256_min_ps(best, squared);
@@ -194,9 +207,9 @@ class Lanes {
   };
 
  private:
-  static unsigned meeting(const Seen& seen, __m256 distance) {
-    const __m256 meets = _mm256_cmp_ps(seen.squared, _mm256_mul_ps(distance, distance), _CMP_LE_OQ);
-    return bits(_mm256_and_si256(_mm256_castps_si256(meets), seen.valid));
+  static unsigned at_most(Floats squared, __m256 distance) {
+    return static_cast<unsigned>(
+        _mm256_movemask_ps(_mm256_cmp_ps(squared, _mm256_mul_ps(distance, distance), _CMP_LE_OQ)));
   }
 
   static constexpr long long kBitOfLane = static_cast<long long>(0x8040201008040201U);
@@ -232,11 +245,11 @@ class Lanes {
     return all;
   }();
 
-  [[nodiscard]] Squared squared(__m256i x, __m256i y, __m256i z) const {
+  [[nodiscard]] Floats squared(__m256i x, __m256i y, __m256i z) const {
     return sum_of_squares(_mm256_sub_epi32(x, x_), _mm256_sub_epi32(y, y_),
                           _mm256_sub_epi32(z, z_));
   }
-  static Squared sum_of_squares(__m256i x, __m256i y, __m256i z) {
+  static Floats sum_of_squares(__m256i x, __m256i y, __m256i z) {
     const __m256 dx = _mm256_cvtepi32_ps(x);
     const __m256 dy = _mm256_cvtepi32_ps(y);
     const __m256 dz = _mm256_cvtepi32_ps(z);

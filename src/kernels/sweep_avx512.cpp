@@ -10,7 +10,8 @@ namespace {
 class Lanes {
  public:
   static constexpr unsigned kLanes = 16;
-  using Squared = __m512;
+  using Words = __m512i;
+  using Floats = __m512;
 
   struct Seen {
     unsigned near;
@@ -51,10 +52,17 @@ class Lanes {
     return compare(_mm512_set1_epi32(x), _mm512_set1_epi32(y), _mm512_set1_epi32(z),
                    static_cast<__mmask16>(lanes));
   }
-  [[nodiscard]] Squared squared(std::int32_t x, std::int32_t y, std::int32_t z) const {
+  [[nodiscard]] Floats squared(std::int32_t x, std::int32_t y, std::int32_t z) const {
     return squared(_mm512_set1_epi32(x), _mm512_set1_epi32(y), _mm512_set1_epi32(z));
   }
-  static Squared without(Squared squared, unsigned lane) {
+  [[nodiscard]] Floats squared(const std::int32_t* x, const std::int32_t* y,
+                               const std::int32_t* z) const {
+    return squared(_mm512_loadu_si512(x), _mm512_loadu_si512(y), _mm512_loadu_si512(z));
+  }
+  [[nodiscard]] unsigned reaching(const std::int32_t* x) const {
+    return _mm512_cmplt_epi32_mask(_mm512_loadu_si512(x), bound_x_);
+  }
+  static Floats without(Floats squared, unsigned lane) {
     return _mm512_mask_mov_ps(squared, static_cast<__mmask16>(1U << lane),
                               _mm512_set1_ps(kInfinity));
   }
@@ -84,7 +92,8 @@ class Lanes {
     return _mm512_cmp_ps_mask(sum_of_squares(beside(x, 0), beside(y, 1), beside(z, 2)),
                               _mm512_set1_ps(far), _CMP_LE_OQ);
   }
-  static void pack(const std::int32_t* from, unsigned chosen, std::int32_t* to) {
+  template <class From, class To>
+  static void pack(const From* from, unsigned chosen, To* to) {
     _mm512_storeu_si512(
         to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(chosen), _mm512_loadu_si512(from)));
   }
@@ -94,25 +103,28 @@ class Lanes {
         to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(chosen), numbers_from(first)));
   }
 
-  static void add_near(Seen& seen, unsigned lane) { seen.near |= 1U << lane; }
+  static void add_near(Seen& seen, unsigned lanes) { seen.near |= lanes; }
 
   static void mark(std::uint8_t* marks, unsigned near) {
     _mm_mask_storeu_epi8(marks, static_cast<__mmask16>(near), _mm_set1_epi8(-1));
   }
 
-  static void store(const PointId* ids, unsigned near, PointId* to) {
-    _mm512_storeu_si512(
-        to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(near), _mm512_loadu_si512(ids)));
+  static Words words(const std::uint32_t* from) { return _mm512_loadu_si512(from); }
+  static Floats floats(const std::uint32_t* from) { return _mm512_loadu_ps(from); }
+
+  static void store(const PointId* ids, unsigned near, PointId* to) { store(words(ids), near, to); }
+  static void store(Words ids, unsigned near, PointId* to) {
+    _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(near), ids));
   }
   static void fill(PointId* to, PointId id) {
     _mm512_storeu_si512(to, _mm512_set1_epi32(static_cast<std::int32_t>(id)));
   }
 
-  static unsigned meeting(const Seen& seen, const float* radii, const float* others) {
-    return meeting(seen, _mm512_add_ps(_mm512_loadu_ps(radii), _mm512_loadu_ps(others)));
+  static unsigned meeting(Floats squared, const float* radii, const float* others) {
+    return at_most(squared, _mm512_add_ps(_mm512_loadu_ps(radii), _mm512_loadu_ps(others)));
   }
-  static unsigned meeting(const Seen& seen, const float* radii, float other) {
-    return meeting(seen, _mm512_add_ps(_mm512_loadu_ps(radii), _mm512_set1_ps(other)));
+  static unsigned meeting(Floats squared, Floats radii, float other) {
+    return at_most(squared, _mm512_add_ps(radii, _mm512_set1_ps(other)));
   }
 
   static void leave_out(Seen& seen, const PointId* ids, PointId id) {
@@ -144,7 +156,7 @@ class Lanes {
           _mm512_mask_mov_ps(_mm512_set1_ps(kInfinity), seen.valid, seen.squared);
       who_ = _mm512_mask_mov_epi32(who_, keep_two(counted, best_, second_), numbers_from(from));
     }
-    void add_one(Squared squared, std::uint32_t who) {
+    void add_one(Floats squared, std::uint32_t who) {
       who_ = _mm512_mask_mov_epi32(who_, keep_two(squared, best_, second_),
                                    _mm512_set1_epi32(static_cast<std::int32_t>(who)));
     }
@@ -168,7 +180,7 @@ class Lanes {
     }
 
    private:
-    static __mmask16 keep_two(Squared squared, __m512& best, __m512& second) {
+    static __mmask16 keep_two(Floats squared, __m512& best, __m512& second) {
       const __mmask16 nearer = _mm512_cmp_ps_mask(squared, best, _CMP_LT_OQ);
       second = _mm512_min_ps(second, _mm512_max_ps(best, squared));
       best = _mm512_min_ps(best, squared);
@@ -181,9 +193,8 @@ class Lanes {
   };
 
  private:
-  static unsigned meeting(const Seen& seen, __m512 distance) {
-    return _mm512_mask_cmp_ps_mask(seen.valid, seen.squared, _mm512_mul_ps(distance, distance),
-                                   _CMP_LE_OQ);
+  static unsigned at_most(Floats squared, __m512 distance) {
+    return _mm512_cmp_ps_mask(squared, _mm512_mul_ps(distance, distance), _CMP_LE_OQ);
   }
 
   static __m512i numbers_from(std::uint32_t first) {
@@ -191,11 +202,11 @@ class Lanes {
                             _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0));
   }
 
-  [[nodiscard]] Squared squared(__m512i x, __m512i y, __m512i z) const {
+  [[nodiscard]] Floats squared(__m512i x, __m512i y, __m512i z) const {
     return sum_of_squares(_mm512_sub_epi32(x, x_), _mm512_sub_epi32(y, y_),
                           _mm512_sub_epi32(z, z_));
   }
-  static Squared sum_of_squares(__m512i x, __m512i y, __m512i z) {
+  static Floats sum_of_squares(__m512i x, __m512i y, __m512i z) {
     const __m512 dx = _mm512_cvtepi32_ps(x);
     const __m512 dy = _mm512_cvtepi32_ps(y);
     const __m512 dz = _mm512_cvtepi32_ps(z);

@@ -12,11 +12,11 @@ namespace {
 
 class Lanes {
   using Ints [[gnu::vector_size(16)]] = std::int32_t;
-  using Floats [[gnu::vector_size(16)]] = float;
 
  public:
   static constexpr unsigned kLanes = 4;
-  using Squared = Floats;
+  using Words [[gnu::vector_size(16)]] = std::uint32_t;
+  using Floats [[gnu::vector_size(16)]] = float;
 
   struct Seen {
     unsigned near;
@@ -54,10 +54,17 @@ class Lanes {
   [[nodiscard]] Seen meet(std::int32_t x, std::int32_t y, std::int32_t z, unsigned lanes) const {
     return compare(Ints{} + x, Ints{} + y, Ints{} + z, with_bits(lanes));
   }
-  [[nodiscard]] Squared squared(std::int32_t x, std::int32_t y, std::int32_t z) const {
+  [[nodiscard]] Floats squared(std::int32_t x, std::int32_t y, std::int32_t z) const {
     return squared(Ints{} + x, Ints{} + y, Ints{} + z);
   }
-  static Squared without(const Squared& squared, unsigned lane) {
+  [[nodiscard]] Floats squared(const std::int32_t* x, const std::int32_t* y,
+                               const std::int32_t* z) const {
+    return squared(load<Ints>(x), load<Ints>(y), load<Ints>(z));
+  }
+  [[nodiscard]] unsigned reaching(const std::int32_t* x) const {
+    return bits(load<Ints>(x) < bound_x_);
+  }
+  static Floats without(const Floats& squared, unsigned lane) {
     return chosen(with_bits(1U << lane), Floats{} + kInfinity, squared);
   }
 
@@ -82,9 +89,10 @@ class Lanes {
     return bits(sum_of_squares(beside(load<Ints>(x), 0), beside(load<Ints>(y), 1),
                                beside(load<Ints>(z), 2)) <= far);
   }
-  static void pack(const std::int32_t* from, unsigned chosen, std::int32_t* to) {
+  template <class From, class To>
+  static void pack(const From* from, unsigned chosen, To* to) {
     for (unsigned lane = 0; lane < kLanes; ++lane) {
-      *to = from[lane];
+      *to = std::bit_cast<To>(from[lane]);
       to += chosen >> lane & 1U;
     }
   }
@@ -96,9 +104,9 @@ class Lanes {
     }
   }
 
-  static void add_near(Seen& seen, unsigned lane) {
-    seen.near |= 1U << lane;
-    seen.near_lanes |= with_bits(1U << lane);
+  static void add_near(Seen& seen, unsigned lanes) {
+    seen.near |= lanes;
+    seen.near_lanes |= with_bits(lanes);
   }
 
   static void mark(std::uint8_t* marks, unsigned near) {
@@ -109,6 +117,14 @@ class Lanes {
     store(marks, old);
   }
 
+  static Words words(const std::uint32_t* from) { return load<Words>(from); }
+  static Floats floats(const std::uint32_t* from) { return load<Floats>(from); }
+
+  static void store(const Words& ids, unsigned near, PointId* to) {
+    for (; near != 0; near &= near - 1) {
+      *to++ = ids[__builtin_ctz(near)];
+    }
+  }
   static void store(const PointId* ids, unsigned near, PointId* to) {
     for (; near != 0; near &= near - 1) {
       *to++ = ids[__builtin_ctz(near)];
@@ -118,11 +134,11 @@ class Lanes {
     for (unsigned lane = 0; lane < kLanes; ++lane) to[lane] = id;
   }
 
-  static unsigned meeting(const Seen& seen, const float* radii, const float* others) {
-    return meeting(seen, load<Floats>(radii) + load<Floats>(others));
+  static unsigned meeting(const Floats& squared, const float* radii, const float* others) {
+    return at_most(squared, load<Floats>(radii) + load<Floats>(others));
   }
-  static unsigned meeting(const Seen& seen, const float* radii, float other) {
-    return meeting(seen, load<Floats>(radii) + other);
+  static unsigned meeting(const Floats& squared, const Floats& radii, float other) {
+    return at_most(squared, radii + other);
   }
 
   static void leave_out(Seen& seen, const PointId* ids, PointId id) {
@@ -149,7 +165,7 @@ class Lanes {
       const Floats counted = chosen(seen.valid, seen.squared, Floats{} + kInfinity);
       take(kNumbers + static_cast<std::int32_t>(from), keep_two(counted, best_, second_));
     }
-    void add_one(const Squared& squared, std::uint32_t who) {
+    void add_one(const Floats& squared, std::uint32_t who) {
       take(Ints{} + static_cast<std::int32_t>(who), keep_two(squared, best_, second_));
     }
     void read(const float* best, const float* second, const std::uint32_t* who) {
@@ -178,7 +194,7 @@ class Lanes {
    private:
     void take(const Ints& who, const Ints& nearer) { who_ = (who & nearer) | (who_ & ~nearer); }
 
-    static Ints keep_two(const Squared& squared, Floats& best, Floats& second) {
+    static Ints keep_two(const Floats& squared, Floats& best, Floats& second) {
       const Ints nearer = squared < best;
       const Floats larger = chosen(nearer, best, squared);
       best = chosen(nearer, squared, best);
@@ -192,8 +208,8 @@ class Lanes {
   };
 
  private:
-  static unsigned meeting(const Seen& seen, const Floats& distance) {
-    return bits((seen.squared <= distance * distance) & seen.valid);
+  static unsigned at_most(const Floats& squared, const Floats& distance) {
+    return bits(squared <= distance * distance);
   }
 
   static constexpr Ints kNumbers = {0, 1, 2, 3};
@@ -218,10 +234,10 @@ class Lanes {
     return (bit & static_cast<std::int32_t>(lanes)) == bit;
   }
 
-  [[nodiscard]] Squared squared(const Ints& x, const Ints& y, const Ints& z) const {
+  [[nodiscard]] Floats squared(const Ints& x, const Ints& y, const Ints& z) const {
     return sum_of_squares(x - x_, y - y_, z - z_);
   }
-  static Squared sum_of_squares(const Ints& x, const Ints& y, const Ints& z) {
+  static Floats sum_of_squares(const Ints& x, const Ints& y, const Ints& z) {
     const Floats dx = __builtin_convertvector(x, Floats);
     const Floats dy = __builtin_convertvector(y, Floats);
     const Floats dz = __builtin_convertvector(z, Floats);

@@ -7,6 +7,7 @@
 //
 // Each of them brings its own Lanes, for points that ask and others that they are compared with:
 //   kLanes                          how many comparisons are made together
+//   Words, Floats                   a word, a float in every lane
 //   Lanes(limits)
 //   select(x, y, z, bound_x)        one point that asks, in every lane, and a bound along x
 //   select_block(x, y, z, reach, slice)  the next kLanes points, a lane each; the bound of each is
@@ -14,15 +15,18 @@
 //   look(x, y, z, count)            every lane with its own of the next kLanes points, of which the
 //                                   first `count` count
 //   meet(x, y, z, lanes)            one point with the lanes whose bits are set
-//   squared(x, y, z)                the squared distances, in units, of one point to all lanes
+//   squared(x, y, z)                the squared distances, in units, of one point to all lanes, or
+//                                   of each lane to its own of the next kLanes points
+//   reaching(x)                     the lanes left of whose bound its own of the next points is
 //   without(squared, lane)          the same, but infinite in one lane
 // look and meet return what was Seen, one bit a lane: near (surely), within (near or unsure),
 // before (left of the bound; look only); and what else the Lanes remember. With that:
-//   add_near(seen, lane)            an unsure one is near
-//   meeting(seen, radii, others)    the lanes that count whose distance is at most both radii; the
-//                                   others' are a lane each, or one for all
+//   add_near(seen, lanes)           unsure ones that are near
+//   meeting(squared, radii, others) the lanes whose distance is at most both radii; the others'
+//                                   are a lane each, or one for all
 //   leave_out(seen, ids, id)        the lane whose id is this one no longer counts
 //   mark(marks, near)               marks[lane] = nonzero for every near lane
+//   words(from), floats(from)       the next kLanes words, as such and as floats
 //   store(ids, near, to)            writes the ids of the near lanes one after the other; kLanes
 //                                   places may be written
 //   fill(to, id)                    writes an id kLanes times
@@ -64,13 +68,17 @@ struct Reach {
   std::int32_t slice;
 };
 
-template <class Lanes>
-[[gnu::noinline]] void decide_unsure(const Unsure& unsure, std::uint32_t i, std::uint32_t from,
-                                     typename Lanes::Seen& seen) {
-  for (unsigned open = seen.within & ~seen.near; open != 0; open &= open - 1) {
+// Which of the open lanes are near; asked(lane) and met(lane) give the two points. It is told
+// nothing else, so that what a sweep knows can stay in registers.
+template <class Asked, class Met>
+[[gnu::noinline]] unsigned decided_near(Unsure unsure, unsigned open, const Asked& asked,
+                                        const Met& met) {
+  unsigned near = 0;
+  for (; open != 0; open &= open - 1) {
     const auto lane = static_cast<unsigned>(__builtin_ctz(open));
-    if (unsure.decide(unsure.context, i, from + lane)) Lanes::add_near(seen, lane);
+    if (unsure.decide(unsure.context, asked(lane), met(lane))) near |= 1U << lane;
   }
+  return near;
 }
 
 // The first point of a range whose slice is not before `first_x`.

@@ -209,7 +209,7 @@ double PredictionSteps::cheapest_step(double begin, double left) {
   const PointsView places = begin == 0.0 ? movers_.positions() : middles();
   const core::DensitySample sample(places, with_.memory);
   const double clearance_m = separation_.reach_m();
-  constexpr double kSorting = 80.0;  // nanoseconds a bee, measured
+  constexpr double kSorting = 60.0;  // nanoseconds a bee, measured
   double best = left;
   double best_cost = std::numeric_limits<double>::infinity();
   for (const SizeLevel& speed : speeds_) {
