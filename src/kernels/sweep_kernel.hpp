@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/block_sweep_kernel.hpp"
+#include "kernels/block_tasks.hpp"
 #include "kernels/point_sweep_kernel.hpp"
 #include "kernels/row_kernel.hpp"
 #include "kernels/sweep.hpp"
