@@ -37,9 +37,9 @@ constexpr unsigned opposite(unsigned sides) {
   return (sides & (kLowY | kLowZ)) << 1 | (sides & (kHighY | kHighZ)) >> 1;
 }
 
-// What becomes of near pairs is up to a Task (block_tasks.hpp), which is copied into each inner loop,
-// so that what it knows stays in registers there. A block of its lanes asks from start to finish,
-// which name the block: the sorted places from `i` on, or the packed points from `i` on.
+// What becomes of near pairs is up to a Task (block_tasks.hpp), which is copied into each inner
+// loop, so that what it knows stays in registers there. A block of its lanes asks from start to
+// finish, which name the block: the sorted places from `i` on, or the packed points from `i` on.
 //   kForItself                    whether all points of a row ask it, each for itself
 //   kMeasures                     whether it asks for squared distances, not for what is near
 //   words()                       a word for each sorted place, to be packed with it, or null
@@ -208,12 +208,14 @@ class BlockSweep {
     return go_on;
   }
 
-  void pack(const Positions& from, Range points, unsigned sides, Beside& to) const {
+  // Adds the points of a range at these sides of their row.
+  void pack(Positions from, Range points, const typename Lanes::AtSides& at_sides,
+            Beside& to) const {
     const auto* const words = task_.words();
     std::uint32_t size = to.size;
     for (std::uint32_t i = points.begin; i < points.end; i += Lanes::kLanes) {
       const unsigned chosen =
-          Lanes::at_sides(from.y + i, from.z + i, sides, reach_.units, row_width_, points.end - i);
+          at_sides(from.y + i, from.z + i) & all_of(least(points.end - i, Lanes::kLanes));
       Lanes::pack(from.x + i, chosen, to.x + size);
       Lanes::pack(from.y + i, chosen, to.y + size);
       Lanes::pack(from.z + i, chosen, to.z + size);
@@ -225,23 +227,26 @@ class BlockSweep {
   }
 
   bool meet_across(Range part, unsigned k) {
+    using AtSides = typename Lanes::AtSides;
     const Target& target = sweep_.targets[k];
     mine_.size = 0;
-    pack(sweep_.asked, part, target.sides, mine_);
+    pack(sweep_.asked, part, AtSides({target.sides, reach_.units, row_width_}), mine_);
     if (mine_.size == 0) return true;
     Lanes::clear(mine_.x + mine_.size);  // the last block reads so far
     Lanes::clear(mine_.y + mine_.size);
     Lanes::clear(mine_.z + mine_.size);
     const std::int32_t* const x = sweep_.others.x;
-    const std::int32_t end = reach_.end_x(mine_.x[mine_.size - 1]);
     next_[k] = first_not_before(x, {next_[k], target.points.end}, reach_.first_x(mine_.x[0]));
-    std::uint32_t j = next_[k];
-    while (j < target.points.end && x[j] < end) {
+    const Range window{next_[k], first_not_before(x, {next_[k], target.points.end},
+                                                  reach_.end_x(mine_.x[mine_.size - 1]))};
+    const AtSides at_theirs({opposite(target.sides), reach_.units, row_width_});
+    std::uint32_t j = window.begin;
+    while (j < window.end) {
       theirs_.size = 0;
-      while (j < target.points.end && x[j] < end && theirs_.size < Beside::kMost) {
-        const Range block{j, least(j + Lanes::kLanes, target.points.end)};
-        pack(sweep_.others, block, opposite(target.sides), theirs_);
-        j = block.end;
+      while (j < window.end && theirs_.size < Beside::kMost) {
+        const Range some{j, least(j + (Beside::kMost - theirs_.size), window.end)};
+        pack(sweep_.others, some, at_theirs, theirs_);
+        j = some.end;
       }
       if (!meet_packed()) return false;
     }

@@ -69,20 +69,29 @@ class Lanes {
                             _mm256_castsi256_ps(with_bits(1U << lane)));
   }
 
-  static unsigned at_sides(const std::int32_t* y, const std::int32_t* z, unsigned sides,
-                           std::int32_t reach, std::int32_t row, std::uint32_t count) {
-    const __m256i in_row = _mm256_set1_epi32(row - 1);
-    const __m256i in_y = _mm256_and_si256(load(y), in_row);
-    const __m256i in_z = _mm256_and_si256(load(z), in_row);
-    const __m256i low = _mm256_set1_epi32(reach);
-    const __m256i high = _mm256_set1_epi32(row - reach - 1);
-    unsigned chosen = count < kLanes ? (1U << count) - 1U : 0xFFU;
-    if ((sides & kLowY) != 0) chosen &= bits(_mm256_cmpgt_epi32(low, in_y));
-    if ((sides & kHighY) != 0) chosen &= bits(_mm256_cmpgt_epi32(in_y, high));
-    if ((sides & kLowZ) != 0) chosen &= bits(_mm256_cmpgt_epi32(low, in_z));
-    if ((sides & kHighZ) != 0) chosen &= bits(_mm256_cmpgt_epi32(in_z, high));
-    return chosen;
-  }
+  class AtSides {
+   public:
+    explicit AtSides(const SideLimits& limits)
+        : in_row_(_mm256_set1_epi32(limits.in_row)),
+          flip_y_(_mm256_set1_epi32(limits.flip_y)),
+          flip_z_(_mm256_set1_epi32(limits.flip_z)),
+          reach_y_(_mm256_set1_epi32(limits.reach_y)),
+          reach_z_(_mm256_set1_epi32(limits.reach_z)) {}
+
+    unsigned operator()(const std::int32_t* y, const std::int32_t* z) const {
+      const __m256i from_y = _mm256_xor_si256(_mm256_and_si256(load(y), in_row_), flip_y_);
+      const __m256i from_z = _mm256_xor_si256(_mm256_and_si256(load(z), in_row_), flip_z_);
+      return bits(_mm256_and_si256(_mm256_cmpgt_epi32(reach_y_, from_y),
+                                   _mm256_cmpgt_epi32(reach_z_, from_z)));
+    }
+
+   private:
+    __m256i in_row_;
+    __m256i flip_y_;
+    __m256i flip_z_;
+    __m256i reach_y_;
+    __m256i reach_z_;
+  };
   static unsigned around(const std::int32_t* x, const std::int32_t* y, const std::int32_t* z,
                          const PositionBox& box, float far) {
     const auto beside = [&box](__m256i at, unsigned axis) {

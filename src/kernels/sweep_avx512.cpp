@@ -67,20 +67,29 @@ class Lanes {
                               _mm512_set1_ps(kInfinity));
   }
 
-  static unsigned at_sides(const std::int32_t* y, const std::int32_t* z, unsigned sides,
-                           std::int32_t reach, std::int32_t row, std::uint32_t count) {
-    const __m512i in_row = _mm512_set1_epi32(row - 1);
-    const __m512i in_y = _mm512_and_si512(_mm512_loadu_si512(y), in_row);
-    const __m512i in_z = _mm512_and_si512(_mm512_loadu_si512(z), in_row);
-    const __m512i low = _mm512_set1_epi32(reach);
-    const __m512i high = _mm512_set1_epi32(row - reach);
-    unsigned chosen = _bzhi_u32(0xFFFF, count < kLanes ? count : kLanes);
-    if ((sides & kLowY) != 0) chosen &= _mm512_cmplt_epi32_mask(in_y, low);
-    if ((sides & kHighY) != 0) chosen &= _mm512_cmpge_epi32_mask(in_y, high);
-    if ((sides & kLowZ) != 0) chosen &= _mm512_cmplt_epi32_mask(in_z, low);
-    if ((sides & kHighZ) != 0) chosen &= _mm512_cmpge_epi32_mask(in_z, high);
-    return chosen;
-  }
+  class AtSides {
+   public:
+    explicit AtSides(const SideLimits& limits)
+        : in_row_(_mm512_set1_epi32(limits.in_row)),
+          flip_y_(_mm512_set1_epi32(limits.flip_y)),
+          flip_z_(_mm512_set1_epi32(limits.flip_z)),
+          reach_y_(_mm512_set1_epi32(limits.reach_y)),
+          reach_z_(_mm512_set1_epi32(limits.reach_z)) {}
+
+    unsigned operator()(const std::int32_t* y, const std::int32_t* z) const {
+      const __m512i in_y = _mm512_and_si512(_mm512_loadu_si512(y), in_row_);
+      const __m512i in_z = _mm512_and_si512(_mm512_loadu_si512(z), in_row_);
+      const __mmask16 at_y = _mm512_cmplt_epi32_mask(_mm512_xor_si512(in_y, flip_y_), reach_y_);
+      return _mm512_mask_cmplt_epi32_mask(at_y, _mm512_xor_si512(in_z, flip_z_), reach_z_);
+    }
+
+   private:
+    __m512i in_row_;
+    __m512i flip_y_;
+    __m512i flip_z_;
+    __m512i reach_y_;
+    __m512i reach_z_;
+  };
   static unsigned around(const std::int32_t* x, const std::int32_t* y, const std::int32_t* z,
                          const PositionBox& box, float far) {
     const auto beside = [&box](const std::int32_t* from, unsigned axis) {

@@ -68,17 +68,19 @@ class Lanes {
     return chosen(with_bits(1U << lane), Floats{} + kInfinity, squared);
   }
 
-  static unsigned at_sides(const std::int32_t* y, const std::int32_t* z, unsigned sides,
-                           std::int32_t reach, std::int32_t row, std::uint32_t count) {
-    const Ints in_y = load<Ints>(y) & (row - 1);
-    const Ints in_z = load<Ints>(z) & (row - 1);
-    Ints chosen = kNumbers < static_cast<std::int32_t>(count < kLanes ? count : kLanes);
-    if ((sides & kLowY) != 0) chosen &= in_y < reach;
-    if ((sides & kHighY) != 0) chosen &= in_y >= row - reach;
-    if ((sides & kLowZ) != 0) chosen &= in_z < reach;
-    if ((sides & kHighZ) != 0) chosen &= in_z >= row - reach;
-    return bits(chosen);
-  }
+  class AtSides {
+   public:
+    explicit AtSides(const SideLimits& limits) : limits_(limits) {}
+
+    unsigned operator()(const std::int32_t* y, const std::int32_t* z) const {
+      const Ints from_y = (load<Ints>(y) & limits_.in_row) ^ limits_.flip_y;
+      const Ints from_z = (load<Ints>(z) & limits_.in_row) ^ limits_.flip_z;
+      return bits((from_y < limits_.reach_y) & (from_z < limits_.reach_z));
+    }
+
+   private:
+    SideLimits limits_;
+  };
   static unsigned around(const std::int32_t* x, const std::int32_t* y, const std::int32_t* z,
                          const PositionBox& box, float far) {
     const auto beside = [&box](const Ints& at, unsigned axis) {

@@ -30,8 +30,8 @@
 //   store(ids, near, to)            writes the ids of the near lanes one after the other; kLanes
 //                                   places may be written
 //   fill(to, id)                    writes an id kLanes times
-//   at_sides(y, z, sides, reach, row, count)   which of the next points lie within the reach of all
-//                                   these sides of their row, of which the first `count` count
+//   AtSides(limits)                 which of the next points lie within the reach of some sides of
+//                                   their row: (y, z)
 //   around(x, y, z, box, far)       which of the next points are at most so far from a box, by the
 //                                   same arithmetic as squared, so that none is farther from the
 //                                   box than from a point in it
@@ -80,6 +80,24 @@ template <class Asked, class Met>
   }
   return near;
 }
+
+// Within the reach of sides of a row, on two axes at once: how far a point is from the low side of
+// its row is its place in it, and from the high side that place with all bits flipped, as the width
+// of a row is a power of 2.
+struct SideLimits {
+  SideLimits(unsigned sides, std::int32_t reach, std::int32_t row_width)
+      : in_row(row_width - 1),
+        flip_y((sides & kHighY) != 0 ? in_row : 0),
+        flip_z((sides & kHighZ) != 0 ? in_row : 0),
+        reach_y((sides & (kLowY | kHighY)) != 0 ? reach : row_width),
+        reach_z((sides & (kLowZ | kHighZ)) != 0 ? reach : row_width) {}
+
+  std::int32_t in_row;
+  std::int32_t flip_y;
+  std::int32_t flip_z;
+  std::int32_t reach_y;
+  std::int32_t reach_z;
+};
 
 // The first point of a range whose slice is not before `first_x`.
 inline std::uint32_t window_start(const std::int32_t* x, Range range, std::int32_t first_x) {
