@@ -6,6 +6,7 @@
 #include "cli/input/line_source.hpp"
 #include "cli/input/moving_output.hpp"
 #include "cli/output/event_lines.hpp"
+#include "cli/watch/doubt_text.hpp"
 #include "cli/watch/live_advice.hpp"
 #include "cli/watch/no_places.hpp"
 #include "cli/watch/pace.hpp"
@@ -116,6 +117,7 @@ class Watch {
   Result<ExitCode> end() {
     left_out_.nowhere = unplaced_.size();
     left_out_.untimed = lines_.untimed();
+    left_out_.no_place = no_places_.late();
     // A signal may end the reader as well, or a write that waits for them.
     const bool cut_off = interrupted() && (write_error_ == EPIPE || write_error_ == EINTR);
     if (write_error_ == EPIPE && !cut_off) return ExitCode::kPipeClosed;
@@ -234,6 +236,7 @@ class Watch {
     if (!lines_.in_frames() && counts_as_none(no_places_.stale(*number, time_of(at), at), at.id)) {
       return std::monostate{};
     }
+    if (!lines_.in_frames() && no_places_.thaws(*number, time_of(at), at)) note_thawed(*number, at);
     look_for_doubt(*number, {time_of(at), metres->position},
                    metres->velocity ? &*metres->velocity : nullptr);
     Status taken = feed_->take({*number, time_of(at), metres->position, metres->velocity,
@@ -301,10 +304,7 @@ class Watch {
     if (doubts.jumps.take(fix, velocity) && !std::exchange(doubts.jumping, true)) {
       if (advice_) advice_->note_unplaced(many_unplaced_ = true);
       if (++left_out_.jumping <= kMostBadLinesSaid && !request_.quiet) {
-        say("beespace: " + printable(feed_->name(number).id) + " jumps in " + line_text() + ", " +
-            io::exact(fix.time_s) +
-            " s, faster than anything that flies, or than it says itself: a place or a time is "
-            "wrong\n");
+        say(jump_text(feed_->name(number).id, line_text(), fix.time_s));
       }
     }
     if (doubts.shared.found()) return;
@@ -312,16 +312,18 @@ class Watch {
     if (!doubts.shared.found()) return;
     if (advice_) advice_->note_unplaced(many_unplaced_ = true);
     if (++left_out_.shared > kMostBadLinesSaid || request_.quiet) return;
-    say("beespace: " + printable(feed_->name(number).id) + " is at two places in turn, up to " +
-        line_text() + ", " + io::exact(fix.time_s) +
-        " s, as if two had this id: where they are is not known\n");
+    say(shared_text(feed_->name(number).id, line_text(), fix.time_s));
+  }
+
+  void note_thawed(AgentId number, const io::ReportLine& at) {
+    if (advice_) advice_->note_unplaced(many_unplaced_ = true);
+    if (++left_out_.frozen > kMostBadLinesSaid || request_.quiet) return;
+    say(thawed_text(feed_->name(number).id, line_text(), time_of(at)));
   }
 
   void note_contrary(const PositionReport& report) {
     if (++left_out_.contrary > kMostBadLinesSaid || request_.quiet) return;
-    say("beespace: left out: " + printable(feed_->name(report.id).id) +
-        " is said to be at two places at " + io::exact(report.time_s) +
-        " s; the first one counts\n");
+    say(contrary_text(feed_->name(report.id).id, report.time_s));
   }
 
   void note_bad(const Error& error) {

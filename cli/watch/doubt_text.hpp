@@ -1,0 +1,18 @@
+// What `watch` says of bees whose reports do not go together. `line` is where the last one was
+// read: "line 12".
+#pragma once
+
+#include <string>
+
+namespace beespace::cli {
+
+// Faster than anything flies, or than it says itself.
+std::string jump_text(const std::string& bee, const std::string& line, double time_s);
+// Out of a place that it had left before.
+std::string thawed_text(const std::string& bee, const std::string& line, double time_s);
+// To and fro between two places.
+std::string shared_text(const std::string& bee, const std::string& line, double time_s);
+// At two places at one time.
+std::string contrary_text(const std::string& bee, double time_s);
+
+}  // namespace beespace::cli
