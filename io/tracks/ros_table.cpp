@@ -258,9 +258,10 @@ std::optional<std::size_t> find_axes_name(const TableLayout& table) {
     return is_axes_name(words);
   };
   for (std::size_t i = 0; i < table.names.size() && i < table.contents.size(); ++i) {
-    // Numbers are those of pictures.
-    if (table.contents[i] != ColumnContent::kText) continue;
-    if (names_axes(split_words(table.names[i]))) return i;
+    const Words words = split_words(table.names[i]);
+    // Numbers are those of pictures, but for frames of a header of ROS, which may have any name.
+    if (table.contents[i] != ColumnContent::kText && !has(words, "header")) continue;
+    if (names_axes(words)) return i;
   }
   return std::nullopt;
 }
