@@ -12,6 +12,9 @@ export const kLimits: Record<LimitName, { name: string; unit: string }> = {
   climb: { name: 'Climb', unit: 'm/s' },
   descent: { name: 'Descent', unit: 'm/s' },
   height: { name: 'Height', unit: 'm' },
+  acceleration: { name: 'Acceleration', unit: 'm/s²' },
+  horizontal_acceleration: { name: 'Horizontal acceleration', unit: 'm/s²' },
+  vertical_acceleration: { name: 'Vertical acceleration', unit: 'm/s²' },
 };
 
 /** Never a number that looks kept where it is not. */
