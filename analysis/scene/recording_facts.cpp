@@ -298,7 +298,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.gaps = joined_gaps(std::move(facts.gaps), jump_spans(recording));
   SeparationOverTime over_time = separation_of(
       {recording, tracks, *in_space, *recorded, *closest, coverage, closest->has_value()},
-      *uprights, swarm);
+      *uprights, facts.unknown_spans, swarm);
   facts.separation = std::move(over_time.known);
   facts.separation_open = std::move(over_time.open);
   stand_in_tracks(recording, *in_space);
