@@ -1,11 +1,11 @@
 #include "analysis/scene/recording_facts.hpp"
 
+#include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/jump_spans.hpp"
 #include "analysis/recorded/landed_times.hpp"
-#include "analysis/recorded/scale_doubt.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
