@@ -101,7 +101,9 @@ std::optional<RosTable> by_names(std::string_view text, const TableLayout& table
   const bool one = std::all_of(axes.begin(), axes.end(),
                                [](const auto& columns) { return columns.size() == 1; });
   // Of tables that pandas wrote: the time is what rows are called by.
-  if (!stamped && found.axes_name && !found.recorded && table.names[0].empty()) {
+  const bool of_pose = one && before[0].front() == "pose" && !table.contents.empty() &&
+                       table.contents[0] == ColumnContent::kText;
+  if (!stamped && (found.axes_name || of_pose) && !found.recorded && table.names[0].empty()) {
     found.names[0] = "header.stamp";
     stamped = true;
   }

@@ -320,6 +320,17 @@ TEST(ShowTablesOfOthers, WhichAreNotReadGetASentence) {
   expect_parts(run({"replay", paths.path("")}).err, {"paths of a drone show (DSS)"});
 }
 
+TEST(ShowFolders, ASheetOfCuesIsNoDrone) {
+  const TemporaryFolder folder;
+  const std::string header = "Time_msec,x_m,y_m,z_m,Red,Green,Blue\n";
+  folder.file("a.csv", header + "0,0,0,0,0,0,0\n2000,0,0,10,0,0,0\n4000,0,0,0,0,0,0\n");
+  folder.file("b.csv", header + "0,9,0,0,0,0,0\n2000,9,0,10,0,0,0\n4000,9,0,0,0,0,0\n");
+  folder.file("cues.csv", "time,cue\n0,start\n");
+  const Finished finished = run({"replay", folder.path(""), "--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_parts(finished.err, {"bees       2"});
+}
+
 TEST(ShowFolders, TextsForPeopleAreNoTables) {
   const TemporaryFolder folder;
   const std::string header = "Time_msec,x_m,y_m,z_m,Red,Green,Blue\n";
