@@ -9,6 +9,7 @@
 #include "io/load_points.hpp"
 #include "io/points/loaded_points.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/recording/feet_doubt.hpp"
 #include "io/table/column_names.hpp"
 #include "io/table/column_overrides.hpp"
 #include "io/table/fields.hpp"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -26,11 +28,29 @@
 namespace beespace::cli {
 namespace {
 
+// Of one moment heights alone bear out that they are in feet, as names tell.
+std::optional<Error> doubt_of_feet(const io::LoadedPoints& loaded, const std::string& path) {
+  if (loaded.frame != io::Frame::kWgs84 || !io::FeetDoubt::concerns(loaded.units)) {
+    return std::nullopt;
+  }
+  io::FeetDoubt feet;
+  std::vector<PointId> all(loaded.points.size());
+  std::iota(all.begin(), all.end(), PointId{0});
+  io::for_each_record(loaded, all, [&feet](const io::Record& record) {
+    feet.take_height(record.geographic.height_m);
+  });
+  auto doubt = feet.doubt();
+  if (doubt) doubt->location.source = io::source_name(path);
+  return doubt;
+}
+
 Result<io::LoadedPoints> load_snapshot(const std::string& path, const io::LoadOptions& options) {
   auto loaded = io::load_points(path, options);
   if (!loaded) return analysis::or_recording(std::move(loaded).error(), path, options);
   if (auto problem = analysis::recording_problem(*loaded, path, options))
     return *std::move(problem);
+  const bool is_said = options.units.convention == io::UnitConvention::kAviation;
+  if (auto doubt = doubt_of_feet(*loaded, path); doubt && !is_said) return *std::move(doubt);
   return loaded;
 }
 

@@ -33,4 +33,13 @@ std::string contrary_text(const std::string& bee, double time_s) {
          io::exact(time_s) + " s; the first one counts\n";
 }
 
+Error none_understood(const std::vector<Error>& errors) {
+  Error error = errors.front();
+  if (errors.size() > 1) {
+    error.message +=
+        " (and none of the next " + std::to_string(errors.size() - 1) + " lines could be read)";
+  }
+  return error;
+}
+
 }  // namespace beespace::cli

@@ -19,10 +19,27 @@ std::optional<std::string> NoPlaces::stale(AgentId bee, double time_s, const io:
     return "says the same place as for more than 3 s before, though its speed is more than 3 m/s, "
            "as where the last place is said again once contact is lost,";
   }
-  if (at.frame != io::Frame::kMetres) return std::nullopt;
+  if (at.frame != io::Frame::kMetres) {
+    look_for_feet(track, fix, at.stated_velocity);
+    return std::nullopt;
+  }
   if (track.zeros.is_none(fix)) return "is " + std::string(io::kZeroRun.which);
   track.taken.take(fix, 0);
   return std::nullopt;
+}
+
+void NoPlaces::look_for_feet(Track& track, const Fix& fix, const Velocity& stated) {
+  degrees_ = true;
+  feet_.take_height(fix.position.z);
+  feet_.take_speed(stated);
+  if (track.last) feet_.take_step(*track.last, track.stated, fix);
+  track.last = fix;
+  track.stated = stated;
+}
+
+std::optional<Error> NoPlaces::doubt_of_feet(const std::vector<io::UnitTaken>& units) const {
+  if (!degrees_ || !io::FeetDoubt::concerns(units)) return std::nullopt;
+  return feet_.doubt();
 }
 
 bool NoPlaces::thaws(AgentId bee, double time_s, const io::ReportLine& at) {

@@ -3,12 +3,16 @@
 #pragma once
 
 #include "io/live/report_lines.hpp"
+#include "io/recording/feet_doubt.hpp"
 #include "io/recording/frozen_places.hpp"
 #include "io/recording/stale_places.hpp"
 #include "io/recording/zero_places.hpp"
 #include "io/recording/zero_runs.hpp"
 
+#include <beespace/mover.hpp>
+#include <beespace/result.hpp>
 #include <beespace/swarm.hpp>
+#include <beespace/track.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -28,6 +32,9 @@ class NoPlaces {
   bool thaws(AgentId bee, double time_s, const io::ReportLine& at);
   void forget(AgentId bee);
 
+  // At the end, of units that names alone tell (FeetDoubt): whether nothing bears them out.
+  [[nodiscard]] std::optional<Error> doubt_of_feet(const std::vector<io::UnitTaken>& units) const;
+
   // At the end: how many bees were at no place for a time without having been told of, as only what
   // came later showed.
   [[nodiscard]] std::size_t late() const;
@@ -38,6 +45,8 @@ class NoPlaces {
     io::ZeroRunFilter zeros = {};
     io::ZeroRunWatch taken = {};
     io::FrozenWatch frozen = {};
+    std::optional<Fix> last = {};  // in degrees, with what it said of its velocity
+    Velocity stated = io::kNoVelocity;
     bool thawed = false;
 
     [[nodiscard]] bool was_at_no_place() const {
@@ -45,7 +54,11 @@ class NoPlaces {
     }
   };
 
+  void look_for_feet(Track& track, const Fix& fix, const Velocity& stated);
+
   io::ZeroPlaces zeros_;
+  io::FeetDoubt feet_;
+  bool degrees_ = false;
   std::vector<Track> tracks_;  // by number
   std::size_t late_ = 0;       // of those that are forgotten
 };

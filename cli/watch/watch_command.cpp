@@ -118,12 +118,16 @@ class Watch {
     left_out_.nowhere = unplaced_.size();
     left_out_.untimed = lines_.untimed();
     left_out_.no_place = no_places_.late();
+    const bool is_said = request_.lines.units.convention == io::UnitConvention::kAviation;
+    const auto doubt = is_said ? std::nullopt : no_places_.doubt_of_feet(lines_.units());
+    left_out_.feet_doubted = doubt.has_value();
     // A signal may end the reader as well, or a write that waits for them.
     const bool cut_off = interrupted() && (write_error_ == EPIPE || write_error_ == EINTR);
     if (write_error_ == EPIPE && !cut_off) return ExitCode::kPipeClosed;
     if (write_error_ != 0 && !cut_off) {
       return Error{ErrorCode::kWriteFailed, "cannot write to standard output", {}};
     }
+    if (doubt && !request_.quiet) say("beespace: " + printable(doubt->message) + "\n");
     if (!request_.quiet) say(summary());
     if (interrupted()) return exit_code_of_interruption();
     if (!feed_ || feed_->counts().taken == 0) return nothing_read();
@@ -258,16 +262,7 @@ class Watch {
   Status not_understood(const Error& error) {
     not_understood_.push_back(error);
     if (not_understood_.size() < kMostNotUnderstood) return std::monostate{};
-    return none_understood();
-  }
-
-  [[nodiscard]] Error none_understood() const {
-    Error error = not_understood_.front();
-    if (not_understood_.size() > 1) {
-      error.message += " (and none of the next " + std::to_string(not_understood_.size() - 1) +
-                       " lines could be read)";
-    }
-    return error;
+    return none_understood(not_understood_);
   }
 
   // When a report was: as it says, or by the clock of this machine, in seconds since 1970.
@@ -359,7 +354,7 @@ class Watch {
   }
 
   [[nodiscard]] Error nothing_read() const {
-    if (!not_understood_.empty()) return none_understood();
+    if (!not_understood_.empty()) return none_understood(not_understood_);
     return {ErrorCode::kNoPoints,
             left_out_.lines > 0 ? "no line of the input could be read as a report"
                                 : "there is no report in the input",

@@ -58,6 +58,7 @@ std::vector<std::string> doubtful(const analysis::LiveFeed& feed, const LeftOutO
   add(feed.clocks().named(), "bee's clock was off", "bees' clocks were off");
   add(feed.apart(), "bee's clock differs from the others'",
       "bees' clocks differ from those of the others");
+  if (left_out.feet_doubted) texts.emplace_back("heights may be in metres, not in feet");
   if (feed.begun_anew() > 0) texts.emplace_back("all clocks began anew");
   if (feed.heard_of() == 1 && left_out.nowhere == 0) {
     texts.emplace_back("one bee alone was heard of, and no pair");

@@ -7,6 +7,7 @@
 #include "io/recording/doubled_drones.hpp"
 #include "io/recording/frozen_places.hpp"
 #include "io/recording/recording_assembly.hpp"
+#include "io/recording/same_tracks.hpp"
 #include "io/recording/show_ground.hpp"
 #include "io/recording/stale_places.hpp"
 #include "io/recording/swapped_degrees.hpp"
@@ -373,6 +374,7 @@ Result<Recording> RecordingAssembly::finish() {
     for (RecordedBee& bee : recording_.bees) bee.stated_heights.clear();
   }
   note_counts();
+  if (auto same = same_tracks_note(recording_.bees)) note(*std::move(same));
   if (!options_.grounded) leave_ground_time_out(recording_);
   if (auto swapped = swapped_degrees(recording_)) {
     note(std::move(swapped->note));

@@ -367,5 +367,16 @@ TEST(UnknownPlaces, HalfAPlaceIsNone) {
   }
 }
 
+TEST(SameTracks, AreSaid) {
+  std::string text = "id,time_s,x_m,y_m\n";
+  for (int t = 0; t < 5; ++t) {
+    const std::string place = "," + std::to_string(t) + "," + std::to_string(3 * t) + ",";
+    text += "a" + place + "1\nb" + place + "2\nc" + place + "1\n";
+  }
+  EXPECT_TRUE(has_note(recording_of(record(text)), "'a' and 'c' have the same track, so that"));
+  text += "c,5,30,1\n";
+  EXPECT_FALSE(has_note(recording_of(record(text)), "have the same track"));
+}
+
 }  // namespace
 }  // namespace beespace::io

@@ -78,7 +78,7 @@ function excessList(shown: Shown, head: RecordingHead, actions: Actions): HTMLEl
 
 /** Distances are told elsewhere. */
 export function headlineOf({ count, greatest, not_looked_at = [] }: Pick<LimitsKept, 'count' | 'greatest' | 'not_looked_at'>): { text: string; risky: boolean } {
-  const kept = greatest.length > 0 ? ['Greatest speeds and height that the show declares: kept.'] : [];
+  const kept = greatest.length > 0 ? ['Greatest speeds, accelerations and height that the show declares: kept.'] : [];
   const told = count === 0 ? kept : [`Beyond what the show declares: ${formatCount(count)} ${count === 1 ? 'stretch' : 'stretches'}.`];
   if (not_looked_at.length > 0) told.push(`Declared, but not looked at: ${not_looked_at.join(', ')}.`);
   return { text: told.join(' '), risky: count > 0 || not_looked_at.length > 0 };
