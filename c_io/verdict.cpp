@@ -70,7 +70,7 @@ void write_findings(const analysis::PathVerdict& found, beespace_io_verdict& int
             loss.ends_s, loss.closest_m, kNothing},
            into);
   }
-  for (const auto& [bee, excess] : found.breaches) {
+  for (const auto& [bee, excess, beside] : found.breaches) {
     append({static_cast<std::int32_t>(excess.limit), bee, -1, excess.begins_s, excess.ends_s,
             excess.peak.value, excess.peak.at_s},
            into);

@@ -649,8 +649,10 @@ typedef struct beespace_io_verdict_facts {
   int32_t holds;         ///< 1 where nothing was found, nothing of the flight may hide it, which
                          ///< beespace_io_verdict_coverage() says, some two were compared (or an
                          ///< agent alone with limits or obstacles), and no limit that the show
-                         ///< declares is not looked at, as minNavAltitude is not, or an
-                         ///< acceleration in one direction that the greatest one in any exceeds.
+                         ///< declares is not looked at, as minNavAltitude is not where a drone
+                         ///< moves sideways below it. Accelerations in one direction that a show
+                         ///< declares (maxAccelerationXY) are checked, and breaches of them are of
+                         ///< BEESPACE_IO_ACCELERATION.
   int32_t motion;        ///< BEESPACE_IO_ALONG_SHOW, ...
   uint32_t limits;       ///< 1 << BEESPACE_IO_SPEED | ...: which limits were checked.
   uint32_t declared;     ///< Those of them that the show declares.

@@ -276,6 +276,8 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
         if (bee >= zero_runs_.size()) zero_runs_.resize(bee + 1);
         zero_runs_[bee].take(fix, fixes_);
       }
+      if (bee >= frozen_.size()) frozen_.resize(bee + 1);
+      frozen_[bee].take(fix, velocity, frame(), fixes_);
       const bool follows =
           last_ && last_->source == origin.source && last_->line + 1 == origin.line;
       if (!follows) places_.push_back({fixes_, origin});
@@ -353,6 +355,21 @@ std::optional<Error> RecordingStream::zero_run_problem() const {
   return std::nullopt;
 }
 
+std::optional<Error> RecordingStream::frozen_problem() const {
+  for (std::size_t bee = 0; bee < frozen_.size(); ++bee) {
+    const auto fix = frozen_[bee].found();
+    if (!fix) continue;
+    return Error{ErrorCode::kInvalidArgument,
+                 "bee " + excerpt(id(bee)) +
+                     " jumps to here after it has repeated a place exactly, farther and faster "
+                     "than it moves elsewhere: records of before were said again after it was "
+                     "lost, and cannot be left out with --memory; take them out, or leave --memory "
+                     "out",
+                 assembly_->location_of(origin_of(*fix))};
+  }
+  return std::nullopt;
+}
+
 Result<Recording> RecordingStream::finish(std::uint64_t repeated) {
   if (witness_) {
     if (auto error = witness_->contradiction(assembly_->facts()->dimensions)) {
@@ -361,6 +378,7 @@ Result<Recording> RecordingStream::finish(std::uint64_t repeated) {
     }
   }
   if (auto problem = zero_run_problem()) return *std::move(problem);
+  if (auto problem = frozen_problem()) return *std::move(problem);
   assembly_->tracks().add_repeated(repeated);
   assembly_->settled_frame();  // of each bee only the last fix is there
   return assembly_->finish();

@@ -10,6 +10,7 @@
 #include "io/bytes/byte_stream.hpp"
 #include "io/bytes/progress.hpp"
 #include "io/frames/frame_witness.hpp"
+#include "io/recording/frozen_places.hpp"
 #include "io/recording/jumps.hpp"
 #include "io/recording/recording.hpp"
 #include "io/recording/recording_assembly.hpp"
@@ -83,6 +84,7 @@ class RecordingStream {
   // As text in UTF-8, in `converted` where it is none.
   std::string_view readable(std::string_view text, std::optional<Bytes>& converted);
   [[nodiscard]] std::optional<Error> zero_run_problem() const;
+  [[nodiscard]] std::optional<Error> frozen_problem() const;
 
   std::unique_ptr<RecordingOptions> options_;
   Progress* progress_;  // of bytes of files, packed as they are
@@ -118,6 +120,7 @@ class RecordingStream {
   std::vector<StalePlaces> stale_;       // by bee
   ZeroPlaces zeros_;
   std::vector<ZeroRunWatch> zero_runs_;  // by bee, of places in metres
+  std::vector<FrozenWatch> frozen_;      // by bee
 };
 
 }  // namespace beespace::io

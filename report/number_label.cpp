@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace beespace::report {
@@ -129,7 +130,23 @@ std::string listed_length(double metres) {
   return decimal_label(metres / 1e3, 1) + " km";
 }
 
+namespace {
+
+// In which lengths beside that limit are told, where both are small.
+std::optional<Unit> small_unit(double limit_m, double metres) {
+  if (limit_m < 1e-5 && metres < 1e-3) return Unit{1e-6, "\u00B5m"};
+  if (limit_m < 0.01 && metres < 1.0) return Unit{1e-3, "mm"};
+  return std::nullopt;
+}
+
+std::string in_small_unit(double limit_m, double metres, const Unit& unit) {
+  return told_below(limit_m, metres, short_label(metres / unit.metres) + ' ' + unit.name, unit);
+}
+
+}  // namespace
+
 std::string length_label_below(double limit_m, double metres) {
+  if (const auto small = small_unit(limit_m, metres)) return in_small_unit(limit_m, metres, *small);
   const Unit unit = metres < 0.1        ? Unit{1e-3, "mm"}
                     : metres < 10'000.0 ? Unit{1.0, "m"}
                                         : Unit{1e3, "km"};
@@ -137,6 +154,7 @@ std::string length_label_below(double limit_m, double metres) {
 }
 
 std::string listed_length_below(double limit_m, double metres) {
+  if (const auto small = small_unit(limit_m, metres)) return in_small_unit(limit_m, metres, *small);
   if (metres < 1e-3) return length_label_below(limit_m, metres);
   const Unit unit = metres < 10'000.0 ? Unit{1.0, "m"} : Unit{1e3, "km"};
   return told_below(limit_m, metres, listed_length(metres), unit);

@@ -155,6 +155,7 @@ Status LiveFeed::pass_on(const PositionReport& report, double now_s) {
   if (contrary_ && after.contrary > before.contrary) contrary_(report);
   if (after.missed_s > before.missed_s) note_missed(report.id, after.missed_s - before.missed_s);
   latest_s_ = std::max(latest_s_.value_or(now_s), now_s);
+  intervals_.take(report.id, now_s);
   if (reported_) reported_(report, now_s);
   return taken;
 }
@@ -171,6 +172,7 @@ std::optional<AgentId> LiveFeed::leave(std::string_view id) {
   const AgentId bee = known->second;
   clocks_.forget(bee);
   lags_.forget(bee);
+  intervals_.forget(bee);
   swarm_.remove(bee);
   if (left_at_s_[bee] != kNever) return bee;
   left_at_s_[bee] = clocks_.now();
@@ -220,6 +222,7 @@ Status LiveFeed::go_back(double now_s, bool anew) {
   }
   lags_.clear();
   Status done = end(now_s);
+  intervals_.clear();
   ended_with_.reset();
   silences_.clear();
   looks_.reset();
@@ -246,6 +249,8 @@ Status LiveFeed::end(std::optional<double> anew_s) {
   if (auto done = look(std::max(*latest_s_, looked_s_)); !done) return done;
   ended_with_ = swarm_.counts();
   silences_ = swarm_.silences(looked_s_);
+  // Those that are stale are silences.
+  silent_at_the_end_ = intervals_.silent(*latest_s_, max_age_s_);
   const auto events = anew_s ? swarm_.begin_anew(looked_s_, *anew_s) : swarm_.finish(looked_s_);
   if (!events) return events.error();
   if (!events->empty()) tell_(*events);

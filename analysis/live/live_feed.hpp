@@ -10,6 +10,7 @@
 #include "analysis/live/bee_clocks.hpp"
 #include "analysis/live/clock_lags.hpp"
 #include "analysis/live/look_times.hpp"
+#include "analysis/live/report_intervals.hpp"
 #include "analysis/text/bee_name.hpp"
 
 #include <beespace/result.hpp>
@@ -112,6 +113,9 @@ class LiveFeed {
   [[nodiscard]] SwarmCounts counts() const { return ended_with_.value_or(swarm_.counts()); }
   // Bees that were unknown for a time: once it has ended.
   [[nodiscard]] const std::vector<Silence>& silences() const { return silences_; }
+  // Once it has ended: how many bees, not stale yet and not gone, were last heard of earlier than
+  // their reports come as a rule. Where they were from then on is not known.
+  [[nodiscard]] std::size_t silent_at_the_end() const { return silent_at_the_end_; }
   [[nodiscard]] const BeeClocks& clocks() const { return clocks_; }
   // How many bees were found whose clocks differ by so little that they are believed.
   [[nodiscard]] std::uint64_t apart() const { return lags_.named(); }
@@ -175,6 +179,8 @@ class LiveFeed {
   std::optional<double> latest_s_;         // the time of the swarm at the last report
   std::optional<SwarmCounts> ended_with_;  // at the end
   std::vector<Silence> silences_;          // at the end
+  std::size_t silent_at_the_end_ = 0;
+  ReportIntervals intervals_;
   double looked_s_ = -std::numeric_limits<double>::infinity();
   std::array<double, kSwarmBounds> overloaded_s_;  // by bound: when it was last reported
   double not_before_s_ = 0.0;  // by the wall: the next look that no report brings

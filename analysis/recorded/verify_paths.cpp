@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -40,15 +39,8 @@ class PathVerification {
     std::stable_sort(
         verdict_.breaches.begin(), verdict_.breaches.end(),
         [](const PathBreach& a, const PathBreach& b) { return a.excess.limit < b.excess.limit; });
-    const auto& acceleration = verdict_.peaks[static_cast<std::size_t>(PathLimit::kAcceleration)];
     if (recording_.show) {
-      verdict_.not_looked_at =
-          limits_not_looked_at(*recording_.show, acceleration ? acceleration->peak.value : 0.0);
-      const auto& skipped = question_.skipped_limits;
-      std::copy_if(verdict_.not_looked_at.begin(), verdict_.not_looked_at.end(),
-                   std::back_inserter(verdict_.undecided), [&skipped](const std::string& name) {
-                     return std::find(skipped.begin(), skipped.end(), name) == skipped.end();
-                   });
+      if (auto error = check_beside()) return *std::move(error);
     }
     return std::move(verdict_);
   }
@@ -116,7 +108,8 @@ class PathVerification {
     for (const BezierPath& path : flights_[bee]) {
       const auto checked = check_path(path, question_.limits);
       if (!checked) return checked.error();
-      for (const PathExcess& excess : checked->excesses) verdict_.breaches.push_back({bee, excess});
+      for (const PathExcess& excess : checked->excesses)
+        verdict_.breaches.push_back({bee, excess, {}});
       for (std::size_t k = 0; k < kPathLimits; ++k) {
         auto& peak = verdict_.peaks[k];
         if (!peak || checked->peaks[k].value > peak->peak.value) {
@@ -125,6 +118,31 @@ class PathVerification {
       }
       if (question_.obstacles == nullptr) continue;
       if (auto error = check_clearance(bee, path)) return error;
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] bool skips(const std::string& name) const {
+    const auto& skipped = question_.skipped_limits;
+    return std::find(skipped.begin(), skipped.end(), name) != skipped.end();
+  }
+
+  std::optional<Error> check_beside() {
+    auto beside = check_limits_beside(recording_, flights_);
+    if (!beside) return beside.error();
+    for (AccelerationCheck& check : beside->accelerations) {
+      if (skips(check.declared.name)) {
+        if (!check.excesses.empty()) verdict_.not_looked_at.push_back(check.declared.name);
+        continue;
+      }
+      for (const BeeExcess& broken : check.excesses) {
+        verdict_.breaches.push_back({broken.bee, broken.excess, verdict_.accelerations.size()});
+      }
+      verdict_.accelerations.push_back(std::move(check));
+    }
+    for (const std::string& name : beside->not_known) {
+      verdict_.not_looked_at.push_back(name);
+      if (!skips(name)) verdict_.undecided.push_back(name);
     }
     return std::nullopt;
   }
@@ -188,23 +206,6 @@ std::optional<double> declared_limit(const io::ShowFacts& show, PathLimit limit)
       break;
   }
   return std::nullopt;
-}
-
-std::vector<std::string> limits_not_looked_at(const io::ShowFacts& show, double greatest_mps2) {
-  std::vector<std::string> names;
-  for (const auto& [name, most_mps2] : show.limits.accelerations_mps2) {
-    if (greatest_mps2 > most_mps2) names.push_back(name);
-  }
-  const auto& others = show.limits.not_looked_at;
-  names.insert(names.end(), others.begin(), others.end());
-  return names;
-}
-
-std::vector<std::string> skippable_limits(const io::Recording& recording) {
-  if (!recording.show) return {};
-  std::vector<std::string> known = recording.show->limits.not_looked_at;
-  for (const auto& [name, most] : recording.show->limits.accelerations_mps2) known.push_back(name);
-  return known;
 }
 
 bool PathQuestion::has_limits() const {

@@ -2,6 +2,7 @@
 // bees have fixes at times of their own.
 #pragma once
 
+#include "analysis/recorded/limits_beside.hpp"
 #include "io/recording/recording.hpp"
 #include "io/recording/show_facts.hpp"
 
@@ -10,6 +11,7 @@
 #include <beespace/verify_path.hpp>
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <stop_token>
@@ -21,16 +23,13 @@ namespace beespace::analysis {
 struct PathBreach {
   PointId bee = 0;
   PathExcess excess;
+  // Of a limit of the show in PathVerdict::accelerations: its place there.
+  std::optional<std::size_t> beside = {};
 };
 
 struct PathClearanceLoss {
   PointId bee = 0;
   ClearanceLoss loss;
-};
-
-struct BeePeak {
-  PointId bee = 0;
-  PathPeak peak;
 };
 
 struct PathVerdict {
@@ -43,7 +42,10 @@ struct PathVerdict {
   // The same of two in the air; it differs where `closest` is with a drone on the ground.
   std::optional<Conflict> closest_in_the_air;
   std::vector<Gap> gaps;
-  std::vector<std::string> not_looked_at;  // see limits_not_looked_at()
+  // Of the accelerations that a show declares: those that are looked at in their direction. Their
+  // excesses are in `breaches`.
+  std::vector<AccelerationCheck> accelerations;
+  std::vector<std::string> not_looked_at;  // limits that are not known to be kept or broken
   std::vector<std::string> undecided;      // those of them that the question does not skip
 
   [[nodiscard]] bool found_nothing() const {
@@ -74,15 +76,6 @@ bool compares(const io::Recording& recording, const PathVerdict& verdict,
 
 // What a show declares; nothing where it does not say.
 std::optional<double> declared_limit(const io::ShowFacts& show, PathLimit limit);
-
-// The limits that a show declares and of which it is not known whether they are kept, by their
-// names: those of accelerations in one direction that the greatest one in any direction exceeds
-// (the others are kept), and those of which nothing is looked at.
-std::vector<std::string> limits_not_looked_at(const io::ShowFacts& show, double greatest_mps2);
-
-// The limits that a recording declares and that are not looked at, or not always: those that a
-// question may skip.
-std::vector<std::string> skippable_limits(const io::Recording& recording);
 
 // `progress` hears which share of the bees was looked at. Errors: those of the library, with the
 // bee's id.

@@ -1,11 +1,11 @@
 #include "analysis/scene/recording_facts.hpp"
 
+#include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/jump_spans.hpp"
 #include "analysis/recorded/landed_times.hpp"
-#include "analysis/recorded/scale_doubt.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
@@ -298,7 +298,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.gaps = joined_gaps(std::move(facts.gaps), jump_spans(recording));
   SeparationOverTime over_time = separation_of(
       {recording, tracks, *in_space, *recorded, *closest, coverage, closest->has_value()},
-      *uprights, swarm);
+      *uprights, facts.unknown_spans, swarm);
   facts.separation = std::move(over_time.known);
   facts.separation_open = std::move(over_time.open);
   stand_in_tracks(recording, *in_space);

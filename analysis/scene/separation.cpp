@@ -161,14 +161,66 @@ SeparationOverTime closest_two(const Findings& findings, const TimeSpan& time) {
   return over_time;
 }
 
+// Ascending, none touch.
+std::vector<TimeSpan> united(std::vector<TimeSpan> spans) {
+  std::sort(spans.begin(), spans.end(),
+            [](const TimeSpan& a, const TimeSpan& b) { return a.begins_s < b.begins_s; });
+  std::vector<TimeSpan> all;
+  for (const TimeSpan& span : spans) {
+    if (!(span.begins_s < span.ends_s)) continue;
+    if (!all.empty() && span.begins_s <= all.back().ends_s) {
+      all.back().ends_s = std::max(all.back().ends_s, span.ends_s);
+    } else {
+      all.push_back(span);
+    }
+  }
+  return all;
+}
+
+// From one known moment to the next that is not the next moment of all.
+std::vector<TimeSpan> without_known(const std::vector<report::Separation>& known,
+                                    const TimeSpan& time) {
+  const double longest_s = 1.5 * every_s(time);
+  std::vector<TimeSpan> spans;
+  double from_s = time.begins_s;
+  for (const report::Separation& at : known) {
+    if (at.time_s - from_s > longest_s) spans.push_back({from_s, at.time_s});
+    from_s = at.time_s;
+  }
+  if (time.ends_s - from_s > longest_s) spans.push_back({from_s, time.ends_s});
+  return spans;
+}
+
+void open_unknown(const std::vector<Gap>& unknown, bool of_show, const TimeSpan& time,
+                  SeparationOverTime& over_time) {
+  std::vector<TimeSpan> spans = over_time.open;
+  std::vector<TimeSpan> there{time};
+  if (!of_show) there = without_known(over_time.known, time);
+  for (const Gap& gap : unknown) {
+    for (const TimeSpan& span : there) {
+      spans.push_back({std::max(gap.begins_s, span.begins_s), std::min(gap.ends_s, span.ends_s)});
+    }
+  }
+  over_time.open = united(std::move(spans));
+  if (!of_show) return;
+  std::erase_if(over_time.known, [&over_time](const report::Separation& at) {
+    return std::any_of(over_time.open.begin(), over_time.open.end(), [&at](const TimeSpan& span) {
+      return span.begins_s < at.time_s && at.time_s < span.ends_s;
+    });
+  });
+}
+
 }  // namespace
 
 SeparationOverTime separation_of(const Findings& findings, const Uprights& uprights,
-                                 const report::SwarmFacts& swarm) {
+                                 const std::vector<Gap>& unknown, const report::SwarmFacts& swarm) {
   const auto time = time_of(findings.tracks);
   if (!time) return {};
-  if (!swarm.vertical_m) return closest_two(findings, *time);
-  return nearest_to_conflict(findings, uprights, swarm, *time);
+  SeparationOverTime over_time = swarm.vertical_m
+                                     ? nearest_to_conflict(findings, uprights, swarm, *time)
+                                     : closest_two(findings, *time);
+  open_unknown(unknown, findings.recording.show.has_value(), *time, over_time);
+  return over_time;
 }
 
 }  // namespace beespace::analysis

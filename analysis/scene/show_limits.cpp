@@ -1,6 +1,7 @@
 #include "analysis/scene/show_limits.hpp"
 
 #include "analysis/recorded/flights.hpp"
+#include "analysis/recorded/limits_beside.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/verify_paths.hpp"
 #include "io/bytes/number_text.hpp"
@@ -14,6 +15,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace beespace::analysis {
@@ -40,8 +42,8 @@ void keep_greatest(report::RecordingFacts& facts) {
     return a.limit != b.limit ? a.limit < b.limit : a.greatest > b.greatest;
   });
   if (excesses.size() <= kMostExcesses) return;
-  const std::size_t each = kMostExcesses / kDeclarable.size();
-  std::array<std::size_t, kDeclarable.size()> kept{};
+  const std::size_t each = kMostExcesses / facts.declared.size();
+  std::vector<std::size_t> kept(facts.declared.size());
   std::erase_if(excesses,
                 [&](const report::LimitExcess& excess) { return ++kept[excess.limit] > each; });
   facts.swarm.notes.push_back("of " + io::grouped(facts.excess_count) +
@@ -70,6 +72,25 @@ void take(const PathCheck& checked, PointId bee, const std::vector<PathLimit>& l
   }
 }
 
+const char* name_of(io::ShowAcceleration::Direction direction) {
+  using Direction = io::ShowAcceleration::Direction;
+  if (direction == Direction::kHorizontal) return "horizontal_acceleration";
+  return direction == Direction::kVertical ? "vertical_acceleration" : "acceleration";
+}
+
+void take_acceleration(const AccelerationCheck& check, report::RecordingFacts& facts) {
+  if (!check.greatest) return;
+  const auto limit = static_cast<std::uint32_t>(facts.declared.size());
+  facts.declared.push_back({name_of(check.declared.direction), check.declared.most_mps2,
+                            check.greatest->peak.value, check.greatest->bee,
+                            check.greatest->peak.at_s});
+  for (const BeeExcess& broken : check.excesses) {
+    const PathExcess& excess = broken.excess;
+    facts.excesses.push_back(
+        {limit, broken.bee, {excess.begins_s, excess.ends_s}, excess.peak.value, excess.peak.at_s});
+  }
+}
+
 }  // namespace
 
 Status take_show_limits(const io::Recording& recording, report::RecordingFacts& facts) {
@@ -84,23 +105,18 @@ Status take_show_limits(const io::Recording& recording, report::RecordingFacts& 
     facts.declared.push_back(
         {named.name, *declared, std::numeric_limits<double>::quiet_NaN(), 0, 0.0});
   }
-  const io::ShowLimits& all = recording.show->limits;
-  if (limits.empty() && all.accelerations_mps2.empty()) {
-    facts.not_looked_at = all.not_looked_at;
-    return std::monostate{};
-  }
-  double greatest_mps2 = 0.0;
   const std::vector<Flight> flights = flights_of(recording, false, kNoGaps);
-  for (std::size_t bee = 0; bee < flights.size(); ++bee) {
+  for (std::size_t bee = 0; bee < flights.size() && !limits.empty(); ++bee) {
     for (const BezierPath& path : flights[bee]) {
       const auto checked = check_path(path, most);
       if (!checked) return of_bee(checked.error(), recording.bees[bee]);
-      const auto acceleration = static_cast<std::size_t>(PathLimit::kAcceleration);
-      greatest_mps2 = std::max(greatest_mps2, checked->peaks[acceleration].value);
       take(*checked, static_cast<PointId>(bee), limits, facts);
     }
   }
-  facts.not_looked_at = limits_not_looked_at(*recording.show, greatest_mps2);
+  auto beside = check_limits_beside(recording, flights);
+  if (!beside) return beside.error();
+  for (const AccelerationCheck& check : beside->accelerations) take_acceleration(check, facts);
+  facts.not_looked_at = std::move(beside->not_known);
   std::erase_if(facts.declared, [](const auto& limit) { return std::isnan(limit.greatest); });
   // Down is no climb, and up no descent.
   for (auto& limit : facts.declared) {

@@ -1,5 +1,6 @@
 #include "cli/detect/load_inputs.hpp"
 
+#include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/snapshot/recording_check.hpp"
 #include "analysis/text/unit_notes.hpp"
 #include "cli/command_line/option_values.hpp"
@@ -8,6 +9,7 @@
 #include "io/load_points.hpp"
 #include "io/points/loaded_points.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/recording/feet_doubt.hpp"
 #include "io/table/column_names.hpp"
 #include "io/table/column_overrides.hpp"
 #include "io/table/fields.hpp"
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -25,11 +28,29 @@
 namespace beespace::cli {
 namespace {
 
+// Of one moment heights alone bear out that they are in feet, as names tell.
+std::optional<Error> doubt_of_feet(const io::LoadedPoints& loaded, const std::string& path) {
+  if (loaded.frame != io::Frame::kWgs84 || !io::FeetDoubt::concerns(loaded.units)) {
+    return std::nullopt;
+  }
+  io::FeetDoubt feet;
+  std::vector<PointId> all(loaded.points.size());
+  std::iota(all.begin(), all.end(), PointId{0});
+  io::for_each_record(loaded, all, [&feet](const io::Record& record) {
+    feet.take_height(record.geographic.height_m);
+  });
+  auto doubt = feet.doubt();
+  if (doubt) doubt->location.source = io::source_name(path);
+  return doubt;
+}
+
 Result<io::LoadedPoints> load_snapshot(const std::string& path, const io::LoadOptions& options) {
   auto loaded = io::load_points(path, options);
   if (!loaded) return analysis::or_recording(std::move(loaded).error(), path, options);
   if (auto problem = analysis::recording_problem(*loaded, path, options))
     return *std::move(problem);
+  const bool is_said = options.units.convention == io::UnitConvention::kAviation;
+  if (auto doubt = doubt_of_feet(*loaded, path); doubt && !is_said) return *std::move(doubt);
   return loaded;
 }
 
@@ -142,6 +163,7 @@ Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) 
   options.progress = &progress.reading();
   auto ours = load_snapshot(request.input(), options);
   if (!ours) return std::move(ours).error();
+  if (auto doubt = analysis::doubt_of_scale(*ours, request.threshold)) return *std::move(doubt);
   if (request.form.form == Form::kGeoJson && ours->frame != io::Frame::kWgs84) {
     return usage_error(
         "detect", "--geojson needs longitude and latitude, but the input was taken for metres: " +
@@ -154,6 +176,7 @@ Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) 
   if (!request.others) return inputs;
   auto others = load_snapshot(*request.others, options);
   if (!others) return std::move(others).error();
+  if (auto doubt = analysis::doubt_of_scale(*others, request.threshold)) return *std::move(doubt);
   if (others->frame != inputs.ours.frame) {
     return usage_error("detect", "the two swarms are not in the same frame: " +
                                      taken_for(inputs.ours, request.input()) + ", and " +

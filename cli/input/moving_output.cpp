@@ -187,6 +187,10 @@ Distances distances_of(const MovingRequest& request, const io::Recording& record
   return distances;
 }
 
+std::string distance_text(double metres, const Distances& distances) {
+  return horizontal_text(metres, distances);
+}
+
 std::string encounter_text(const Conflict& conflict, const io::Recording& recording,
                            const Distances& distances) {
   const auto apart = distances.of(conflict);

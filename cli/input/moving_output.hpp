@@ -54,6 +54,9 @@ struct Distances {
 Distances distances_of(const MovingRequest& request, const io::Recording& recording,
                        double threshold_m);
 
+// "4.31 m", "0.002 NM (4.31 m)", "4.3 mm": a distance, horizontal with a vertical threshold.
+std::string distance_text(double metres, const Distances& distances);
+
 // What is said of conflicts of a show in which one flies and the other stands.
 inline constexpr const char* kWithStanding = "with a drone on the ground";
 

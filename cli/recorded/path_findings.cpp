@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace beespace::cli {
 namespace {
@@ -54,32 +56,66 @@ void append_peaks(std::string& out, const PathFindings& findings) {
   }
 }
 
-// The worst of each limit, and how many there are.
+using Breaches = std::vector<const analysis::PathBreach*>;
+
+// Of one limit of the flights, or of one that the show declares beside them.
+Breaches breaches_of(const PathFindings& findings, PathLimit limit,
+                     const std::optional<std::size_t>& beside) {
+  Breaches some;
+  for (const analysis::PathBreach& breach : findings.verdict.breaches) {
+    if (breach.excess.limit == limit && breach.beside == beside) some.push_back(&breach);
+  }
+  return some;
+}
+
+// How many they are, and the worst.
+std::string breaches_text(const Breaches& breaches, const std::string& limit,
+                          const PathFindings& findings) {
+  const analysis::PathBreach& worst = **std::max_element(
+      breaches.begin(), breaches.end(),
+      [](const auto* a, const auto* b) { return a->excess.peak.value < b->excess.peak.value; });
+  return red(io::counted(breaches.size(), "stretch", "stretches") + " above the " + limit) +
+         ", the worst " + io::grouped(worst.excess.peak.value, 3) + " " +
+         words_of(worst.excess.limit).unit + ": " + shown_bee(worst.bee, findings.recording) +
+         when(worst.excess.peak.at_s, findings.recording);
+}
+
+std::string acceleration_text(const io::ShowAcceleration& declared) {
+  return std::string(analysis::acceleration_noun(declared.direction)) + " " +
+         io::exact(declared.most_mps2) + " m/s^2";
+}
+
 void append_breaches(std::string& out, const PathFindings& findings) {
-  const auto& breaches = findings.verdict.breaches;
-  if (breaches.empty()) return append_summary_line(out, "breaches", bold("none"));
+  if (findings.verdict.breaches.empty()) return append_summary_line(out, "breaches", bold("none"));
   bool first = true;
-  for (const PathLimitWords& words : kPathLimitWords) {
-    const analysis::PathBreach* worst = nullptr;
-    std::uint64_t count = 0;
-    for (const analysis::PathBreach& breach : breaches) {
-      if (breach.excess.limit != words.limit) continue;
-      ++count;
-      if (worst == nullptr || breach.excess.peak.value > worst->excess.peak.value) worst = &breach;
-    }
-    if (worst == nullptr) continue;
-    append_summary_line(
-        out, first ? "breaches" : "",
-        red(io::counted(count, "stretch", "stretches") + " above the " + words.noun + " of " +
-            io::exact(findings.limits.limits[words.limit]) + " " + words.unit) +
-            ", the worst " + io::grouped(worst->excess.peak.value, 3) + " " + words.unit + ": " +
-            shown_bee(worst->bee, findings.recording) +
-            when(worst->excess.peak.at_s, findings.recording));
+  const auto append = [&](const Breaches& breaches, const std::string& limit) {
+    if (breaches.empty()) return;
+    append_summary_line(out, first ? "breaches" : "", breaches_text(breaches, limit, findings));
     first = false;
+  };
+  for (const PathLimitWords& words : kPathLimitWords) {
+    append(breaches_of(findings, words.limit, std::nullopt),
+           std::string(words.noun) + " of " + io::exact(findings.limits.limits[words.limit]) + " " +
+               words.unit);
+  }
+  const auto& accelerations = findings.verdict.accelerations;
+  for (std::size_t i = 0; i < accelerations.size(); ++i) {
+    const io::ShowAcceleration& declared = accelerations[i].declared;
+    append(breaches_of(findings, PathLimit::kAcceleration, i),
+           std::string(analysis::acceleration_noun(declared.direction)) + " of " +
+               io::exact(declared.most_mps2) + " m/s^2 (" + printable(declared.name) + ")");
   }
 }
 
-void append_losses(std::string& out, const PathFindings& findings) {
+std::string accelerations_text(const PathFindings& findings) {
+  std::string text;
+  for (const analysis::AccelerationCheck& check : findings.verdict.accelerations) {
+    text += (text.empty() ? "" : ", ") + acceleration_text(check.declared);
+  }
+  return text.empty() ? text : text + " (as the show declares)";
+}
+
+void append_losses(std::string& out, const PathFindings& findings, const Distances& distances) {
   constexpr std::size_t kMost = 5;
   std::vector<Conflict> standing = findings.verdict.with_standing;
   std::vector<Conflict> losses = analysis::without(findings.verdict.losses, standing);
@@ -98,26 +134,26 @@ void append_losses(std::string& out, const PathFindings& findings) {
                                                   " " + kWithStanding));
   for (std::size_t i = 0; i < std::min(kMost, losses.size()); ++i) {
     append_summary_line(out, "",
-                        encounter_text(losses[i], findings.recording, {}) +
+                        encounter_text(losses[i], findings.recording, distances) +
                             (i < in_the_air ? "" : ", " + std::string(kWithStanding)));
   }
 }
 
 // Of a show with drones on the ground, who is closest in the air comes first.
-void append_closest(std::string& out, const PathFindings& findings) {
+void append_closest(std::string& out, const PathFindings& findings, const Distances& distances) {
   const analysis::PathVerdict& verdict = findings.verdict;
   if (!verdict.closest) {
     const bool alone = findings.recording.bees.size() == 1;
     return append_summary_line(out, "closest",
                                alone ? kNoPair : "no two are there at the same time");
   }
-  const std::string text = encounter_text(*verdict.closest, findings.recording, {});
+  const std::string text = encounter_text(*verdict.closest, findings.recording, distances);
   if (verdict.closest == verdict.closest_in_the_air) {
     return append_summary_line(out, "closest", text);
   }
   if (verdict.closest_in_the_air) {
     append_summary_line(out, "closest",
-                        encounter_text(*verdict.closest_in_the_air, findings.recording, {}));
+                        encounter_text(*verdict.closest_in_the_air, findings.recording, distances));
   }
   append_summary_line(out, verdict.closest_in_the_air ? "" : "closest",
                       text + ", " + kWithStanding);
@@ -227,11 +263,12 @@ Rows finding_rows(const PathFindings& findings) {
                          io::obstacle_name(loss.obstacle, obstacle), loss.begins_s, loss.ends_s,
                          loss.closest_m, findings.question.clearance_m, std::monostate{}});
   }
-  for (const auto& [bee, excess] : findings.verdict.breaches) {
+  for (const auto& [bee, excess, beside] : findings.verdict.breaches) {
+    const double most = beside ? findings.verdict.accelerations[*beside].declared.most_mps2
+                               : findings.limits.limits[excess.limit];
     rows.rows.push_back({std::string(words_of(excess.limit).finding),
                          analysis::name_of(bee, recording), std::monostate{}, excess.begins_s,
-                         excess.ends_s, excess.peak.value, findings.limits.limits[excess.limit],
-                         excess.peak.at_s});
+                         excess.ends_s, excess.peak.value, most, excess.peak.at_s});
   }
   return rows;
 }
@@ -300,13 +337,17 @@ std::string verify_summary(const PathFindings& findings, const MovingRequest& re
         io::grouped(std::uint64_t{findings.question.obstacles->obstacles().size()}) +
             ", clearance " + io::exact(findings.question.clearance_m) + " m");
   }
-  append_summary_line(out, "limits", limits_text(findings.limits));
+  const std::string accelerations = accelerations_text(findings);
+  const bool any = findings.question.has_limits() || accelerations.empty();
+  if (any) append_summary_line(out, "limits", limits_text(findings.limits));
+  if (!accelerations.empty()) append_summary_line(out, any ? "" : "limits", accelerations);
   if (const auto& names = findings.verdict.not_looked_at; !names.empty()) {
     append_summary_line(out, "", red("declared, but not looked at") + ": " + listed(names));
   }
-  append_closest(out, findings);
+  const Distances distances = distances_of(request, recording, findings.question.threshold_m);
+  append_closest(out, findings, distances);
   append_peaks(out, findings);
-  append_losses(out, findings);
+  append_losses(out, findings, distances);
   if (findings.question.obstacles != nullptr) {
     const auto count = verdict.clearance_losses.size();
     append_summary_line(

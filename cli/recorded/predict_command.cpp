@@ -1,11 +1,11 @@
 #include "cli/recorded/predict_command.hpp"
 
 #include "analysis/geometry/geometry.hpp"
+#include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/last_climb.hpp"
 #include "analysis/recorded/last_snapshot.hpp"
-#include "analysis/recorded/scale_doubt.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"

@@ -1,12 +1,12 @@
 #include "cli/recorded/replay_command.hpp"
 
 #include "analysis/geometry/geometry.hpp"
+#include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/all_conflicts.hpp"
 #include "analysis/recorded/closest_of_each.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
-#include "analysis/recorded/scale_doubt.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "analysis/text/bee_name.hpp"

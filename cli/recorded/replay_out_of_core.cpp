@@ -1,6 +1,7 @@
 #include "cli/recorded/replay_out_of_core.hpp"
 
 #include "analysis/geometry/geometry.hpp"
+#include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
@@ -104,6 +105,10 @@ class Replaying {
     auto recording = stream_.finish(fixes_.facts().repeated);
     if (!recording) return std::move(recording).error();
     recording_ = *std::move(recording);
+    if (auto doubt = analysis::doubt_of_scale(recording_.units, recording_.frame, spread_,
+                                              moving_.threshold, analysis::kWithScale)) {
+      return *std::move(doubt);
+    }
     intervals_.resize(recording_.bees.size());
     tracks_.resize(recording_.bees.size());
     for (const LargeAgent& agent : agents) {
@@ -138,6 +143,7 @@ class Replaying {
           analysis::in_metres(each.fix.position, std::nullopt, stream_.frame(), geometry_, stated);
       if (!at) return analysis::of_bee(at.error(), {stream_.id(each.bee), {}});
       ends_.add(each.bee, {each.fix.time_s, at->position});
+      spread_.add(each.fix.position);
       bees.push_back(each.bee);
       times_s.push_back(each.fix.time_s);
       positions.push_back(at->position);
@@ -241,6 +247,7 @@ class Replaying {
   std::optional<Conflict> closest_;  // of the conflicts
   RecordingOutOfCoreFacts facts_;    // of the search
   Distances distances_;
+  analysis::Spread spread_;  // of places as they are read
   bool any_velocity_ = false;
   Stopwatch watch_;
   double read_s_ = 0.0;

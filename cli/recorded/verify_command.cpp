@@ -1,9 +1,9 @@
 #include "cli/recorded/verify_command.hpp"
 
+#include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/common_times.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/gaps.hpp"
-#include "analysis/recorded/scale_doubt.hpp"
 #include "analysis/recorded/verify_paths.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/progress_bar.hpp"

@@ -33,18 +33,21 @@ std::string limits_text(const VerifyOptions& options) {
   return text.empty() ? "not checked (--max-speed, --max-acceleration)" : text;
 }
 
-std::string closest_text(const Verification& verification) {
+std::string closest_text(const Verification& verification, const MovingRequest& request) {
   const Verdict& verdict = verification.verdict;
   if (verification.recording.bees.size() == 1) return kNoPair;
+  const double threshold_m = verification.options.threshold_m;
+  const Distances distances = distances_of(request, verification.recording, threshold_m);
   if (!verdict.closest_m) {
-    return "no two came closer than " + io::exact(2.0 * verification.options.threshold_m) + " m";
+    const bool small = distances.small != io::Unit::kUnstated;
+    return "no two came closer than " + (small ? distance_text(2.0 * threshold_m, distances)
+                                               : io::exact(2.0 * threshold_m) + " m");
   }
   const auto shown = [&](PointId bee) {
     return printable(text_of(analysis::name_of(bee, verification.recording)));
   };
   return shown(verdict.closest_pair->first) + " and " + shown(verdict.closest_pair->second) + ", " +
-         io::length_below(verification.options.threshold_m, *verdict.closest_m) +
-         " apart in the step from " +
+         distance_text(*verdict.closest_m, distances) + " apart in the step from " +
          io::moment_text(verdict.closest_step_s, verification.recording);
 }
 
@@ -178,7 +181,7 @@ std::string verify_summary(const Verification& verification, const MovingRequest
   }
   append_summary_line(out, "limits", limits_text(options));
   append_summary_line(out, "checked", times(verdict.steps, "step", "steps"));
-  append_summary_line(out, "closest", closest_text(verification));
+  append_summary_line(out, "closest", closest_text(verification, request));
   append_summary_line(out, "peak speed", io::grouped(verdict.peak_speed_mps, 3) + " m/s");
   append_summary_line(out, "peak accel",
                       options.straight ? "not known of straight lines"

@@ -3,11 +3,18 @@
 #pragma once
 
 #include "io/live/report_lines.hpp"
+#include "io/recording/feet_doubt.hpp"
+#include "io/recording/frozen_places.hpp"
 #include "io/recording/stale_places.hpp"
 #include "io/recording/zero_places.hpp"
+#include "io/recording/zero_runs.hpp"
 
+#include <beespace/mover.hpp>
+#include <beespace/result.hpp>
 #include <beespace/swarm.hpp>
+#include <beespace/track.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,11 +27,40 @@ class NoPlaces {
   std::optional<std::string> zero(const io::ReportLine& at);
   // The same of a bee that is known: `time_s` is when it was.
   std::optional<std::string> stale(AgentId bee, double time_s, const io::ReportLine& at);
+  // Of one that says a place: whether it jumps to there out of one that was said again and again
+  // though it had left it. Each bee is told of once.
+  bool thaws(AgentId bee, double time_s, const io::ReportLine& at);
   void forget(AgentId bee);
 
+  // At the end, of units that names alone tell (FeetDoubt): whether nothing bears them out.
+  [[nodiscard]] std::optional<Error> doubt_of_feet(const std::vector<io::UnitTaken>& units) const;
+
+  // At the end: how many bees were at no place for a time without having been told of, as only what
+  // came later showed.
+  [[nodiscard]] std::size_t late() const;
+
  private:
+  struct Track {
+    io::StalePlaces stale = {};
+    io::ZeroRunFilter zeros = {};
+    io::ZeroRunWatch taken = {};
+    io::FrozenWatch frozen = {};
+    std::optional<Fix> last = {};  // in degrees, with what it said of its velocity
+    Velocity stated = io::kNoVelocity;
+    bool thawed = false;
+
+    [[nodiscard]] bool was_at_no_place() const {
+      return taken.found().has_value() || (!thawed && frozen.found());
+    }
+  };
+
+  void look_for_feet(Track& track, const Fix& fix, const Velocity& stated);
+
   io::ZeroPlaces zeros_;
-  std::vector<io::StalePlaces> stale_;  // by number
+  io::FeetDoubt feet_;
+  bool degrees_ = false;
+  std::vector<Track> tracks_;  // by number
+  std::size_t late_ = 0;       // of those that are forgotten
 };
 
 }  // namespace beespace::cli

@@ -6,6 +6,7 @@
 #include "cli/input/line_source.hpp"
 #include "cli/input/moving_output.hpp"
 #include "cli/output/event_lines.hpp"
+#include "cli/watch/doubt_text.hpp"
 #include "cli/watch/live_advice.hpp"
 #include "cli/watch/no_places.hpp"
 #include "cli/watch/pace.hpp"
@@ -116,12 +117,17 @@ class Watch {
   Result<ExitCode> end() {
     left_out_.nowhere = unplaced_.size();
     left_out_.untimed = lines_.untimed();
+    left_out_.no_place = no_places_.late();
+    const bool is_said = request_.lines.units.convention == io::UnitConvention::kAviation;
+    const auto doubt = is_said ? std::nullopt : no_places_.doubt_of_feet(lines_.units());
+    left_out_.feet_doubted = doubt.has_value();
     // A signal may end the reader as well, or a write that waits for them.
     const bool cut_off = interrupted() && (write_error_ == EPIPE || write_error_ == EINTR);
     if (write_error_ == EPIPE && !cut_off) return ExitCode::kPipeClosed;
     if (write_error_ != 0 && !cut_off) {
       return Error{ErrorCode::kWriteFailed, "cannot write to standard output", {}};
     }
+    if (doubt && !request_.quiet) say("beespace: " + printable(doubt->message) + "\n");
     if (!request_.quiet) say(summary());
     if (interrupted()) return exit_code_of_interruption();
     if (!feed_ || feed_->counts().taken == 0) return nothing_read();
@@ -234,6 +240,7 @@ class Watch {
     if (!lines_.in_frames() && counts_as_none(no_places_.stale(*number, time_of(at), at), at.id)) {
       return std::monostate{};
     }
+    if (!lines_.in_frames() && no_places_.thaws(*number, time_of(at), at)) note_thawed(*number, at);
     look_for_doubt(*number, {time_of(at), metres->position},
                    metres->velocity ? &*metres->velocity : nullptr);
     Status taken = feed_->take({*number, time_of(at), metres->position, metres->velocity,
@@ -255,16 +262,7 @@ class Watch {
   Status not_understood(const Error& error) {
     not_understood_.push_back(error);
     if (not_understood_.size() < kMostNotUnderstood) return std::monostate{};
-    return none_understood();
-  }
-
-  [[nodiscard]] Error none_understood() const {
-    Error error = not_understood_.front();
-    if (not_understood_.size() > 1) {
-      error.message += " (and none of the next " + std::to_string(not_understood_.size() - 1) +
-                       " lines could be read)";
-    }
-    return error;
+    return none_understood(not_understood_);
   }
 
   // When a report was: as it says, or by the clock of this machine, in seconds since 1970.
@@ -301,10 +299,7 @@ class Watch {
     if (doubts.jumps.take(fix, velocity) && !std::exchange(doubts.jumping, true)) {
       if (advice_) advice_->note_unplaced(many_unplaced_ = true);
       if (++left_out_.jumping <= kMostBadLinesSaid && !request_.quiet) {
-        say("beespace: " + printable(feed_->name(number).id) + " jumps in " + line_text() + ", " +
-            io::exact(fix.time_s) +
-            " s, faster than anything that flies, or than it says itself: a place or a time is "
-            "wrong\n");
+        say(jump_text(feed_->name(number).id, line_text(), fix.time_s));
       }
     }
     if (doubts.shared.found()) return;
@@ -312,16 +307,18 @@ class Watch {
     if (!doubts.shared.found()) return;
     if (advice_) advice_->note_unplaced(many_unplaced_ = true);
     if (++left_out_.shared > kMostBadLinesSaid || request_.quiet) return;
-    say("beespace: " + printable(feed_->name(number).id) + " is at two places in turn, up to " +
-        line_text() + ", " + io::exact(fix.time_s) +
-        " s, as if two had this id: where they are is not known\n");
+    say(shared_text(feed_->name(number).id, line_text(), fix.time_s));
+  }
+
+  void note_thawed(AgentId number, const io::ReportLine& at) {
+    if (advice_) advice_->note_unplaced(many_unplaced_ = true);
+    if (++left_out_.frozen > kMostBadLinesSaid || request_.quiet) return;
+    say(thawed_text(feed_->name(number).id, line_text(), time_of(at)));
   }
 
   void note_contrary(const PositionReport& report) {
     if (++left_out_.contrary > kMostBadLinesSaid || request_.quiet) return;
-    say("beespace: left out: " + printable(feed_->name(report.id).id) +
-        " is said to be at two places at " + io::exact(report.time_s) +
-        " s; the first one counts\n");
+    say(contrary_text(feed_->name(report.id).id, report.time_s));
   }
 
   void note_bad(const Error& error) {
@@ -357,7 +354,7 @@ class Watch {
   }
 
   [[nodiscard]] Error nothing_read() const {
-    if (!not_understood_.empty()) return none_understood();
+    if (!not_understood_.empty()) return none_understood(not_understood_);
     return {ErrorCode::kNoPoints,
             left_out_.lines > 0 ? "no line of the input could be read as a report"
                                 : "there is no report in the input",

@@ -38,6 +38,9 @@ std::vector<std::string> untaken(const analysis::LiveFeed& feed, const LeftOutOf
   add(left_out.nowhere, "bee is known nowhere", "bees are known nowhere");
   add(left_out.shared, "id seems to be of two bees", "ids seem to be of two bees each");
   add(left_out.jumping, "bee jumps", "bees jump");
+  add(left_out.frozen, "bee repeats a place that it has left", "bees repeat places that they left");
+  add(left_out.no_place, "bee's places were none for a time, as what came later shows",
+      "bees' places were none for a time, as what came later shows");
   add(left_out.untimed, "vehicle's clock is not believed", "vehicles' clocks are not believed");
   add(feed.counts().late, "report came too late", "reports came too late");
   add(left_out.contrary, "report contradicts another one", "reports contradict others");
@@ -55,6 +58,7 @@ std::vector<std::string> doubtful(const analysis::LiveFeed& feed, const LeftOutO
   add(feed.clocks().named(), "bee's clock was off", "bees' clocks were off");
   add(feed.apart(), "bee's clock differs from the others'",
       "bees' clocks differ from those of the others");
+  if (left_out.feet_doubted) texts.emplace_back("heights may be in metres, not in feet");
   if (feed.begun_anew() > 0) texts.emplace_back("all clocks began anew");
   if (feed.heard_of() == 1 && left_out.nowhere == 0) {
     texts.emplace_back("one bee alone was heard of, and no pair");
@@ -62,6 +66,8 @@ std::vector<std::string> doubtful(const analysis::LiveFeed& feed, const LeftOutO
   add(feed.missed(), "bee was heard of too late to be compared from then on",
       "bees were heard of too late to be compared from then on");
   add(feed.counts().heard_once, "bee was heard of once only", "bees were heard of once only");
+  add(feed.silent_at_the_end(), "bee fell silent before the end",
+      "bees fell silent before the end");
   add(feed.counts().predicted, "predicted conflict lay ahead at the end",
       "predicted conflicts lay ahead at the end");
   return texts;

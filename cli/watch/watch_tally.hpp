@@ -20,6 +20,9 @@ struct LeftOutOfWatch {
   std::uint64_t nowhere = 0;   // bees of which no line says where they are
   std::uint64_t shared = 0;    // ids that two bees seem to share
   std::uint64_t jumping = 0;   // bees that are somewhere else faster than anything flies
+  std::uint64_t frozen = 0;    // bees that jump out of a place that they repeated
+  std::uint64_t no_place = 0;  // of others: bees whose places were none for a time
+  bool feet_doubted = false;   // whether heights are in feet, as they were taken
   std::uint64_t untimed = 0;   // bees whose own clocks do not go on as that of the link
 };
 

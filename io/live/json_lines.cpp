@@ -12,6 +12,7 @@
 #include "io/problems/excerpt.hpp"
 #include "io/problems/unplaced.hpp"
 #include "io/recording/address_names.hpp"
+#include "io/recording/ros_frames.hpp"
 #include "io/table/coordinate_units.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_time.hpp"
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <tuple>
@@ -161,7 +163,8 @@ class JsonLines final : public LineReader {
   [[nodiscard]] bool goes_on(const TrackLayout& layout) const {
     const ColumnChoice& before = layout_.table.choice;
     const ColumnChoice& now = layout.table.choice;
-    return layout.frame == layout_.frame && now.axes == before.axes && now.units == before.units &&
+    return layout.frame == layout_.frame && layout.scaled_degrees == layout_.scaled_degrees &&
+           now.axes == before.axes && now.units == before.units &&
            now.dimensions == before.dimensions && now.datum == before.datum;
   }
 
@@ -203,6 +206,7 @@ class JsonLines final : public LineReader {
       return std::optional<ReportLine>();
     }
     read_label(report);
+    if (auto error = check_axes(report)) return *std::move(error);
     if (auto error = read_time(report)) return *std::move(error);
     if (auto error = read_position(report)) return *std::move(error);
     if (auto error = read_velocity(report)) return *std::move(error);
@@ -223,6 +227,14 @@ class JsonLines final : public LineReader {
     const auto& value = values_[TrackSlot::kLabel];
     if (!layout_.label || !value || !value->get(report.label)) return;
     report.label = without_padding(report.label);
+  }
+
+  // Of a position in a frame of ROS, that it can be compared with those before.
+  std::optional<Error> check_axes(const ReportLine& report) {
+    const auto& value = values_[TrackSlot::kAxesName];
+    std::string_view name;
+    if (!layout_.axes_name || !value || !line_.read_text(*value, name)) return std::nullopt;
+    return ros_frames_.agree(name, report.id, {}, options_.frame);
   }
 
   // Of what aircraft say of themselves: what is not known is no mistake.
@@ -286,6 +298,14 @@ class JsonLines final : public LineReader {
       if (!read_json(*value, position[axis])) {
         return json_number_problem(*value, name_of(choice.axes[axis]));
       }
+      if (!layout_.scaled_degrees || axis == 2) continue;
+      if (position[axis] != std::floor(position[axis])) {
+        return Error{ErrorCode::kMalformedRecord,
+                     name_of(choice.axes[axis]) + " is " + exact(position[axis]) +
+                         ", no whole number of 1e-7 degrees, as the first is; correct it",
+                     {}};
+      }
+      position[axis] /= kScaledPerDegree;
     }
     report.stated_height = position[2];
     report.height_unit = choice.height_unit();
@@ -319,6 +339,7 @@ class JsonLines final : public LineReader {
   bool chosen_ = false;
   LeftOut left_out_;
   AddressNames address_names_;
+  RosFrames ros_frames_;
   bool hides_ = false;
   std::optional<Error> unit_problem_;  // that a later key has brought
   std::array<std::optional<JsonElement>, TrackSlot::kNothing + 1> values_ = {};

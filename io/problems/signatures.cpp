@@ -22,10 +22,11 @@ struct Signature {
 constexpr std::string_view kBag =
     ", which is not read; make a table of its poses: pip install rosbags, then python3 -c \"import "
     "pathlib; from rosbags.highlevel import AnyReader; bag = AnyReader([pathlib.Path('FILE')]); "
-    "bag.open(); print('id,time_ns,x,y,z'); [print(c.topic, m.header.stamp.sec * 10**9 + "
-    "m.header.stamp.nanosec, p.x, p.y, p.z, sep=',') for c, _, raw in bag.messages() if c.msgtype "
-    "== 'geometry_msgs/msg/PoseStamped' for m in [bag.deserialize(raw, c.msgtype)] for p in "
-    "[m.pose.position]]\" > poses.csv; docs/recipes/ros-bags.md has other messages, and says what "
+    "bag.open(); print('id,time_ns,header.frame_id,x,y,z'); [print(c.topic, m.header.stamp.sec * "
+    "10**9 + m.header.stamp.nanosec, m.header.frame_id, p.x, p.y, p.z, sep=',') for c, _, raw in "
+    "bag.messages() if c.msgtype == 'geometry_msgs/msg/PoseStamped' for m in [bag.deserialize(raw, "
+    "c.msgtype)] for p in [m.pose.position]]\" > poses.csv; docs/recipes/ros-bags.md has other "
+    "messages, and says what "
     "frames are";
 constexpr std::string_view kDataFlash =
     ", which is not read; make a table of its positions: pip install pymavlink, then "

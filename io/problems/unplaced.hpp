@@ -14,7 +14,7 @@ inline constexpr LeftOutReason kUnknownPlace = {
 // The other half may contradict what is said of the others.
 inline constexpr LeftOutReason kHalfPlace = {"with half a place (the rest is empty, NA or NaN)",
                                              "the bee may have been elsewhere then"};
-inline constexpr LeftOutReason kNeverPlaced = {"of an animal that is known nowhere"};
+inline constexpr LeftOutReason kNeverPlaced = {"of one that is known nowhere"};
 inline constexpr LeftOutReason kUnknownHeight = {
     "without a height", "--columns with x and y, or lon and lat, only takes all as flat"};
 inline constexpr LeftOutReason kOutlier = {

@@ -237,7 +237,8 @@ void RecordingAssembly::declare_show(ShowFacts facts) {
       if (std::find(ours.begin(), ours.end(), limit) == ours.end()) ours.push_back(limit);
     }
   };
-  keep(show->limits.accelerations_mps2, facts.limits.accelerations_mps2);
+  keep(show->limits.accelerations, facts.limits.accelerations);
+  keep(show->limits.navigation_m, facts.limits.navigation_m);
   keep(show->limits.not_looked_at, facts.limits.not_looked_at);
   if (show->place != facts.place) {
     note("the shows are at different places, or not all say theirs; none is taken");

@@ -210,6 +210,7 @@ class RecordingAssembly {
   void leave_out_zeros();
   void leave_out_zero_runs();
   void leave_out_stale_places();
+  void leave_out_frozen_places();
   void find_doubtful_tracks();
   void settle_heard();
   void claim(std::string_view id, const Fix& fix, GroundClaim claims);

@@ -5,7 +5,9 @@
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/unplaced.hpp"
 #include "io/recording/doubled_drones.hpp"
+#include "io/recording/frozen_places.hpp"
 #include "io/recording/recording_assembly.hpp"
+#include "io/recording/same_tracks.hpp"
 #include "io/recording/show_ground.hpp"
 #include "io/recording/stale_places.hpp"
 #include "io/recording/swapped_degrees.hpp"
@@ -70,6 +72,21 @@ void RecordingAssembly::leave_out_stale_places() {
     return any ? none : std::vector<bool>();
   };
   tracks_.leave_out(which, [this](const std::string& id, const Fix& fix) { stale(id, fix); });
+}
+
+// Likewise, of those that say no speed.
+void RecordingAssembly::leave_out_frozen_places() {
+  if (!facts_ || is_show()) return;
+  const Frame frame = facts_->frame;
+  tracks_.leave_out(
+      [this, frame](const RecordedBee& bee) {
+        if (told_by_others_.contains(bee.id)) return std::vector<bool>();
+        return frozen_places(bee.fixes, bee.velocities, frame);
+      },
+      [this](const std::string& id, const Fix& fix) {
+        leave_out(kFrozenPlace, id);
+        unplaced(id, fix.time_s);
+      });
 }
 
 void RecordingAssembly::stale(const std::string& id, const Fix& fix) {
@@ -317,7 +334,10 @@ Result<Recording> RecordingAssembly::finish() {
   if (auto error = settle_files()) return *std::move(error);
   if (auto error = settle_midnights()) return *std::move(error);
   leave_out_zero_runs();
-  if (!frame_is_settled_) leave_out_stale_places();
+  if (!frame_is_settled_) {
+    leave_out_stale_places();
+    leave_out_frozen_places();
+  }
   if (auto doubled = doubled_drone(tracks_)) {
     return Error{ErrorCode::kInvalidArgument, std::move(doubled->problem),
                  location_of(tracks_.origin(doubled->fix))};
@@ -354,6 +374,7 @@ Result<Recording> RecordingAssembly::finish() {
     for (RecordedBee& bee : recording_.bees) bee.stated_heights.clear();
   }
   note_counts();
+  if (auto same = same_tracks_note(recording_.bees)) note(*std::move(same));
   if (!options_.grounded) leave_ground_time_out(recording_);
   if (auto swapped = swapped_degrees(recording_)) {
     note(std::move(swapped->note));

@@ -33,6 +33,11 @@ bool is_beside_trajectories(std::string_view name) {
   return is_one_of("areas.csv id_probabilities.csv lengths.csv", lower);
 }
 
+// What lies beside the tables of a show: moments with names, and no places.
+bool is_beside_flights(std::string_view name) {
+  return lower_case(name) == "cues.csv";
+}
+
 // What readsb and dump1090 write beside their snapshots: of the receiver, and of no aircraft.
 bool is_beside_snapshots(std::string_view name) {
   return is_one_of("receiver.json stats.json status.json outline.json clients.json", name);
@@ -78,6 +83,13 @@ struct Listed {
     });
     if (!trajectories) return;
     std::erase_if(tables, [&](const auto& path) { return named(path, is_beside_trajectories); });
+  }
+  // Where there are other tables, a sheet of cues is none of a drone.
+  void leave_cues() {
+    const auto cues = std::stable_partition(tables.begin(), tables.end(), [](const auto& path) {
+      return !is_beside_flights(name_in_folder(path));
+    });
+    if (cues != tables.begin()) tables.erase(cues, tables.end());
   }
   // Of readsb and dump1090 the snapshots alone have aircraft.
   void leave_receiver() {
@@ -133,6 +145,7 @@ Listed listed(const std::string& folder) {
   beside.insert(beside.end(), found.texts.begin(), found.texts.end());
   found.texts.clear();
   found.leave_trajectories();
+  found.leave_cues();
   found.leave_receiver();
   return found;
 }

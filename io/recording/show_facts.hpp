@@ -8,15 +8,27 @@
 
 namespace beespace::io {
 
+// A limit of acceleration, under its name: "maxAccelerationXY".
+struct ShowAcceleration {
+  enum class Direction { kAll, kHorizontal, kVertical, kNotKnown };
+
+  std::string name;
+  double most_mps2 = 0.0;
+  Direction direction = Direction::kNotKnown;
+
+  friend bool operator==(const ShowAcceleration&, const ShowAcceleration&) = default;
+};
+
 // Nothing where the show does not say.
 struct ShowLimits {
   std::optional<double> horizontal_mps;  // the greatest horizontal speed
   std::optional<double> climb_mps;       // and upwards
   std::optional<double> descent_mps;     // and downwards
   std::optional<double> height_m;        // above z = 0
-  // Of one direction each, under their names: "maxAccelerationXY".
-  std::vector<std::pair<std::string, double>> accelerations_mps2 = {};
-  std::vector<std::string> not_looked_at = {};  // names of others: "minNavAltitude"
+  std::vector<ShowAcceleration> accelerations = {};
+  // Below which drones do not move sideways, under its name: "minNavAltitude".
+  std::vector<std::pair<std::string, double>> navigation_m = {};
+  std::vector<std::string> not_looked_at = {};  // names of others
 
   [[nodiscard]] bool any() const { return horizontal_mps || climb_mps || descent_mps || height_m; }
 };

@@ -1,6 +1,7 @@
 #include "io/recording/unit_doubts.hpp"
 
 #include "io/bytes/number_text.hpp"
+#include "io/recording/feet_doubt.hpp"
 #include "io/recording/flat_distance.hpp"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -52,33 +52,6 @@ Steps steps_of(const Recording& recording) {
     }
   }
   return steps;
-}
-
-// What aircraft say of their speeds over ground, and how fast they are by their places.
-struct SpeedsOverGround {
-  double fastest_mps = 0.0;
-  std::vector<double> ratios;  // of those by their places to what they say
-};
-
-SpeedsOverGround speeds_over_ground(const Recording& recording) {
-  constexpr std::size_t kMost = 100'000;
-  constexpr double kLongest_s = 60.0;  // turns make the way between two records shorter
-  constexpr double kFlies_mps = 20.0;
-  SpeedsOverGround speeds;
-  for (const RecordedBee& bee : recording.bees) {
-    for (std::size_t i = 0; i < bee.velocities.size(); ++i) {
-      const double stated_mps = std::hypot(bee.velocities[i].x, bee.velocities[i].y);
-      if (!std::isfinite(stated_mps)) continue;
-      speeds.fastest_mps = std::max(speeds.fastest_mps, stated_mps);
-      if (i + 1 >= bee.fixes.size() || stated_mps < kFlies_mps) continue;
-      const double seconds = bee.fixes[i + 1].time_s - bee.fixes[i].time_s;
-      const double metres =
-          flat_distance_m(bee.fixes[i].position, bee.fixes[i + 1].position, recording.frame);
-      if (seconds > kLongest_s || !(metres > 0.0) || speeds.ratios.size() >= kMost) continue;
-      speeds.ratios.push_back(metres / seconds / stated_mps);
-    }
-  }
-  return speeds;
 }
 
 std::string short_number(double value) {
@@ -171,43 +144,20 @@ std::optional<Error> doubt_of_heights(const std::vector<UnitTaken>& units, doubl
 }
 
 std::optional<Error> doubt_of_feet(const Recording& recording, double highest_m) {
-  const bool by_source =
-      std::any_of(recording.units.begin(), recording.units.end(), [](const UnitTaken& taken) {
-        return taken.evidence == UnitEvidence::kSource &&
-               (taken.unit == Unit::kFoot || taken.unit == Unit::kKnot);
-      });
-  if (!by_source || recording.frame != Frame::kWgs84) return std::nullopt;
-  // No airliner is so high in metres, or so fast in m/s, even with the wind.
-  constexpr double kHighest = 20'000.0;
-  constexpr double kFastest = 400.0;
-  if (highest_m > in_metric(kHighest, Unit::kFoot)) return std::nullopt;
-  const SpeedsOverGround speeds = speeds_over_ground(recording);
-  if (speeds.fastest_mps > in_metric(kFastest, Unit::kKnot)) return std::nullopt;
-  constexpr double kKnots = 1.4;    // times as fast as they say, at most: between 1 and
-  constexpr double kMetres = 2.7;   // 1.94, as m/s that are taken for knots; not beyond
-  constexpr double kTurning = 0.6;  // on ways that are not straight
-  constexpr std::string_view kWhichUnits =
-      ", as the names tell that traffic gives them? State vectors of OpenSky without columns of "
-      "their own (origin_country, sensors, position_source) have the same names, in metres and "
-      "m/s";
-  constexpr std::string_view kSayWhich =
-      ". Say which: --units aviation, or --units height=m,speed=m/s,climb=m/s";
-  const std::string question = "are heights in feet and speeds in knots" + std::string(kWhichUnits);
-  if (speeds.ratios.size() < kFewest) {
-    return Error{ErrorCode::kInvalidArgument,
-                 question +
-                     ", and here neither a height, a speed, nor the way from record to "
-                     "record tells" +
-                     std::string(kSayWhich),
-                 {}};
+  if (!FeetDoubt::concerns(recording.units) || recording.frame != Frame::kWgs84) {
+    return std::nullopt;
   }
-  const double ratio = median(speeds.ratios);
-  if (ratio > kTurning && ratio < kKnots) return std::nullopt;
-  const std::string how = ratio >= kKnots && ratio < kMetres ? ", and would fit" : "";
-  return Error{ErrorCode::kInvalidArgument,
-               question + how + ": from record to record aircraft go " + short_number(ratio) +
-                   " times as fast as they say in knots" + std::string(kSayWhich),
-               {}};
+  FeetDoubt feet;
+  feet.take_height(highest_m);
+  for (const RecordedBee& bee : recording.bees) {
+    for (std::size_t i = 0; i < bee.velocities.size(); ++i) {
+      feet.take_speed(bee.velocities[i]);
+      if (i + 1 < bee.fixes.size()) {
+        feet.take_step(bee.fixes[i], bee.velocities[i], bee.fixes[i + 1]);
+      }
+    }
+  }
+  return feet.doubt();
 }
 
 std::optional<Error> doubt_of_metres(const Recording& recording, double fastest_mps) {

@@ -55,6 +55,24 @@ std::vector<bool> zero_runs(const std::vector<Fix>& fixes) {
   return any ? none : std::vector<bool>();
 }
 
+bool ZeroRunFilter::is_none(const Fix& fix) {
+  if (last_ && !(last_->time_s < fix.time_s)) return in_run_ && is_at_zero(fix);
+  if (is_at_zero(fix)) {
+    in_run_ = in_run_ || (last_ && !is_at_zero(*last_) && others_ >= kFewestOthers &&
+                          speed_mps(*last_, fix) > kTimesFaster * fastest_mps_);
+    if (!in_run_) last_ = fix;
+    return in_run_;
+  }
+  // The step over a run says as little as those to and from zero.
+  if (last_ && !in_run_ && !is_at_zero(*last_)) {
+    ++others_;
+    fastest_mps_ = std::max(fastest_mps_, speed_mps(*last_, fix));
+  }
+  in_run_ = false;
+  last_ = fix;
+  return false;
+}
+
 void ZeroRunWatch::take(const Fix& fix, std::uint64_t number) {
   if (last_ && !(last_->time_s < fix.time_s)) return;
   const bool zero = is_at_zero(fix);

@@ -22,6 +22,19 @@ inline constexpr LeftOutReason kZeroRun = {
 // it is not said.
 std::vector<bool> zero_runs(const std::vector<Fix>& fixes);
 
+// The same of fixes that come one after the other, by what came before each. A run with which a bee
+// begins is not known as one then: see ZeroRunWatch.
+class ZeroRunFilter {
+ public:
+  bool is_none(const Fix& fix);
+
+ private:
+  bool in_run_ = false;
+  std::optional<Fix> last_ = {};  // that is none of these
+  std::size_t others_ = 0;
+  double fastest_mps_ = 0.0;
+};
+
 // The same of fixes that come one after the other; those that go back in time count for nothing.
 class ZeroRunWatch {
  public:

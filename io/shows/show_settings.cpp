@@ -1,10 +1,8 @@
 #include "io/shows/show_settings.hpp"
 
 #include "io/bytes/number_text.hpp"
-#include "io/problems/excerpt.hpp"
+#include "io/shows/show_limits.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
@@ -18,6 +16,8 @@ namespace {
 
 using Found = Result<std::optional<ShowValue>>;
 
+constexpr double kFullTurn_deg = 360.0;
+
 // What lies below the root on that way; nothing where a part of it is missing.
 Found at(ShowDocuments& documents, std::initializer_list<std::string_view> way) {
   std::optional<ShowValue> value = documents.root();
@@ -28,67 +28,6 @@ Found at(ShowDocuments& documents, std::initializer_list<std::string_view> way) 
     if (!value) break;
   }
   return value;
-}
-
-// settings.validation.KEY, a number above zero.
-Result<std::optional<double>> limit(ShowDocuments& documents, std::string_view key,
-                                    ErrorCode if_not_above) {
-  const auto found = at(documents, {"settings", "validation", key});
-  if (!found) return found.error();
-  if (!*found) return std::optional<double>();
-  const std::string path = "settings.validation." + std::string(key);
-  const std::string place = documents.place_of(**found);
-  double value = 0.0;
-  if (!read_json((*found)->element, value)) {
-    Error error = json_number_problem((*found)->element, path);
-    error.location.source = place;
-    return error;
-  }
-  if (value > 0.0) return std::optional(value);
-  return Error{
-      if_not_above, path + " is not above zero; correct it, or remove it from the show", {place}};
-}
-
-// Accelerations, and what is no limit that is known here: its name is kept, so that it can be said.
-std::optional<Error> read_other_limits(ShowDocuments& documents, ShowLimits& limits) {
-  constexpr std::array<std::string_view, 5> kElsewhere = {
-      "maxVelocityXY", "maxVelocityZ", "maxVelocityZUp", "maxAltitude", "minDistance"};
-  const auto found = at(documents, {"settings", "validation"});
-  if (!found) return found.error();
-  JsonMap members;
-  if (!*found || !(*found)->element.get(members)) return std::nullopt;
-  for (const auto& [key, value] : members) {
-    const bool limits_something = key.starts_with("max") || key.starts_with("min");
-    if (!limits_something || value.is_null() ||
-        std::find(kElsewhere.begin(), kElsewhere.end(), key) != kElsewhere.end()) {
-      continue;
-    }
-    if (!key.starts_with("maxAcceleration")) {
-      limits.not_looked_at.emplace_back(key);
-      continue;
-    }
-    const auto most = limit(documents, key, ErrorCode::kMalformedRecord);
-    if (!most) return most.error();
-    if (*most) limits.accelerations_mps2.emplace_back(key, **most);
-  }
-  return std::nullopt;
-}
-
-std::optional<Error> read_limits(ShowDocuments& documents, ShowLimits& limits) {
-  const struct {
-    std::string_view key;
-    std::optional<double>& limit;
-  } table[] = {{"maxVelocityXY", limits.horizontal_mps},
-               {"maxVelocityZ", limits.descent_mps},
-               {"maxVelocityZUp", limits.climb_mps},
-               {"maxAltitude", limits.height_m}};
-  for (const auto& [key, taken] : table) {
-    auto value = limit(documents, key, ErrorCode::kMalformedRecord);
-    if (!value) return value.error();
-    taken = *value;
-  }
-  if (!limits.climb_mps) limits.climb_mps = limits.descent_mps;
-  return read_other_limits(documents, limits);
 }
 
 // Names of moments; what is no such is passed over: nothing but a picture depends on them.
@@ -155,9 +94,9 @@ std::string degrees_question(JsonElement origin, JsonElement location) {
   const std::string rest =
       "," + exact(numbers.size() > 2 ? numbers[2] : 0.0) + "," + exact(heading_deg);
   return "its origin is in degrees, which Skybrush does not write, and does not say whether the "
-         "longitude comes first: say --origin " +
-         one + "," + other + rest + " if it does, otherwise --origin " + other + "," + one + rest +
-         (numbers.size() > 2 ? "" : " (with the height of the place instead of 0)");
+         "longitude comes first: on a map it is shown by 'beespace export' with --origin " +
+         one + "," + other + rest + " if it does, otherwise with --origin " + other + "," + one +
+         rest + (numbers.size() > 2 ? "" : " (with the height of the place instead of 0)");
 }
 
 // The axes of Skybrush are north, west, up (nwu) before they are turned.
@@ -194,8 +133,12 @@ std::optional<Error> read_place(ShowDocuments& documents, RecordingAssembly& ass
         "millimetres above mean sea level");
   }
   const auto heading = json_member(element, "orientation");
-  if (!heading || !read_json(*heading, read.heading_deg) || std::abs(read.heading_deg) > 1e6) {
+  if (!heading || !read_json(*heading, read.heading_deg)) {
     return not_taken("its orientation, where the x axis points, is not given");
+  }
+  if (std::abs(read.heading_deg) > kFullTurn_deg) {
+    return not_taken("its orientation of " + exact(read.heading_deg) +
+                     " is more than a full turn in degrees");
   }
   if (!read_axes(element, read)) return not_taken("its axes are neither nwu nor neu");
   place = read;
@@ -205,11 +148,11 @@ std::optional<Error> read_place(ShowDocuments& documents, RecordingAssembly& ass
 }  // namespace
 
 std::optional<Error> read_show_settings(ShowDocuments& documents, RecordingAssembly& assembly) {
-  const auto threshold = limit(documents, "minDistance", ErrorCode::kInvalidThreshold);
-  if (!threshold) return threshold.error();
-  if (*threshold) assembly.declare_threshold(**threshold);
+  auto limits = read_show_limits(documents);
+  if (!limits) return limits.error();
+  if (limits->least_distance_m) assembly.declare_threshold(*limits->least_distance_m);
   ShowFacts facts;
-  if (auto error = read_limits(documents, facts.limits)) return error;
+  facts.limits = std::move(limits->limits);
   if (auto error = read_cues(documents, facts.cues)) return error;
   if (auto error = read_place(documents, assembly, facts.place)) return error;
   assembly.declare_show(std::move(facts));

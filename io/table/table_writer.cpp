@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace beespace::io {
 namespace {
+
+constexpr double kMostWhole = 1e15;  // written without an exponent
 
 bool needs_quotes(std::string_view text, char delimiter) {
   if (text.empty()) return delimiter == ' ';
@@ -68,6 +71,10 @@ TableWriter& TableWriter::field(std::string_view text) {
 
 TableWriter& TableWriter::field(double number) {
   if (!std::isfinite(number)) return empty_field();
+  // Whole numbers with an exponent are shorter, but hard to read: 1.75e+09 of a time since 1970.
+  if (std::abs(number) < kMostWhole && number == std::trunc(number) && !std::signbit(number)) {
+    return count(static_cast<std::uint64_t>(number));
+  }
   append_exact(next(), number);
   return *this;
 }

@@ -305,21 +305,29 @@ bool is_trajectory_of_poses(std::string_view text, const TableLayout& table) {
   if (named || table.columns != kColumns) return false;
   RecordWalk walk(text, table.data_offset, table);
   std::optional<double> before_s;
+  bool any_placed = false;
   while (walk.next() && walk.row() < kRows) {
     FieldCursor cursor(walk.record(), table.delimiter);
     double length = 0.0;
+    bool is_placed = true;
     for (std::size_t column = 0; column < kColumns; ++column) {
       Field field;
       if (!cursor.next(field)) return false;
       double number = 0.0;
-      if (parse_number(without_padding(field.text), number) != NumberKind::kNumber) return false;
+      const NumberKind kind = parse_number(without_padding(field.text), number);
+      // Where the place is not known, all of the pose may be not-a-numbers.
+      const bool unknown = kind == NumberKind::kNotFinite && column > 0;
+      if (kind != NumberKind::kNumber && !unknown) return false;
+      is_placed = is_placed && !unknown;
       if (column == 0 && before_s && number <= *before_s) return false;
       if (column == 0) before_s = number;
       if (column > 3) length += number * number;
     }
+    if (!is_placed) continue;
     if (!(length > 0.98 && length < 1.02)) return false;
+    any_placed = true;
   }
-  return before_s.has_value();
+  return any_placed;
 }
 
 Result<TrackLayout> layout_of_poses(TableLayout table, std::string_view text,

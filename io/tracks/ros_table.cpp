@@ -101,7 +101,9 @@ std::optional<RosTable> by_names(std::string_view text, const TableLayout& table
   const bool one = std::all_of(axes.begin(), axes.end(),
                                [](const auto& columns) { return columns.size() == 1; });
   // Of tables that pandas wrote: the time is what rows are called by.
-  if (!stamped && found.axes_name && !found.recorded && table.names[0].empty()) {
+  const bool of_pose = one && before[0].front() == "pose" && !table.contents.empty() &&
+                       table.contents[0] == ColumnContent::kText;
+  if (!stamped && (found.axes_name || of_pose) && !found.recorded && table.names[0].empty()) {
     found.names[0] = "header.stamp";
     stamped = true;
   }
@@ -258,9 +260,10 @@ std::optional<std::size_t> find_axes_name(const TableLayout& table) {
     return is_axes_name(words);
   };
   for (std::size_t i = 0; i < table.names.size() && i < table.contents.size(); ++i) {
-    // Numbers are those of pictures.
-    if (table.contents[i] != ColumnContent::kText) continue;
-    if (names_axes(split_words(table.names[i]))) return i;
+    const Words words = split_words(table.names[i]);
+    // Numbers are those of pictures, but for frames of a header of ROS, which may have any name.
+    if (table.contents[i] != ColumnContent::kText && !has(words, "header")) continue;
+    if (names_axes(words)) return i;
   }
   return std::nullopt;
 }

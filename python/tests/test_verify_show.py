@@ -140,7 +140,7 @@ def test_what_cannot_be_is_named(ring, tmp_path):
 # What is not looked at may be left out by name, and nothing else.
 def test_limits_that_are_not_looked_at_may_be_skipped(tmp_path):
     text = (shows / "ring.json").read_text().replace(
-        '"maxAltitude": 120', '"maxAltitude": 120, "minNavAltitude": 2.5'
+        '"maxAltitude": 120', '"maxAltitude": 120, "minNavAltitude": 12'
     )
     (tmp_path / "ring.json").write_text(text)
     show = beespace.read_recording(tmp_path / "ring.json")

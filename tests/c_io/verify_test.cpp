@@ -155,7 +155,7 @@ TEST(CVerifiedLimits, ThatNeedNotBeLookedAtAreSkipped) {
       R"({"version": 1, "settings": {"validation": {"minNavAltitude": 2.5}}, "swarm": {"drones": [
         {"type": "generic", "settings": {"name": "a", "home": [0, 0, 0], "landAt": [0, 0, 0],
           "trajectory": {"version": 1, "takeoffTime": 0, "points":
-            [[0, [0, 0, 0], []], [5, [0, 0, 5], []], [10, [0, 0, 0], []]]}}}]}})")});
+            [[0, [0, 0, 0], []], [5, [1, 0, 5], []], [10, [0, 0, 0], []]]}}}]}})")});
   ASSERT_EQ(read.code, BEESPACE_OK) << text_of(read.error);
   auto options = verify_options();
   options.limits = 1U << BEESPACE_IO_SPEED;

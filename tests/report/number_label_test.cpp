@@ -37,6 +37,11 @@ TEST(NumberLabel, LengthsHaveThreeDigitsThatCountAndAUnit) {
 
 TEST(NumberLabel, LengthsBelowALimitAreNotRoundedUpToIt) {
   EXPECT_EQ(length_label_below(100.0, 57.294), "57.3 m");
+  EXPECT_EQ(listed_length_below(0.002, 0.00456), "4.56 mm");
+  EXPECT_EQ(length_label_below(0.002, 0.153), "153 mm");
+  EXPECT_EQ(length_label_below(0.002, std::nextafter(0.002, 0.0)), "1.9999999999999996 mm");
+  EXPECT_EQ(listed_length_below(2e-6, 1.2e-6), "1.2 \u00B5m");
+  EXPECT_EQ(listed_length_below(0.5, 0.00456), "0.005 m");
   EXPECT_EQ(length_label_below(100.0, 99.9), "99.9 m");
   EXPECT_EQ(length_label_below(100.0, 99.9996), "99.9996 m");
   EXPECT_EQ(length_label_below(100.0, std::nextafter(100.0, 0.0)), "99.99999999999999 m");

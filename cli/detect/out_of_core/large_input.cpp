@@ -1,6 +1,7 @@
 #include "cli/detect/out_of_core/large_input.hpp"
 
 #include "analysis/geometry/ground_places.hpp"
+#include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/snapshot/shown_ids.hpp"
 #include "analysis/text/unit_notes.hpp"
 #include "cli/command_line/option_values.hpp"
@@ -206,6 +207,12 @@ Status LargeInput::read_file(LargeFile& file, const LargeInputSinks& sinks,
     file.points = in_place->size();
   }
   OddIds odd_ids;
+  analysis::Spread spread;
+  const bool doubtful =
+      analysis::may_be_pixels(file.facts.units, file.facts.frame, request_->threshold);
+  for (std::size_t i = 0; in_place && doubtful && i < in_place->size(); ++i) {
+    spread.add((*in_place)[i]);
+  }
   std::uint64_t headers = 0;
   std::vector<PointId> all;
   // What lies in place is read where its text is wanted.
@@ -219,6 +226,9 @@ Status LargeInput::read_file(LargeFile& file, const LargeInputSinks& sinks,
     headers += points.repeated_headers;
     if (auto status = skip(file, stream.row(), points); !status) return status;
     if (auto problem = recording_.problem(file.path)) return *std::move(problem);
+    if (doubtful) {
+      for (const Point& place : points.points) spread.add(place);
+    }
     if (sinks.ids != nullptr || sinks.records != nullptr) {
       all.resize(points.points.size());
       std::iota(all.begin(), all.end(), PointId{0});
@@ -244,6 +254,11 @@ Status LargeInput::read_file(LargeFile& file, const LargeInputSinks& sinks,
     progress.done = bytes_before + stream.bytes_read();
   }
   if (auto problem = recording_.problem_of_file(file.path)) return *std::move(problem);
+  const io::LoadedPoints& facts = file.facts;
+  if (auto doubt = analysis::doubt_of_scale(facts.units, facts.frame, spread, request_->threshold,
+                                            analysis::kWithoutScale)) {
+    return *std::move(doubt);
+  }
   note_ids(odd_ids, {}, request_->form.form, file.facts.notes);
   if (headers > 0) file.facts.notes.push_back(io::repeated_headers_note(headers));
   file.facts.bytes = std::max(stream.file_bytes(), stream.bytes_read());

@@ -212,5 +212,47 @@ TEST(DoubtfulTables, WhoFliesByTheRecordsBesideIsNotOnTheGround) {
   }
 }
 
+// Two far apart that go north by 120 m a second, and say so in m/s or in knots.
+std::string northward(const std::string& speed, const std::string& height, int seconds) {
+  std::string text = kColumns + "\n";
+  for (int t = 0; t < seconds; ++t) {
+    for (const char* const id : {"4ca7b3", "3c6444"}) {
+      const double longitude = id[0] == '4' ? 7.0 : 8.0;
+      text += "2018-10-12 23:55:" + std::string(t < 10 ? "0" : "") + std::to_string(t) + "+00:00," +
+              id + ",FLY," + std::to_string(50.0 + 0.00107917 * t) + "," +
+              std::to_string(longitude) + "," + height + "," + speed + ",0,0\n";
+    }
+  }
+  return text;
+}
+
+// Under the names of traffic OpenSky has metres.
+TEST(DoubtfulTables, WatchAndDetectAskAboutFeetAsReplayDoes) {
+  const Arguments asked = {"--separation", "terminal"};
+  for (const char* const command : {"replay", "watch"}) {
+    const Arguments line = Arguments{command, "--fail-on-risk"} + asked;
+    const Finished metres = run(line, northward("120", "3000", 20));
+    EXPECT_NE(metres.exit_code, 0) << command;
+    expect_parts(metres.err, {"are heights in feet and speeds in knots", "--units aviation"});
+    const Finished feet = run(line, northward("233.3", "3000", 20));
+    EXPECT_EQ(feet.exit_code, 0) << command << feet.err;
+  }
+  expect_parts(run(Arguments{"watch", "--fail-on-risk"} + asked, northward("120", "3000", 20)).err,
+               {"no conflict; heights may be in metres, not in feet"});
+  EXPECT_EQ(run(Arguments{"watch", "--fail-on-risk", "--units", "aviation"} + asked,
+                northward("120", "3000", 20))
+                .exit_code,
+            0);
+  const Finished low = run(Arguments{"detect"} + asked, northward("120", "3000", 1));
+  EXPECT_EQ(low.exit_code, 2) << low.err;
+  expect_parts(low.err, {"are heights in feet", "neither a height", "--units aviation"});
+  EXPECT_EQ(run(Arguments{"detect"} + asked, northward("240", "35000", 1)).exit_code, 0);
+  for (const char* const said : {"aviation", "height=m"}) {
+    const Finished finished =
+        run(Arguments{"detect", "--units", said} + asked, northward("120", "3000", 1));
+    EXPECT_EQ(finished.exit_code, 0) << said << finished.err;
+  }
+}
+
 }  // namespace
 }  // namespace beespace::cli_test

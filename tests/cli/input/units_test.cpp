@@ -299,5 +299,25 @@ TEST(Ids, ThatComeAgainAreCountedOrRefused) {
   expect_parts(run({"detect", "--json"}, "x,y\n0,0\n999999,0\n").out, {R"("repeated_ids": 0)"});
 }
 
+// Pixels, perhaps, of which none would come close: as replay asks.
+TEST(UnitsOfPlaces, ThatAreFarForThatThresholdAreAskedAboutByDetect) {
+  TemporaryFolder folder;
+  const std::string places =
+      folder.file("places.csv", "id,x,y\na,100,100\nb,112,100\nc,600,480\nd,900,0\n");
+  for (const Arguments& more : {Arguments{}, Arguments{"--memory", "100MB"}}) {
+    const Finished asked = run(Arguments{"detect", places, "--threshold", "2mm"} + more);
+    EXPECT_EQ(asked.exit_code, 2) << asked.err;
+    expect_parts(asked.err, {"are x and y in metres?",
+                             "if they are pixels, make lengths of them "
+                             "first, otherwise say --units position=mm, or position=m"});
+    EXPECT_EQ(run(Arguments{"detect", places, "--threshold", "2mm", "--units", "position=m"} + more)
+                  .exit_code,
+              0);
+    EXPECT_EQ(run(Arguments{"detect", places, "--threshold", "2m"} + more).exit_code, 0);
+  }
+  const std::string moving = "id,time_s,x,y\na,0,100,100\na,1,100,100\nb,0,900,480\nb,1,900,480\n";
+  EXPECT_EQ(run({"replay", "--threshold", "2mm", "--memory", "100MB"}, moving).exit_code, 2);
+}
+
 }  // namespace
 }  // namespace beespace::cli_test

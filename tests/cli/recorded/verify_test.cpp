@@ -75,6 +75,17 @@ TEST(Verify, OneBeeAloneIsNoPair) {
   EXPECT_NE(run({"verify", "--json"}, kSpeedingUp).out.find("\"holds\": false"), std::string::npos);
 }
 
+// In mm beside a threshold in mm, in steps and along curves.
+TEST(Verify, SmallDistancesAreInTheUnitOfTheThreshold) {
+  const std::string header = "id,time_s,x_mm,y_mm,z_mm\n";
+  const std::string apart = "a,0,0,0,0\nb,0,4.56,0,0\na,1,0,0,0\nb,1,4.56,0,0\n";
+  for (const std::string more : {"", "b,1.5,4.56,0,0\n"}) {
+    const Finished finished = run({"verify", "--threshold", "2mm"}, header + apart + more);
+    expect_parts(finished.err, {more.empty() ? "no two came closer than 4.0 mm" : "4.6 mm apart"});
+  }
+  expect_parts(run({"verify", "--threshold", "3mm"}, header + apart).err, {"4.6 mm apart"});
+}
+
 TEST(Verify, ABeeThatIsTooFastIsFound) {
   const Finished finished =
       run({"verify", "--threshold", "1", "--max-speed", "19.9", "--threads", "1"}, kPassing);

@@ -235,9 +235,12 @@ TEST(ShowPlace, InDegreesIsAskedFor) {
   };
   const Finished flat = exported("[19.06, 47.48]");
   EXPECT_EQ(flat.exit_code, 2);
-  expect_parts(flat.err, {"--origin 19.06,47.48,0,30 if it does, otherwise --origin "
-                          "47.48,19.06,0,30 (with the height of the place instead of 0)"});
-  expect_parts(exported("[19.06, 47.48, 110]").err, {"otherwise --origin 47.48,19.06,110,30 (see"});
+  expect_parts(
+      flat.err,
+      {"'beespace export' with --origin 19.06,47.48,0,30 if it does, otherwise with --origin "
+       "47.48,19.06,0,30 (with the height of the place instead of 0)"});
+  expect_parts(exported("[19.06, 47.48, 110]").err,
+               {"otherwise with --origin 47.48,19.06,110,30 (see"});
   EXPECT_EQ(exported("[19.06, 47.48]", {"--origin", "19.06,47.48,0,30"}).exit_code, 0);
 }
 
@@ -275,59 +278,6 @@ TEST(ShowLimits, ThatAreNoneAreErrors) {
     EXPECT_EQ(finished.exit_code, 3);
     expect_parts(finished.err, {"settings.validation.maxVelocityZ"});
   }
-}
-
-// Accelerations of all directions together are up to 1.667 m/s^2.
-TEST(ShowLimits, ThatAreNotLookedAtAreSaid) {
-  const TemporaryFolder folder;
-  const std::string show = text_of_file(show_file("ring.json"));
-  const auto with = [&](const std::string& limits) {
-    std::string changed = show;
-    const std::string height = R"("maxAltitude": 120)";
-    changed.replace(changed.find(height), height.size(), height + ", " + limits);
-    return folder.file("ring.json", changed);
-  };
-  const auto verify = [&](const std::string& limits) {
-    return run({"verify", with(limits), "--threshold", "3.5", "--max-descent", "2.5"});
-  };
-  const Finished slow = verify(R"("maxAccelerationXY": 1.5, "maxAccelerationZ": 2)");
-  EXPECT_EQ(slow.exit_code, 1) << slow.err;
-  expect_parts(slow.err,
-               {"declared, but not looked at: maxAccelerationXY\n",
-                "verdict    not looked at as a whole: nothing else was found, but whether "
-                "maxAccelerationXY is kept is not known"});
-  EXPECT_EQ(verify(R"("maxAccelerationXY": 1.7, "maxAccelerationZUp": 2)").exit_code, 0);
-  EXPECT_EQ(verify(R"("maxAccelerationXY": "fast")").exit_code, 3);
-  const Finished low = verify(R"("minNavAltitude": 2.5)");
-  EXPECT_EQ(low.exit_code, 1) << low.err;
-  expect_parts(low.err, {"declared, but not looked at: minNavAltitude\n",
-                         "verdict    not looked at as a whole: nothing else was found, but whether "
-                         "minNavAltitude is kept is not known",
-                         "say --skip-limits minNavAltitude\n"});
-  const auto skipping = [&](const std::string& limits, const std::string& names) {
-    return run({"verify", with(limits), "--threshold", "3.5", "--max-descent", "2.5",
-                "--skip-limits", names});
-  };
-  const Finished said = skipping(R"("minNavAltitude": 2.5)", "minNavAltitude");
-  EXPECT_EQ(said.exit_code, 0) << said.err;
-  expect_parts(said.err,
-               {"declared, but not looked at: minNavAltitude\n",
-                "verdict    holds in what was looked at, which minNavAltitude is not (--skip"});
-  const std::string both = R"("maxAccelerationXY": 1.5, "minNavAltitude": 2.5)";
-  EXPECT_EQ(skipping(both, "minNavAltitude").exit_code, 1);
-  EXPECT_EQ(skipping(both, "minNavAltitude,maxAccelerationXY").exit_code, 0);
-  const Finished other = skipping(both, "maxAltitude");
-  EXPECT_EQ(other.exit_code, 2);
-  expect_parts(other.err, {"the input declares minNavAltitude, maxAccelerationXY alone"});
-#if BEESPACE_HAS_PAGE
-  const std::string page = folder.path("ring.html");
-  EXPECT_EQ(
-      run({"report", with(R"("maxAccelerationXY": 1.5, "minNavAltitude": 2.5)"), "--output", page})
-          .exit_code,
-      0);
-  expect_parts(folder.read("ring.html"),
-               {R"("not_looked_at":["maxAccelerationXY","minNavAltitude"])"});
-#endif
 }
 
 // Two that fly side by side exactly 4 m apart along curves, which no rounding may call closer.
@@ -368,6 +318,17 @@ TEST(ShowTablesOfOthers, WhichAreNotReadGetASentence) {
   const TemporaryFolder paths;
   paths.file("1.path", "x");
   expect_parts(run({"replay", paths.path("")}).err, {"paths of a drone show (DSS)"});
+}
+
+TEST(ShowFolders, ASheetOfCuesIsNoDrone) {
+  const TemporaryFolder folder;
+  const std::string header = "Time_msec,x_m,y_m,z_m,Red,Green,Blue\n";
+  folder.file("a.csv", header + "0,0,0,0,0,0,0\n2000,0,0,10,0,0,0\n4000,0,0,0,0,0,0\n");
+  folder.file("b.csv", header + "0,9,0,0,0,0,0\n2000,9,0,10,0,0,0\n4000,9,0,0,0,0,0\n");
+  folder.file("cues.csv", "time,cue\n0,start\n");
+  const Finished finished = run({"replay", folder.path(""), "--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_parts(finished.err, {"bees       2"});
 }
 
 TEST(ShowFolders, TextsForPeopleAreNoTables) {

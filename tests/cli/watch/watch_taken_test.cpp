@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -297,6 +298,70 @@ TEST(WatchTaken, APossibleConflictBetweenTwoLooksIsReported) {
       EXPECT_EQ(sorted(finished.out), first) << every;
     }
   }
+}
+
+// Two that pass each other ten times a second, the first of them said to be elsewhere meanwhile.
+std::string passing(const std::function<std::string(int i)>& place_of_a, int until_b = 100) {
+  std::string text = "id,time_s,x_m,y_m\n";
+  for (int i = 0; i < 100; ++i) {
+    const std::string time = "," + std::to_string(i / 10) + "." + std::to_string(i % 10) + ",";
+    const std::string place = place_of_a(i);
+    if (!place.empty()) text += "a" + time + place + "\n";
+    if (i < until_b) text += "b" + time + std::to_string(7.0 - 0.05 * i) + ",0.3\n";
+  }
+  return text;
+}
+
+std::string by_itself(int i) {
+  return std::to_string(2.0 + 0.05 * i) + ",0";
+}
+
+const Arguments kWatchClosely = {"watch", "--threshold", "0.5", "--fail-on-risk"};
+
+TEST(WatchTaken, ThePlaceThatAFrozenPoseHasLeftIsNotKnown) {
+  ASSERT_EQ(run(kWatchClosely, passing(by_itself)).exit_code, kRisk);
+  const Finished frozen =
+      run(kWatchClosely, passing([](int i) { return by_itself(i >= 20 && i < 90 ? 20 : i); }));
+  EXPECT_EQ(frozen.exit_code, kRisk);
+  expect_parts(frozen.err,
+               {"a jumps in line 182, 9 s, more than three times as far and as fast as before, out "
+                "of a place that it had repeated exactly",
+                "1 bee repeats a place that it has left"});
+  // One that stands far from the other, and goes on as it came.
+  const Finished stands =
+      run(kWatchClosely, passing([](int i) {
+            return std::to_string(-2.0 + 0.05 * std::min(i, std::max(40, i - 30))) + ",9";
+          }));
+  EXPECT_EQ(stands.exit_code, 0) << stands.err;
+}
+
+TEST(WatchTaken, ZeroOfMetresToWhichABeeOnlyJumpsIsNoPlace) {
+  const Finished lost = run(
+      kWatchClosely, passing([](int i) { return i >= 30 && i < 90 ? "0.0,-0.0" : by_itself(i); }));
+  EXPECT_EQ(lost.exit_code, kRisk);
+  expect_parts(lost.err, {"this report is at 0, 0, 0 exactly", "bad lines  60 left out"});
+  // With which it begins: then what comes later tells.
+  const Finished first =
+      run(kWatchClosely, passing([](int i) { return i < 60 ? "0,0" : by_itself(i); }));
+  EXPECT_EQ(first.exit_code, kRisk);
+  expect_parts(first.err, {"1 bee's places were none for a time, as what came later shows"});
+  // Where it goes through as it moves elsewhere.
+  const Finished through =
+      run(kWatchClosely, passing([](int i) { return std::to_string(0.05 * (i - 50)) + ",9"; }));
+  EXPECT_EQ(through.exit_code, 0) << through.err;
+}
+
+TEST(WatchTaken, WhoFallsSilentBeforeTheEndIsNotKnownFromThenOn) {
+  const auto far = [](int i) { return std::to_string(2.0 + 0.05 * i) + ",90"; };
+  const Finished silent = run(kWatchClosely, passing(far, 60));
+  EXPECT_EQ(silent.exit_code, kRisk);
+  expect_parts(silent.err, {"no conflict; 1 bee fell silent before the end"});
+  // By no more than five times as long as between its reports.
+  EXPECT_EQ(run(kWatchClosely, passing(far, 96)).exit_code, 0);
+  // Nor by less than the other's reports are apart.
+  const Finished seldom =
+      run(kWatchClosely, passing([&](int i) { return i % 20 == 0 ? far(i) : std::string(); }, 65));
+  EXPECT_EQ(seldom.exit_code, 0) << seldom.err;
 }
 
 // replay says: nothing to compare.

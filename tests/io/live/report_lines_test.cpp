@@ -210,6 +210,34 @@ TEST(ReportLines, ObjectsThatSayTooLittle) {
   }
 }
 
+TEST(ReportLines, WholeDegreesOfMavlinkAreTakenInJson) {
+  const auto line = [](const char* lon) {
+    return std::string(R"({"mavpackettype": "GLOBAL_POSITION_INT", "sysid": "r1", "time_boot_ms": 0,
+                         "lat": 474000000, "lon": )") +
+           lon + R"(, "alt": 500000, "relative_alt": 0, "vx": 0, "vy": 50, "vz": 0})";
+  };
+  ReportLines lines;
+  const ReportLine report = report_of(lines.take(line("84999335")));
+  EXPECT_EQ(report.frame, Frame::kWgs84);
+  EXPECT_EQ(report.position.x, 8.4999335);
+  EXPECT_EQ(report.position.y, 47.4);
+  EXPECT_EQ(report.position.z, 500.0);
+  EXPECT_TRUE(lines_note(lines, "whole numbers of 1e-7 degrees"));
+  expect_line_error(lines.take(line("84999335.5")),
+                    {ErrorCode::kMalformedRecord, "<stdin>:2", "no whole number of 1e-7 degrees"});
+}
+
+TEST(ReportLines, FramesOfRosInJsonAreCompared) {
+  const auto line = [](const char* id, const char* frame) {
+    return std::string(R"({"id": ")") + id + R"(", "time_s": 1, "header.frame_id": ")" + frame +
+           R"(", "x_m": 1, "y_m": 2, "z_m": 3})";
+  };
+  ReportLines lines;
+  EXPECT_EQ(report_of(lines.take(line("a", "a/odom"))).id, "a");
+  expect_line_error(lines.take(line("b", "b/odom")),
+                    {ErrorCode::kUnknownFrame, "<stdin>:2", "they cannot be compared"});
+}
+
 TEST(ReportLines, WhatIsNoTextIsRefused) {
   ReportLines lines;
   expect_line_error(lines.take("PK\x03\x04"),

@@ -73,6 +73,55 @@ TEST(Show, IsInMetresAboveHomeAndDeclaresItsThreshold) {
             std::nullopt);
 }
 
+TEST(Show, LimitsAreReadInBothWaysOfWriting) {
+  const auto with = [](const std::string& limits) {
+    return load_show(show(drone("a", kTrajectory), R"({"validation": {)" + limits + "}}"));
+  };
+  const auto recording = recording_of(
+      with(R"("min_distance": 5, "max_altitude": 120, "max_velocity_xy": 8, "max_velocity_z": 2,
+             "max_velocity_z_up": 3, "max_acceleration_xy": 4, "min_nav_altitude": 2.5)"));
+  EXPECT_EQ(recording.declared_threshold_m, 5.0);
+  ASSERT_TRUE(recording.show);
+  const ShowLimits& limits = recording.show->limits;
+  EXPECT_EQ(limits.height_m, 120.0);
+  EXPECT_EQ(limits.horizontal_mps, 8.0);
+  EXPECT_EQ(limits.descent_mps, 2.0);
+  EXPECT_EQ(limits.climb_mps, 3.0);
+  EXPECT_EQ(limits.accelerations,
+            (std::vector<ShowAcceleration>{
+                {"max_acceleration_xy", 4.0, ShowAcceleration::Direction::kHorizontal}}));
+  ASSERT_EQ(limits.navigation_m.size(), 1u);
+  EXPECT_EQ(limits.navigation_m[0].second, 2.5);
+  EXPECT_TRUE(limits.not_looked_at.empty());
+  // In both, they must not differ.
+  EXPECT_EQ(recording_of(with(R"("minDistance": 3, "min_distance": 3.0)")).declared_threshold_m,
+            3.0);
+  const auto differ = with(R"("minDistance": 3, "min_distance": 5)");
+  ASSERT_FALSE(differ);
+  EXPECT_NE(differ.error().message.find("minDistance is 3, and min_distance 5"), std::string::npos)
+      << differ.error().message;
+  // 0 limits nothing; upwards apart from downwards it is not known which way is meant.
+  EXPECT_TRUE(recording_of(with(R"("minNavAltitude": 0)")).show->limits.navigation_m.empty());
+  const auto apart = recording_of(with(R"("maxAccelerationZ": 2, "maxAccelerationZUp": 3)"));
+  for (const ShowAcceleration& limit : apart.show->limits.accelerations) {
+    EXPECT_EQ(limit.direction, ShowAcceleration::Direction::kNotKnown);
+  }
+}
+
+TEST(Show, AnOrientationOfMoreThanATurnIsNoneInDegrees) {
+  const auto at = [](const std::string& orientation) {
+    std::string json = show(drone("a", kTrajectory));
+    json.insert(json.size() - 1, R"(, "environment": {"location": {"origin":
+                [474729200, 190620700], "orientation": )" +
+                                     orientation + "}}");
+    return recording_of(load_show(json));
+  };
+  EXPECT_TRUE(at("270").show->place);
+  const Recording tenths = at("2700");
+  EXPECT_FALSE(tenths.show->place);
+  EXPECT_TRUE(has_note(tenths, "its orientation of 2700 is more than a full turn in degrees"));
+}
+
 TEST(Show, ReferencesLeadThroughTheArchive) {
   const std::string json = show(drone("a", R"({"$ref": "./drones/a/trajectory.json#"})") + "," +
                                     drone("b", R"({"$ref": "drones/../all.json#/list/1"})") + "," +

@@ -65,5 +65,12 @@ TEST(TableWriter, NumbersThatAreNoneAreEmpty) {
   EXPECT_EQ(out, ",,,1e+300\n");
 }
 
+TEST(TableWriter, WholeNumbersHaveNoExponent) {
+  std::string text;
+  TableWriter table(text, ',');
+  table.field(1.75e9).field(100000.0).field(-1e5).field(1e15).field(1750000000.5).end_row();
+  EXPECT_EQ(text, "1750000000,100000,-1e+05,1e+15,1750000000.5\n");
+}
+
 }  // namespace
 }  // namespace beespace::io

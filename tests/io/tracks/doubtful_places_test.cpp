@@ -136,6 +136,65 @@ TEST(ZeroRuns, PlacesThereAreKept) {
   EXPECT_EQ(recording_of(record(through)).bees[0].fixes.size(), 30u);
 }
 
+// One that moves by `step` a record, ten a second, and is said to be at one place in [begin, end).
+std::string with_a_frozen_pose(int begin, int end, const std::string& header = "id,time_s,x_m,y_m",
+                               const std::string& more = "", double step = 0.05) {
+  std::string text = header + "\n";
+  for (int i = 0; i < 100; ++i) {
+    const int at = i >= begin && i < end ? begin : i;
+    text += "a," + std::to_string(i / 10) + "." + std::to_string(i % 10) + "," +
+            std::to_string(2.0 + step * at) + ",1" + more + "\n";
+  }
+  return text;
+}
+
+TEST(FrozenPlaces, FromWhichABeeJumpsAreLeftOutAndCounted) {
+  for (const auto& [begin, end] : {std::pair{40, 90}, std::pair{0, 30}, std::pair{60, 75}}) {
+    const auto text = with_a_frozen_pose(begin, end);
+    const auto read = recording_of(record(text));
+    EXPECT_EQ(read.missing.count, static_cast<std::uint64_t>(end - begin - 1)) << begin;
+    EXPECT_EQ(read.bees[0].fixes.size(), 101u - static_cast<std::size_t>(end - begin)) << begin;
+    EXPECT_TRUE(has_note(read, "repeat a place exactly, from which the bee then jumps"));
+    EXPECT_TRUE(read.bees[0].unplaced_from_s);
+    const auto streamed = at_the_end_of_a_stream(text);
+    ASSERT_FALSE(streamed) << begin;
+    EXPECT_EQ(streamed.error().location.line, static_cast<std::uint64_t>(end + 2)) << begin;
+  }
+  // Who says that it moves, slowly, too.
+  EXPECT_EQ(recording_of(record(with_a_frozen_pose(40, 90, "id,time_s,x_m,y_m,vx,vy", ",0.5,0")))
+                .missing.count,
+            49u);
+}
+
+TEST(FrozenPlaces, OfWhatStandsAndOfRoundedPlacesAreKept) {
+  const auto kept = [](const std::string& text) {
+    EXPECT_EQ(recording_of(record(text)).bees[0].fixes.size(), 100u) << text;
+    EXPECT_TRUE(at_the_end_of_a_stream(text)) << text;
+  };
+  // To the end: nothing tells. For half a second, or as it says itself.
+  kept(with_a_frozen_pose(40, 100));
+  kept(with_a_frozen_pose(40, 45));
+  // One that stands, without any noise, and goes on as it came.
+  std::string stands = "id,time_s,x_m,y_m\n";
+  // Rounded to a metre, while it moves by 0.05 m a record: it stands for two seconds each time.
+  std::string rounded = stands;
+  // Held until the next place is known, for a second or two.
+  std::string held = stands;
+  for (int i = 0; i < 100; ++i) {
+    const std::string time = "a," + std::to_string(i / 10) + "." + std::to_string(i % 10) + ",";
+    stands += time + std::to_string(0.05 * std::min(i, std::max(40, i - 40))) + ",1\n";
+    rounded += time + std::to_string(i / 20) + ",1\n";
+    held += time + std::to_string(0.5 * (i / 10 - (i / 30 == 1 ? i / 10 % 2 : 0))) + ",1\n";
+  }
+  kept(stands);
+  kept(rounded);
+  kept(held);
+  EXPECT_EQ(recording_of(record(with_a_frozen_pose(40, 90, "id,time_s,x_m,y_m,vx,vy", ",0,0")))
+                .bees[0]
+                .fixes.size(),
+            100u);
+}
+
 TEST(JumpsOfTracks, AreSaidAndNotKnown) {
   const auto read = recording_of(record(with_place("8.9,47,100")));
   EXPECT_EQ(read.missing.jumping_ids, std::vector<std::string>{"b"});
@@ -306,6 +365,17 @@ TEST(UnknownPlaces, HalfAPlaceIsNone) {
     EXPECT_TRUE(has_note(recording, "1 record with half a place")) << place;
     EXPECT_EQ(recording.missing.count, 1u) << place;
   }
+}
+
+TEST(SameTracks, AreSaid) {
+  std::string text = "id,time_s,x_m,y_m\n";
+  for (int t = 0; t < 5; ++t) {
+    const std::string place = "," + std::to_string(t) + "," + std::to_string(3 * t) + ",";
+    text += "a" + place + "1\nb" + place + "2\nc" + place + "1\n";
+  }
+  EXPECT_TRUE(has_note(recording_of(record(text)), "'a' and 'c' have the same track, so that"));
+  text += "c,5,30,1\n";
+  EXPECT_FALSE(has_note(recording_of(record(text)), "have the same track"));
 }
 
 }  // namespace

@@ -58,6 +58,14 @@ TEST(FramesOfReference, AreNoIds) {
   EXPECT_EQ(recording_of(record(in_frames(header, "uav0", "uav1"), options)).bees.size(), 2u);
 }
 
+// As a message of ROS may have them.
+TEST(FramesOfReference, OfAHeaderMayBeNumbers) {
+  const std::string header = "time_s,header.frame_id,id,x,y,z";
+  expect_error(record(in_frames(header, "0", "1")),
+               {ErrorCode::kUnknownFrame, "bees.csv:3", "in the frame '1' of ROS, but others"});
+  EXPECT_EQ(recording_of(record(in_frames(header, "0", "0"))).bees.size(), 2u);
+}
+
 TEST(FramesOfReference, AreNoneOfPicturesAndOfDegrees) {
   EXPECT_TRUE(record("time_s,id,frame_id,x,y,z\n1,a,10,1,2,0\n2,a,11,1,2,0\n2,b,11,4,2,0\n"));
   EXPECT_TRUE(record("time_s,id,frame_id,lon,lat\n1,a,gps_0,8.5,47.3\n1,b,gps_1,8.6,47.3\n"));

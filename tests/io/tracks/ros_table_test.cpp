@@ -241,5 +241,30 @@ TEST(TimeDoubts, WhatMayBeIsNotAsked) {
                {ErrorCode::kInvalidArgument, "bees.csv", "in us it would be 5 m/s, every 0.1 s"});
 }
 
+TEST(RosTable, OfPandasMayBeWithoutAFrameInItsHeader) {
+  const auto recording = recording_of(
+      record(",pose.position.x,pose.position.y,pose.position.z\n2025-06-15 15:06:40.001000,1,2,3\n"
+             "2025-06-15 15:06:40.101000,1,2,3\n2025-06-15 15:06:40.201000,1,2,3\n"));
+  ASSERT_EQ(recording.bees.size(), 1u);
+  EXPECT_EQ(recording.bees[0].fixes[0].position, (Point{1, 2, 3}));
+  EXPECT_NEAR(recording.bees[0].fixes[1].time_s - recording.bees[0].fixes[0].time_s, 0.1, 1e-6);
+  // Numbers of rows are no times.
+  EXPECT_FALSE(record(",pose.position.x,pose.position.y,pose.position.z\n0,1,2,3\n1,1,2,3\n"));
+}
+
+TEST(TrajectoriesOfTum, MayHavePosesThatAreNotKnown) {
+  std::string text;
+  for (int i = 0; i < 40; ++i) {
+    text += "175000000" + std::to_string(i / 10) + "." + std::to_string(i % 10) +
+            (i >= 10 && i < 20 ? " nan nan nan nan nan nan nan\n"
+                               : " " + std::to_string(1 + 0.1 * i) + " 2 3 0 0 0 1\n");
+  }
+  const auto recording = recording_of(record(text));
+  ASSERT_EQ(recording.bees.size(), 1u);
+  EXPECT_EQ(recording.bees[0].fixes.size(), 30u);
+  EXPECT_TRUE(has_note(recording, "taken for a trajectory as of TUM"));
+  EXPECT_TRUE(has_note(recording, "10 records without a place"));
+}
+
 }  // namespace
 }  // namespace beespace::io

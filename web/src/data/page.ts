@@ -77,7 +77,7 @@ export interface LimitsKept {
   /** Names of limits that the show declares beside these, if any. */
   not_looked_at?: string[];
 }
-export type LimitName = 'horizontal' | 'climb' | 'descent' | 'height';
+export type LimitName = 'horizontal' | 'climb' | 'descent' | 'height' | 'acceleration' | 'horizontal_acceleration' | 'vertical_acceleration';
 
 export interface Cue {
   time_s: number;

@@ -12,6 +12,9 @@ export const kLimits: Record<LimitName, { name: string; unit: string }> = {
   climb: { name: 'Climb', unit: 'm/s' },
   descent: { name: 'Descent', unit: 'm/s' },
   height: { name: 'Height', unit: 'm' },
+  acceleration: { name: 'Acceleration', unit: 'm/s²' },
+  horizontal_acceleration: { name: 'Horizontal acceleration', unit: 'm/s²' },
+  vertical_acceleration: { name: 'Vertical acceleration', unit: 'm/s²' },
 };
 
 /** Never a number that looks kept where it is not. */
@@ -75,7 +78,7 @@ function excessList(shown: Shown, head: RecordingHead, actions: Actions): HTMLEl
 
 /** Distances are told elsewhere. */
 export function headlineOf({ count, greatest, not_looked_at = [] }: Pick<LimitsKept, 'count' | 'greatest' | 'not_looked_at'>): { text: string; risky: boolean } {
-  const kept = greatest.length > 0 ? ['Greatest speeds and height that the show declares: kept.'] : [];
+  const kept = greatest.length > 0 ? ['Greatest speeds, accelerations and height that the show declares: kept.'] : [];
   const told = count === 0 ? kept : [`Beyond what the show declares: ${formatCount(count)} ${count === 1 ? 'stretch' : 'stretches'}.`];
   if (not_looked_at.length > 0) told.push(`Declared, but not looked at: ${not_looked_at.join(', ')}.`);
   return { text: told.join(' '), risky: count > 0 || not_looked_at.length > 0 };

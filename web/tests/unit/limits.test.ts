@@ -7,7 +7,7 @@ import { headlineOf } from '../../src/panels/limits';
 const kGreatest: LimitsKept['greatest'] = [{ limit: 'height', most: 120, value: 20, bee: 0, time_s: 1 }];
 
 test('limits that are kept are said to be', () => {
-  assert.deepEqual(headlineOf({ count: 0, greatest: kGreatest }), { text: 'Greatest speeds and height that the show declares: kept.', risky: false });
+  assert.deepEqual(headlineOf({ count: 0, greatest: kGreatest }), { text: 'Greatest speeds, accelerations and height that the show declares: kept.', risky: false });
 });
 
 test('stretches beyond limits are counted', () => {
@@ -17,7 +17,7 @@ test('stretches beyond limits are counted', () => {
 
 test('limits that were not looked at are named, beside the kept ones and alone', () => {
   assert.deepEqual(headlineOf({ count: 0, greatest: kGreatest, not_looked_at: ['maxAccelerationXY', 'maxYawRate'] }), {
-    text: 'Greatest speeds and height that the show declares: kept. Declared, but not looked at: maxAccelerationXY, maxYawRate.',
+    text: 'Greatest speeds, accelerations and height that the show declares: kept. Declared, but not looked at: maxAccelerationXY, maxYawRate.',
     risky: true,
   });
   assert.deepEqual(headlineOf({ count: 0, greatest: [], not_looked_at: ['minNavAltitude'] }), { text: 'Declared, but not looked at: minNavAltitude.', risky: true });

@@ -1,0 +1,45 @@
+#include "cli/watch/doubt_text.hpp"
+
+#include "cli/console/terminal.hpp"
+#include "io/bytes/number_text.hpp"
+
+namespace beespace::cli {
+namespace {
+
+std::string jumps_in(const std::string& bee, const std::string& line, double time_s) {
+  return "beespace: " + printable(bee) + " jumps in " + line + ", " + io::exact(time_s) + " s, ";
+}
+
+}  // namespace
+
+std::string jump_text(const std::string& bee, const std::string& line, double time_s) {
+  return jumps_in(bee, line, time_s) +
+         "faster than anything that flies, or than it says itself: a place or a time is wrong\n";
+}
+
+std::string thawed_text(const std::string& bee, const std::string& line, double time_s) {
+  return jumps_in(bee, line, time_s) +
+         "more than three times as far and as fast as before, out of a place that it had repeated "
+         "exactly: where it was meanwhile is not known\n";
+}
+
+std::string shared_text(const std::string& bee, const std::string& line, double time_s) {
+  return "beespace: " + printable(bee) + " is at two places in turn, up to " + line + ", " +
+         io::exact(time_s) + " s, as if two had this id: where they are is not known\n";
+}
+
+std::string contrary_text(const std::string& bee, double time_s) {
+  return "beespace: left out: " + printable(bee) + " is said to be at two places at " +
+         io::exact(time_s) + " s; the first one counts\n";
+}
+
+Error none_understood(const std::vector<Error>& errors) {
+  Error error = errors.front();
+  if (errors.size() > 1) {
+    error.message +=
+        " (and none of the next " + std::to_string(errors.size() - 1) + " lines could be read)";
+  }
+  return error;
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,24 @@
+// What `watch` says of reports that cannot be read, and of bees whose reports do not go together.
+// `line` is where the last one was read: "line 12".
+#pragma once
+
+#include <beespace/result.hpp>
+
+#include <string>
+#include <vector>
+
+namespace beespace::cli {
+
+// Faster than anything flies, or than it says itself.
+std::string jump_text(const std::string& bee, const std::string& line, double time_s);
+// Out of a place that it had left before.
+std::string thawed_text(const std::string& bee, const std::string& line, double time_s);
+// To and fro between two places.
+std::string shared_text(const std::string& bee, const std::string& line, double time_s);
+// At two places at one time.
+std::string contrary_text(const std::string& bee, double time_s);
+
+// Of lines that all were no reports: the first error, and how many follow.
+Error none_understood(const std::vector<Error>& errors);
+
+}  // namespace beespace::cli
