@@ -234,7 +234,7 @@ class Watch {
     if (!lines_.in_frames() && counts_as_none(no_places_.stale(*number, time_of(at), at), at.id)) {
       return std::monostate{};
     }
-    look_for_doubt(*number, {time_of(at), metres->position},
+    look_for_doubt(*number, at, {time_of(at), metres->position},
                    metres->velocity ? &*metres->velocity : nullptr);
     Status taken = feed_->take({*number, time_of(at), metres->position, metres->velocity,
                                 metres->height_m, metres->climb_mps},
@@ -295,7 +295,8 @@ class Watch {
 
   // Two that report in turn under one id, and one that is somewhere else too fast: it is not known
   // where they are.
-  void look_for_doubt(AgentId number, const Fix& fix, const Velocity* velocity) {
+  void look_for_doubt(AgentId number, const io::ReportLine& at, const Fix& fix,
+                      const Velocity* velocity) {
     if (number >= tracks_.size()) tracks_.resize(number + 1);
     Doubts& doubts = tracks_[number];
     if (doubts.jumps.take(fix, velocity) && !std::exchange(doubts.jumping, true)) {
@@ -308,13 +309,13 @@ class Watch {
       }
     }
     if (doubts.shared.found()) return;
-    doubts.shared.take(fix);
+    doubts.shared.take({fix.time_s, at.position}, at.frame);
     if (!doubts.shared.found()) return;
     if (advice_) advice_->note_unplaced(many_unplaced_ = true);
     if (++left_out_.shared > kMostBadLinesSaid || request_.quiet) return;
     say("beespace: " + printable(feed_->name(number).id) + " is at two places in turn, up to " +
         line_text() + ", " + io::exact(fix.time_s) +
-        " s, as if two had this id: where they are is not known\n");
+        " s, as if two or more had this id: where they are is not known; give each its own\n");
   }
 
   void note_contrary(const PositionReport& report) {

@@ -113,7 +113,9 @@ Error RecordingAssembly::conflict_error(const TimeConflict& conflict) const {
   const std::string first = place_text(conflict.first);
   std::string message = "bee " + excerpt(conflict.id) + " is at another place at the same time";
   if (facts_ && facts_->has_time) {
-    message += ", " + exact(conflict.time_s) + " s, in " + first +
+    const Calendar calendar{facts_->since_1970, options_.time_zone, facts_->clock};
+    const std::string date = calendar.text(conflict.time_s);
+    message += ", " + (date.empty() ? exact(conflict.time_s) + " s" : date) + ", in " + first +
                "; correct one of them, or name the column that tells the bees apart with "
                "--columns id=...";
   } else {
@@ -342,6 +344,7 @@ Result<Recording> RecordingAssembly::finish() {
   for (RecordedBee& bee : recording_.bees) {
     settle_ground(bee);
     settle_unplaced(bee);
+    settle_label(bee);
   }
   if (std::any_of(recording_.bees.begin(), recording_.bees.end(),
                   [](const RecordedBee& bee) { return !bee.landed.empty(); })) {
