@@ -5,6 +5,7 @@
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/unplaced.hpp"
 #include "io/recording/doubled_drones.hpp"
+#include "io/recording/moment_text.hpp"
 #include "io/recording/recording_assembly.hpp"
 #include "io/recording/show_ground.hpp"
 #include "io/recording/stale_places.hpp"
