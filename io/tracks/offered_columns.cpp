@@ -1,6 +1,7 @@
 #include "io/tracks/offered_columns.hpp"
 
 #include "io/bytes/characters.hpp"
+#include "io/table/table_sources.hpp"
 
 #include <array>
 #include <cstddef>
@@ -12,13 +13,15 @@
 namespace beespace::io {
 namespace {
 
-// Columns of numbers that are understood as nothing else.
+// Columns of numbers that are understood as nothing else, and name no other quantity.
 std::vector<std::size_t> free_numbers(const Header& header) {
   const TableLayout& table = header.table();
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < header.size(); ++i) {
     const bool is_number = i < table.contents.size() && table.contents[i] == ColumnContent::kNumber;
-    if (is_number && header.meaning(i).role == Role::kNone) numbers.push_back(i);
+    const bool is_free =
+        header.meaning(i).role == Role::kNone && !names_other_quantity(table.names[i]);
+    if (is_number && is_free) numbers.push_back(i);
   }
   return numbers;
 }

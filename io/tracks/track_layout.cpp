@@ -33,6 +33,7 @@
 #include "io/tracks/wall_times.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -72,6 +73,16 @@ std::optional<Error> nameless_position(const Header& header) {
                      (header.has(Role::kLongitude) && header.has(Role::kLatitude));
   if (overridden || named) return std::nullopt;
   const TableLayout& table = header.table();
+  // Of Flightradar24: "48.0,2.0" in quotes.
+  const auto joined = std::find(table.names.begin(), table.names.end(), "Position");
+  const auto at = static_cast<std::size_t>(joined - table.names.begin());
+  if (joined != table.names.end() && at < table.contents.size() &&
+      table.contents[at] == ColumnContent::kText) {
+    return missing(column_text(table, at) +
+                   " seems to hold latitude and longitude in one; make two columns of it, as by "
+                   "sed 's/\"//g; 1s/Position/latitude,longitude/' FILE.csv > split.csv, and say "
+                   "--units aviation");
+  }
   if (!table.names.empty()) {
     const std::string metric = offered_columns(header, false);
     return missing("the header names no position (x and y, or longitude and latitude)" +
