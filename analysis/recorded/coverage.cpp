@@ -40,7 +40,7 @@ bool is_in_a_plane(const io::Recording& recording) {
 class Surroundings {
  public:
   explicit Surroundings(const io::Recording& recording) {
-    if (!recording.flat || !is_in_a_plane(recording)) return;
+    if (!recording.flat) return;
     for (const io::RecordedBee& bee : recording.bees) {
       for (const Fix& fix : bee.fixes) {
         low_x_ = std::min(low_x_, fix.position.x);
@@ -52,18 +52,26 @@ class Surroundings {
   }
 
   // Whether who is there, and goes on as it did beside that, does not reach the border in a time.
-  [[nodiscard]] bool in_the_midst(const Fix& end, const Fix& beside, double time_s) const {
+  [[nodiscard]] bool in_the_midst(const Fix& end, const Fix& beside, double time_s,
+                                  io::Frame frame) const {
     const double step_s = std::abs(end.time_s - beside.time_s);
-    const double step_m =
-        std::hypot(end.position.x - beside.position.x, end.position.y - beside.position.y);
+    const double step_m = across_m(end.position, beside.position, frame);
     const double way_m = step_s > 0.0 ? step_m / step_s * time_s : 0.0;
-    const double to_border_m = std::min({end.position.x - low_x_, end.position.y - low_y_,
-                                         high_x_ - end.position.x, high_y_ - end.position.y});
-    return to_border_m > way_m;  // never where nothing was added
+    const Point& at = end.position;
+    const bool inside = at.x >= low_x_ && at.x <= high_x_ && at.y >= low_y_ && at.y <= high_y_;
+    const double to_border_m = std::min(
+        std::min(across_m(at, {low_x_, at.y, 0}, frame), across_m(at, {high_x_, at.y, 0}, frame)),
+        std::min(across_m(at, {at.x, low_y_, 0}, frame), across_m(at, {at.x, high_y_, 0}, frame)));
+    return inside && to_border_m > way_m;  // never where nothing was added
   }
 
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  static double across_m(const Point& a, const Point& b, io::Frame frame) {
+    const Point apart = io::flat_offset_m(a, b, frame);
+    return std::hypot(apart.x, apart.y);
+  }
 
   double low_x_ = kInfinity;
   double low_y_ = kInfinity;
@@ -135,10 +143,13 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
     of.seconds += seconds;
     const bool stands =
         height_m <= kLoggedTolerance_m && rests(end, beside, recording.frame, kMostAtRest_mps);
-    // Who is seen from above leaves the picture; a robot stops, or goes on.
-    const bool lost = in_a_plane && seconds > max_gap_s &&
-                      (recording.flat ? surroundings.in_the_midst(end, beside, max_gap_s)
-                                      : !rests(end, beside, recording.frame, kMostParked_mps));
+    // Who is seen from above leaves the picture; a robot, or who is on the Earth, stops or goes on.
+    const bool moves = !rests(end, beside, recording.frame, kMostParked_mps);
+    const bool may_leave =
+        recording.flat && !surroundings.in_the_midst(end, beside, max_gap_s, recording.frame);
+    const bool must_move = !recording.flat || recording.frame == io::Frame::kWgs84;
+    const bool lost = (in_a_plane || recording.flat) && seconds > max_gap_s && !may_leave &&
+                      (moves || !must_move);
     if (!recording.show && !lost && !(flies && !stands && seconds > known_s)) return;
     of.cut_off = true;
     of.hidden.push_back(away);
@@ -182,7 +193,7 @@ std::vector<double> unknown_times_s(const io::Recording& recording, const std::v
 
 std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector<Gap>& gaps,
                                const MaxGap& max_gap) {
-  std::vector<Gap> all = joined_gaps(gaps, jump_spans(recording));
+  std::vector<Gap> all = joined_gaps(gaps, doubtful_spans(recording, max_gap));
   const auto outside = outside_of(recording, max_gap.seconds);
   for (std::size_t track = 0; track < outside.size(); ++track) {
     for (const TimeSpan& span : outside[track].hidden) {
@@ -214,8 +225,9 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
   return coverage_of(recording, gaps, max_gap, intervals);
 }
 
-Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gaps,
+Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& long_gaps,
                      const MaxGap& max_gap, const std::vector<BeeInterval>& intervals) {
+  const std::vector<Gap> gaps = joined_gaps(long_gaps, lost_spans(recording, max_gap));
   Coverage coverage;
   coverage.max_gap = max_gap;
   coverage.gaps = gaps.size();
@@ -243,7 +255,7 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
     if (outside.cut_off) ++coverage.bees_cut_off;
     if (outside.unplaced) ++coverage.bees_unplaced;
   }
-  coverage.in_a_plane = is_in_a_plane(recording);
+  coverage.in_a_plane = is_in_a_plane(recording) || recording.flat;
   coverage.instants_only = is_of_instants(recording);
   coverage.missing = recording.missing;
   return coverage;
@@ -317,7 +329,7 @@ std::string missing_text(const io::MissingRecords& missing) {
 }
 
 std::string gap_text(const Gap& gap, const io::Recording& recording) {
-  return text_of(name_of(gap.track, recording)) + " from " +
+  return text_of(name_at(gap.begins_s, gap.track, recording)) + " from " +
          io::moment_text(gap.begins_s, recording) + " for " + io::time_span(length_of(gap));
 }
 

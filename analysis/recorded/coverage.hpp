@@ -10,7 +10,9 @@
 // begin or end above the lowest place of all ends, or moving there; in degrees, where they begin
 // later or end earlier by more than a gap. In metres and in a plane, what is seen from above comes
 // and goes at the border of where all are, and who comes or goes in the midst of it was lost; so
-// was, where all heights are 0, who begins or ends while it moves. In a plane it is there, and it
+// was, in degrees without heights, who moves there then, and, where all heights are 0, who begins
+// or ends while it moves. Between two fixes it is unknown, too, where two records or more without a
+// place are between them, unless it is asked how long a gap is. In a plane it is there, and it
 // is not known where, while it has records without a place. An aircraft that says to be on the
 // ground before or after is known from there on, and so is a drone that says that it has landed.
 #pragma once

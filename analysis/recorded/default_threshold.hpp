@@ -3,6 +3,9 @@
 
 #include "io/recording/recording.hpp"
 
+#include <beespace/result.hpp>
+
+#include <optional>
 #include <string_view>
 
 namespace beespace::analysis {
@@ -17,5 +20,10 @@ struct DefaultThreshold {
 };
 
 DefaultThreshold default_threshold(const io::Recording& recording, double otherwise_m);
+
+// Of air traffic nothing else is usual than what its rules say, and these are of several kinds:
+// what to type where nothing was. Nothing for what is no air traffic, as far as is known.
+// `knows_usual`: the command has --separation.
+std::optional<Error> threshold_needed(const io::Recording& recording, bool knows_usual);
 
 }  // namespace beespace::analysis

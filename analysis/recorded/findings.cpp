@@ -147,7 +147,7 @@ std::vector<Moment> separation_over_time(const Findings& findings, double every_
   if (!time) return moments;
   Engine engine;
   const std::vector<Standing> standing = standing_in(findings.recording);
-  const std::vector<Gap> jumps = jump_spans(findings.recording);
+  const std::vector<Gap> jumps = doubtful_spans(findings.recording, findings.coverage.max_gap);
   Places flying;
   Places on_ground;
   std::vector<Point> in_gaps;

@@ -32,6 +32,21 @@ std::vector<Gap> jump_spans(const io::Recording& recording) {
   return spans;
 }
 
+std::vector<Gap> lost_spans(const io::Recording& recording, const MaxGap& max_gap) {
+  std::vector<Gap> spans;
+  if (max_gap.asked) return spans;
+  for (std::size_t track = 0; track < recording.bees.size(); ++track) {
+    for (const TimeSpan& lost : recording.bees[track].lost) {
+      spans.push_back({static_cast<PointId>(track), lost.begins_s, lost.ends_s});
+    }
+  }
+  return spans;
+}
+
+std::vector<Gap> doubtful_spans(const io::Recording& recording, const MaxGap& max_gap) {
+  return joined_gaps(jump_spans(recording), lost_spans(recording, max_gap));
+}
+
 bool is_within(const std::vector<Gap>& spans, PointId track, double time_s) {
   const auto behind = std::lower_bound(spans.begin(), spans.end(), std::pair(track, time_s),
                                        [](const Gap& gap, const std::pair<PointId, double>& at) {

@@ -2,6 +2,7 @@
 // is not known where such a bee is, as one of the two places, or times, is wrong.
 #pragma once
 
+#include "analysis/recorded/gaps.hpp"
 #include "io/recording/recording.hpp"
 
 #include <beespace/find_conflicts.hpp>
@@ -12,6 +13,13 @@ namespace beespace::analysis {
 
 // In ascending order of (track, begins_s).
 std::vector<Gap> jump_spans(const io::Recording& recording);
+
+// When bees have records without a place, two in a row or more: from the fix before to the one
+// behind. Who says with --max-gap how far fixes may be apart means these, too.
+std::vector<Gap> lost_spans(const io::Recording& recording, const MaxGap& max_gap);
+
+// Both: when a bee is not known where it has fixes, beside its gaps.
+std::vector<Gap> doubtful_spans(const io::Recording& recording, const MaxGap& max_gap);
 
 // Whether that is in one of them, and not at its end; `spans` are in that order.
 bool is_within(const std::vector<Gap>& spans, PointId track, double time_s);

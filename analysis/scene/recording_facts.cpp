@@ -295,7 +295,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   const auto uprights = Uprights::of(recording, *in_space, max_gap.seconds);
   if (!uprights) return uprights.error();
   facts.unknown_spans = unknown_spans(recording, facts.gaps, max_gap);
-  facts.gaps = joined_gaps(std::move(facts.gaps), jump_spans(recording));
+  facts.gaps = joined_gaps(std::move(facts.gaps), doubtful_spans(recording, max_gap));
   SeparationOverTime over_time = separation_of(
       {recording, tracks, *in_space, *recorded, *closest, coverage, closest->has_value()},
       *uprights, facts.unknown_spans, swarm);

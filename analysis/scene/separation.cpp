@@ -120,7 +120,7 @@ SeparationOverTime nearest_to_conflict(const Findings& findings, const Uprights&
                                        const report::SwarmFacts& swarm, const TimeSpan& time) {
   SeparationOverTime over_time;
   NearestToConflict search(swarm);
-  const std::vector<Gap> jumps = jump_spans(findings.recording);
+  const std::vector<Gap> jumps = doubtful_spans(findings.recording, findings.coverage.max_gap);
   double share = 1.0;
   const double step_s = every_s(time);
   for (std::uint64_t i = 0; static_cast<double>(i) * step_s <= time.ends_s - time.begins_s; ++i) {

@@ -19,6 +19,8 @@ struct BeeName {
 std::string text_of(const BeeName& name);
 
 BeeName name_of(PointId bee, const io::Recording& recording);
+// The same at that time: an aircraft may be several flights one after the other.
+BeeName name_at(double time_s, PointId bee, const io::Recording& recording);
 
 // Whether any bee has a label.
 bool has_labels(const io::Recording& recording);

@@ -114,7 +114,7 @@ void add_threshold_options(Command& command, MovingRequest& request) {
   command.group("Separation");
   command.option("--threshold", "LENGTH", request.threshold, read_stated_threshold_in_motion,
                  "Closer than this is too close (default: what the\ninput declares, or 2 for "
-                 "shows, otherwise 100)");
+                 "shows, otherwise 100; of aircraft\n'replay' and 'predict' ask for it)");
   command.option("--vertical", "LENGTH", request.vertical, read_vertical, kVerticalHelp);
   add_usual_separation_option(command, request.separation);
   command.flag("--inclusive", request.inclusive, "A distance of exactly the threshold counts too");

@@ -100,8 +100,9 @@ std::string separation_summary(const MovingRequest& request, double threshold_m,
 }
 
 std::string pair_text(const Conflict& conflict, const io::Recording& recording) {
-  return printable(text_of(analysis::name_of(conflict.first, recording))) + " and " +
-         printable(text_of(analysis::name_of(conflict.second, recording)));
+  return printable(text_of(analysis::name_at(conflict.closest_s, conflict.first, recording))) +
+         " and " +
+         printable(text_of(analysis::name_at(conflict.closest_s, conflict.second, recording)));
 }
 
 bool in_aviation(const MovingRequest& request, const io::Recording& recording) {
@@ -240,9 +241,9 @@ Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& 
   add_apart_columns(rows.columns, distances);
   rows.rows.reserve(conflicts.size());
   for (const Conflict& c : conflicts) {
-    rows.rows.push_back({analysis::name_of(c.first, recording),
-                         analysis::name_of(c.second, recording), c.begins_s, c.closest_s,
-                         c.closest_m, c.ends_s});
+    rows.rows.push_back({analysis::name_at(c.closest_s, c.first, recording),
+                         analysis::name_at(c.closest_s, c.second, recording), c.begins_s,
+                         c.closest_s, c.closest_m, c.ends_s});
     if (with_certain) rows.rows.back().emplace_back(c.certain);
     add_apart(rows.rows.back(), distances.of(c), distances);
   }

@@ -213,8 +213,9 @@ void write_pair(io::JsonWriter& json, const char* key, const std::optional<Confl
   json.key(key);
   if (!pair) return json.null();
   Rows row{{{"first", "first_label"}, {"second", "second_label"}, {"at_s"}, {"distance_m"}},
-           {{analysis::name_of(pair->first, recording), analysis::name_of(pair->second, recording),
-             pair->closest_s, pair->closest_m}},
+           {{analysis::name_at(pair->closest_s, pair->first, recording),
+             analysis::name_at(pair->closest_s, pair->second, recording), pair->closest_s,
+             pair->closest_m}},
            analysis::has_labels(recording)};
   set_labels_apart(row);
   write_row(json, row.columns, row.rows.front());
@@ -253,9 +254,10 @@ Rows finding_rows(const PathFindings& findings) {
             analysis::has_labels(recording),
             io::calendar_of(recording)};
   for (const Conflict& loss : findings.verdict.losses) {
-    rows.rows.push_back({std::string("loss"), analysis::name_of(loss.first, recording),
-                         analysis::name_of(loss.second, recording), loss.begins_s, loss.ends_s,
-                         loss.closest_m, findings.question.threshold_m, loss.closest_s});
+    rows.rows.push_back(
+        {std::string("loss"), analysis::name_at(loss.closest_s, loss.first, recording),
+         analysis::name_at(loss.closest_s, loss.second, recording), loss.begins_s, loss.ends_s,
+         loss.closest_m, findings.question.threshold_m, loss.closest_s});
   }
   for (const auto& [bee, loss] : findings.verdict.clearance_losses) {
     const Obstacle& obstacle = findings.question.obstacles->obstacles()[loss.obstacle];

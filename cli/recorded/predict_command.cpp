@@ -219,6 +219,9 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
   if (auto doubt = analysis::doubt_of_scale(*recording, moving.threshold)) return *std::move(doubt);
+  if (!moving.threshold_m) {
+    if (auto needed = analysis::threshold_needed(*recording, true)) return *std::move(needed);
+  }
   const analysis::Geometry geometry = analysis::geometry_for(*recording, moving.vertical);
   const auto snapshot =
       snapshot_of(*recording, geometry, request.max_age_s, analysis::Wanted::kMotionOrNow);

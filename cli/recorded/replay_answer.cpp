@@ -14,8 +14,9 @@ namespace {
 Rows closest_row(const Conflict& closest, const io::Recording& recording,
                  const Distances& distances) {
   Rows rows{{{"first", "first_label"}, {"second", "second_label"}, {"time_s"}, {"distance_m"}},
-            {{analysis::name_of(closest.first, recording),
-              analysis::name_of(closest.second, recording), closest.closest_s, closest.closest_m}},
+            {{analysis::name_at(closest.closest_s, closest.first, recording),
+              analysis::name_at(closest.closest_s, closest.second, recording), closest.closest_s,
+              closest.closest_m}},
             analysis::has_labels(recording)};
   add_apart_columns(rows.columns, distances);
   add_apart(rows.rows.front(), distances.of(closest), distances);

@@ -163,6 +163,9 @@ class Replaying {
   }
 
   Status search() {
+    if (!moving_.threshold_m) {
+      if (auto needed = analysis::threshold_needed(recording_, true)) return *std::move(needed);
+    }
     threshold_m_ = moving_.threshold_m.value_or(
         analysis::default_threshold(recording_, kDefaultThreshold_m).metres);
     const ConflictOptions options = {

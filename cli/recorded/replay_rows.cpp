@@ -15,8 +15,8 @@ void add_closest(std::vector<Value>& row, const Conflict* closest, PointId bee,
                  const io::Recording& recording) {
   if (closest == nullptr) return row.resize(row.size() + 3);
   const PointId other = closest->first == bee ? closest->second : closest->first;
-  row.insert(row.end(),
-             {closest->closest_m, closest->closest_s, analysis::name_of(other, recording)});
+  row.insert(row.end(), {closest->closest_m, closest->closest_s,
+                         analysis::name_at(closest->closest_s, other, recording)});
 }
 
 }  // namespace
@@ -81,8 +81,9 @@ Rows separation_rows(const std::vector<analysis::Moment>& moments,
   for (const analysis::Moment& moment : moments) {
     std::vector<Value> row{moment.time_s};
     if (std::isfinite(moment.distance_m)) {
-      row.insert(row.end(), {moment.distance_m, analysis::name_of(moment.first, recording),
-                             analysis::name_of(moment.second, recording)});
+      row.insert(row.end(),
+                 {moment.distance_m, analysis::name_at(moment.time_s, moment.first, recording),
+                  analysis::name_at(moment.time_s, moment.second, recording)});
     } else {
       row.resize(columns - 1);
     }

@@ -112,9 +112,10 @@ Rows finding_rows(const Verification& verification) {
             analysis::has_labels(recording),
             io::calendar_of(recording)};
   for (const Loss& loss : verification.verdict.first_losses) {
-    rows.rows.push_back({std::string("loss"), analysis::name_of(loss.pair.first, recording),
-                         analysis::name_of(loss.pair.second, recording), loss.begins_s, loss.ends_s,
-                         loss.closest_m});
+    rows.rows.push_back({std::string("loss"),
+                         analysis::name_at(loss.begins_s, loss.pair.first, recording),
+                         analysis::name_at(loss.begins_s, loss.pair.second, recording),
+                         loss.begins_s, loss.ends_s, loss.closest_m});
   }
   for (const ClearanceLoss& loss : verification.verdict.first_clearance_losses) {
     const Obstacle& obstacle = verification.options.obstacles->obstacles()[loss.obstacle];

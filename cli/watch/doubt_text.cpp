@@ -25,7 +25,8 @@ std::string thawed_text(const std::string& bee, const std::string& line, double 
 
 std::string shared_text(const std::string& bee, const std::string& line, double time_s) {
   return "beespace: " + printable(bee) + " is at two places in turn, up to " + line + ", " +
-         io::exact(time_s) + " s, as if two had this id: where they are is not known\n";
+         io::exact(time_s) +
+         " s, as if two or more had this id: where they are is not known; give each its own\n";
 }
 
 std::string contrary_text(const std::string& bee, double time_s) {

@@ -241,7 +241,7 @@ class Watch {
       return std::monostate{};
     }
     if (!lines_.in_frames() && no_places_.thaws(*number, time_of(at), at)) note_thawed(*number, at);
-    look_for_doubt(*number, {time_of(at), metres->position},
+    look_for_doubt(*number, at, {time_of(at), metres->position},
                    metres->velocity ? &*metres->velocity : nullptr);
     Status taken = feed_->take({*number, time_of(at), metres->position, metres->velocity,
                                 metres->height_m, metres->climb_mps},
@@ -293,7 +293,8 @@ class Watch {
 
   // Two that report in turn under one id, and one that is somewhere else too fast: it is not known
   // where they are.
-  void look_for_doubt(AgentId number, const Fix& fix, const Velocity* velocity) {
+  void look_for_doubt(AgentId number, const io::ReportLine& at, const Fix& fix,
+                      const Velocity* velocity) {
     if (number >= tracks_.size()) tracks_.resize(number + 1);
     Doubts& doubts = tracks_[number];
     if (doubts.jumps.take(fix, velocity) && !std::exchange(doubts.jumping, true)) {
@@ -303,7 +304,7 @@ class Watch {
       }
     }
     if (doubts.shared.found()) return;
-    doubts.shared.take(fix);
+    doubts.shared.take({fix.time_s, at.position}, at.frame);
     if (!doubts.shared.found()) return;
     if (advice_) advice_->note_unplaced(many_unplaced_ = true);
     if (++left_out_.shared > kMostBadLinesSaid || request_.quiet) return;

@@ -49,7 +49,7 @@ std::optional<Error> AircraftGathering::add(const AircraftReport& report, std::u
   std::optional<double> stated;
   if (report.height_unit != Unit::kMetre) stated = fix.stated_height;
   assembly_.tracks().add(id, fix.fix, &fix.velocity, origin, stated);
-  if (!report.label.empty()) assembly_.tracks().label(id, report.label);
+  if (!report.label.empty()) assembly_.tracks().label(id, report.label, fix.fix.time_s);
   return std::nullopt;
 }
 

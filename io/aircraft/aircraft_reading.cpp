@@ -2,6 +2,7 @@
 
 #include "io/aircraft/aircraft_gathering.hpp"
 #include "io/aircraft/aircraft_object.hpp"
+#include "io/aircraft/aircraft_trace.hpp"
 #include "io/aircraft/state_vector.hpp"
 #include "io/bytes/characters.hpp"
 #include "io/problems/excerpt.hpp"
@@ -66,6 +67,13 @@ class AircraftDocuments {
 
   // Errors have the line, where there is one, or the record.
   std::optional<Error> read(JsonElement root, LineNumber line) {
+    if (const auto kind = trace_kind(root)) return read_trace(root, *kind, line);
+    if (const auto parts = list_of(root, "files"); parts && parts.value()) {
+      for (const JsonElement part : **parts) {
+        if (auto error = read(part, line)) return error;
+      }
+      return std::nullopt;
+    }
     auto error = json_twice(root, {"now", "aircraft", "ac", "states"});
     if (!error) {
       error = has_member(root, "states") ? read_states(root, line) : read_aircraft(root, line);
@@ -152,6 +160,22 @@ class AircraftDocuments {
                      });
   }
 
+  // Those of OpenSky and of readsb have one kind of heights each.
+  std::optional<Error> read_trace(JsonElement root, TraceKind kind, LineNumber line) {
+    AircraftGathering traces(choice_of(assembly_), assembly_);
+    const bool readsb = kind == TraceKind::kReadsb;
+    if (auto error = traces.begin(readsb ? "trace of readsb" : "track of OpenSky",
+                                  readsb ? Unit::kFoot : Unit::kMetre, 0.0)) {
+      return error;
+    }
+    auto head = read_trace_head(root, kind);
+    if (!head) return head.error();
+    return read_list(root, trace_key(kind), traces, line,
+                     [kind, &head](JsonElement place, AircraftReport& report) {
+                       return read_trace_place(place, kind, *head, report);
+                     });
+  }
+
   std::optional<Error> read_states(JsonElement root, LineNumber line) {
     if (auto error = begin_opensky()) return error;
     return read_list(root, "states", *opensky_, line, read_state_vector);
@@ -161,6 +185,17 @@ class AircraftDocuments {
   std::optional<AircraftGathering> readsb_;
   std::optional<AircraftGathering> opensky_;
 };
+
+// What tar1090 keeps: documents of some minutes, one after the other.
+bool is_chunk(JsonElement root) {
+  JsonArray parts;
+  const auto files = json_member(root, "files");
+  if (!files || !files->get(parts) || parts.size() == 0) return false;
+  for (const JsonElement part : parts) {
+    if (!has_member(part, "now") || !has_member(part, "aircraft")) return false;
+  }
+  return true;
+}
 
 bool is_aircraft_with_time(JsonElement root) {
   JsonMap object;
@@ -172,6 +207,7 @@ bool is_aircraft_with_time(JsonElement root) {
 bool is_aircraft_document(JsonElement root) {
   JsonArray list;
   const auto ac = json_member(root, "ac");
+  if (trace_kind(root) || is_chunk(root)) return true;
   return has_member(root, "aircraft") || has_member(root, "states") ||
          (has_member(root, "now") && ac && ac->get(list));
 }

@@ -374,7 +374,9 @@ class TelemetryReading {
     assembly_.tracks().add(id, {heard.time_s, heard.at.position}, &heard.at.velocity, origin);
     const bool is_other = heard.at.by == PlaceBy::kOfAnother;
     if (is_other) assembly_.told_by_others(id);
-    if (is_other && !heard.at.name.empty()) assembly_.tracks().label(id, heard.at.name);
+    if (is_other && !heard.at.name.empty()) {
+      assembly_.tracks().label(id, heard.at.name, heard.time_s);
+    }
     return std::nullopt;
   }
 

@@ -9,7 +9,8 @@ inline constexpr LeftOutReason kNoPosition = {"without a position"};
 // Of those who look for it in every picture: no more than if the record were not there.
 inline constexpr LeftOutReason kUnknownPlace = {
     "without a place (empty, NA or NaN)",
-    "the track is unknown there as if there were no record: for longer than --max-gap it has a gap",
+    "a single one is passed over; where two or more follow each other the track is unknown from "
+    "the fix before to the one behind, unless --max-gap says how long a gap is",
     true};
 // The other half may contradict what is said of the others.
 inline constexpr LeftOutReason kHalfPlace = {"with half a place (the rest is empty, NA or NaN)",

@@ -45,7 +45,16 @@ struct RecordedBee {
   // Since when, and until when, it has records without a place, if it has any.
   std::optional<double> unplaced_from_s = {};
   std::optional<double> unplaced_until_s = {};
-  std::string label = {};  // what it is called beside its id: the flight; or nothing
+  // From a fix to the next one, where there are two records without a place between them, or more.
+  std::vector<TimeSpan> lost = {};
+  // What it is called beside its id: the flight, or several, one after the other; or nothing.
+  std::string label = {};
+  // Of several: since when it is called each, in order of time; of one, nothing.
+  struct Called {
+    double since_s;
+    std::string label;
+  };
+  std::vector<Called> called = {};
 };
 
 // Records that were there but are left out, since their place, height or time is missing or bad:

@@ -141,17 +141,39 @@ void RecordingAssembly::heard_of(const LeftOutReason& reason, std::string_view i
 }
 
 void RecordingAssembly::unplaced(std::string_view id, double time_s) {
-  const auto [known, is_new] = unplaced_.try_emplace(std::string(id), Times{time_s, time_s});
-  if (is_new) return;
-  known->second.first_s = std::min(known->second.first_s, time_s);
-  known->second.last_s = std::max(known->second.last_s, time_s);
+  unplaced_[std::string(id)].push_back(time_s);
 }
 
-void RecordingAssembly::settle_unplaced(RecordedBee& bee) const {
+void RecordingAssembly::settle_unplaced(RecordedBee& bee) {
   const auto known = unplaced_.find(bee.id);
   if (known == unplaced_.end()) return;
-  bee.unplaced_from_s = known->second.first_s;
-  bee.unplaced_until_s = known->second.last_s;
+  std::vector<double>& times_s = known->second;
+  std::sort(times_s.begin(), times_s.end());
+  times_s.erase(std::unique(times_s.begin(), times_s.end()), times_s.end());
+  bee.unplaced_from_s = times_s.front();
+  bee.unplaced_until_s = times_s.back();
+  auto next = times_s.begin();
+  for (std::size_t i = 1; i < bee.fixes.size(); ++i) {
+    const TimeSpan between{bee.fixes[i - 1].time_s, bee.fixes[i].time_s};
+    next = std::upper_bound(next, times_s.end(), between.begins_s);
+    const auto behind = std::lower_bound(next, times_s.end(), between.ends_s);
+    if (behind - next >= 2) bee.lost.push_back(between);
+    next = behind;
+  }
+}
+
+void RecordingAssembly::settle_label(RecordedBee& bee) {
+  auto& called = bee.called;
+  std::stable_sort(called.begin(), called.end(),
+                   [](const auto& a, const auto& b) { return a.since_s < b.since_s; });
+  const auto same = [](const auto& a, const auto& b) { return a.label == b.label; };
+  called.erase(std::unique(called.begin(), called.end(), same), called.end());
+  constexpr std::size_t kMostNamed = 3;
+  for (std::size_t i = 0; i < called.size(); ++i) {
+    if (i == kMostNamed) bee.label += ", ...";
+    if (i < kMostNamed) bee.label += (i > 0 ? ", " : "") + called[i].label;
+  }
+  if (called.size() < 2) called.clear();
 }
 
 void RecordingAssembly::settle_heard() {
@@ -168,7 +190,8 @@ void RecordingAssembly::share(const SharedTrack& track) {
   missing.shared_ids.push_back(track.id);
   note("bee " + excerpt(track.id) + " is at two places in turn, from " + place_text(track.first) +
        " on, " + moment_text(track.time_s, recording_) +
-       ", as if two had this id: where they are is not known; give each an id of its own");
+       ", as if two or more had this id: where they are is not known; give each an id of its "
+       "own, in a column that --columns id=... names, or in a file of its own");
 }
 
 void RecordingAssembly::jump(const SharedTrack& track) {

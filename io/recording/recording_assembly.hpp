@@ -217,7 +217,8 @@ class RecordingAssembly {
   void settle_claim(const std::string& id, const GroundClaims::Run& run);
   // Of aircraft that take off from the ground, or land there, when they did.
   void settle_ground(RecordedBee& bee) const;
-  void settle_unplaced(RecordedBee& bee) const;
+  void settle_unplaced(RecordedBee& bee);
+  static void settle_label(RecordedBee& bee);
   [[nodiscard]] MissingRecords missing() const;
   [[nodiscard]] std::optional<Error> doubtful_heights() const;
   [[nodiscard]] std::optional<Error> own_grounds() const;
@@ -237,12 +238,8 @@ class RecordingAssembly {
   LeftOut left_out_;
   GroundClaims claims_;
   std::unordered_map<std::string, std::vector<GroundClaims::Run>> grounded_;  // surely, by id
-  struct Times {
-    double first_s;
-    double last_s;
-  };
-  std::unordered_map<std::string, Times> unplaced_;  // by id
-  std::unordered_set<std::string> told_by_others_;   // by id
+  std::unordered_map<std::string, std::vector<double>> unplaced_;             // times by id
+  std::unordered_set<std::string> told_by_others_;                            // by id
   std::uint64_t kept_in_flight_ = 0;
   std::uint64_t rough_records_ = 0;
   std::unordered_set<std::string> rough_ids_;

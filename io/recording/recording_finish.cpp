@@ -6,6 +6,7 @@
 #include "io/problems/unplaced.hpp"
 #include "io/recording/doubled_drones.hpp"
 #include "io/recording/frozen_places.hpp"
+#include "io/recording/moment_text.hpp"
 #include "io/recording/recording_assembly.hpp"
 #include "io/recording/same_tracks.hpp"
 #include "io/recording/show_ground.hpp"
@@ -130,7 +131,9 @@ Error RecordingAssembly::conflict_error(const TimeConflict& conflict) const {
   const std::string first = place_text(conflict.first);
   std::string message = "bee " + excerpt(conflict.id) + " is at another place at the same time";
   if (facts_ && facts_->has_time) {
-    message += ", " + exact(conflict.time_s) + " s, in " + first +
+    const Calendar calendar{facts_->since_1970, options_.time_zone, facts_->clock};
+    const std::string date = calendar.text(conflict.time_s);
+    message += ", " + (date.empty() ? exact(conflict.time_s) + " s" : date) + ", in " + first +
                "; correct one of them, or name the column that tells the bees apart with "
                "--columns id=...";
   } else {
@@ -362,6 +365,7 @@ Result<Recording> RecordingAssembly::finish() {
   for (RecordedBee& bee : recording_.bees) {
     settle_ground(bee);
     settle_unplaced(bee);
+    settle_label(bee);
   }
   if (std::any_of(recording_.bees.begin(), recording_.bees.end(),
                   [](const RecordedBee& bee) { return !bee.landed.empty(); })) {

@@ -32,6 +32,8 @@ void SharedId::take(const Fix& fix, Frame frame) {
     if (weight_ == 0.0) began_ = number - 1;
     weigh(jumps(before_, last_, fix, frame));
   }
+  const auto first = mixture_.take(fix, number, frame);
+  if (!found_) found_ = first;
   before_ = last_;
   last_ = fix;
   ++kept_;

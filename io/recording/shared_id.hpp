@@ -5,10 +5,12 @@
 // once; a place that is rounded, or two solutions of a receiver, toss a coin at most. What is
 // weighed is how much better than by a coin the last reports are explained by two bees that report
 // in turn (a sum of logarithms that begins anew where it falls below zero); by a coin one bee in a
-// thousand would be taken for two, however long it is looked at. It takes some twenty reports.
+// thousand would be taken for two, however long it is looked at. It takes some twenty reports. More
+// than two, and two at different rates, are found as a mixture of tracks (track_mixture.hpp).
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"
+#include "io/recording/track_mixture.hpp"
 
 #include <beespace/point.hpp>
 #include <beespace/track.hpp>
@@ -40,6 +42,7 @@ class SharedId {
   std::uint64_t kept_ = 0;  // of these: how many did not go back in time
   std::uint64_t began_ = 0;
   double weight_ = 0.0;
+  TrackMixture mixture_ = TrackMixture(kImpossible_mps2);
   std::optional<std::uint64_t> found_;
 };
 

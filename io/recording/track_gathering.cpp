@@ -140,9 +140,9 @@ void TrackGathering::drain(const Take& take) {
   waiting_.clear();
 }
 
-void TrackGathering::label(std::string_view id, std::string_view text) {
-  std::string& label = bee_of(id).recorded.label;
-  if (label != text) label = std::string(text);
+void TrackGathering::label(std::string_view id, std::string_view text, double time_s) {
+  auto& called = bee_of(id).recorded.called;
+  if (called.empty() || called.back().label != text) called.push_back({time_s, std::string(text)});
 }
 
 void TrackGathering::add_path(std::string id, BezierPath path) {

@@ -52,8 +52,8 @@ class TrackGathering {
   // The same, of a drone that never takes off.
   void add_standing(std::string id, const Point& at);
 
-  // What that bee, which has a fix, is called; the last one counts.
-  void label(std::string_view id, std::string_view text);
+  // What that bee, which has a fix, is called from then on.
+  void label(std::string_view id, std::string_view text, double time_s);
   // From here on times are known to be rounded, or to be those of arrival, as in telemetry: a bee
   // that is at the same place again within `repeat_s` was heard once, and of two places at one time
   // the second in the input is no conflict.

@@ -105,7 +105,7 @@ NamePattern id_word() {
       // Movebank's move and move2, Vectronic, and others who join the words.
       {Says::kNoun,
        "animalid individualid tagid ringid collarid deviceid sensorid transmitterid birdid fishid "
-       "trackid trajectoryid particleid objectid agentid beeid collarserialnumber",
+       "trackid trajectoryid particleid objectid agentid beeid collarserialnumber identity",
        Role::kId, "biology"},
       {Says::kNoun, "droneid uavid vehicleid robotid sysid systemid", Role::kId, "robotics"},
       {Says::kNoun, "nombre", Role::kId, "Spanish"},

@@ -43,7 +43,7 @@ bool names_something_else(std::string_view word) {
       "estimated "
       "filtered smooth smoothed kalman ekf truth true gt measured meas obs observed imu raw fused "
       "odom odometry mocap vicon local global centroid wcentroid pcentroid head tail thorax "
-      "abdomen nose body map geom ecef enu ned display normal",
+      "abdomen nose body map amcl slam geom ecef enu ned display normal",
       word);
 }
 
@@ -93,9 +93,31 @@ Named read(std::string_view name) {
   return named;
 }
 
+// "/r1/odom/pose/pose/position/x" as PlotJuggler writes it: of topic /r1/..., the vehicle's name
+// space; the same vehicle may tell of where it is in several ways.
+Named read_path(std::string_view name) {
+  const std::size_t ends = name.find('/', 1);
+  if (ends == std::string_view::npos) return {};
+  const std::string whose(name.substr(1, ends - 1));
+  const std::vector<std::string> first = split_words(whose);
+  if (whose.empty() || std::any_of(first.begin(), first.end(), names_something_else)) return {};
+  Named named;
+  for (const std::string& word : split_words(name.substr(ends))) {
+    const Axis axis = axis_of(word);
+    if (axis != Axis::kNone && named.axis != Axis::kNone) return {};
+    if (axis != Axis::kNone) named.axis = axis;
+    const bool how =
+        is_one_of("odom odometry local global mocap vicon gps gnss filtered raw", word);
+    if (axis == Axis::kNone && !how && names_something_else(word)) return {};
+  }
+  named.whose = whose;
+  return named;
+}
+
 // Columns of one vehicle.
 struct Set {
   std::string whose;
+  std::size_t time = 0;  // the how manieth of those of whom the same is said
   std::array<std::optional<std::size_t>, 6> columns = {};
 
   [[nodiscard]] const std::optional<std::size_t>& at(Axis axis) const {
@@ -107,11 +129,15 @@ struct Set {
 std::vector<Set> sets_of(const std::vector<std::string>& names) {
   std::vector<Set> sets;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const Named named = read(names[i]);
+    const Named named = names[i].starts_with('/') ? read_path(names[i]) : read(names[i]);
     if (named.axis == Axis::kNone) continue;
-    auto set = std::find_if(sets.begin(), sets.end(),
-                            [&named](const Set& known) { return known.whose == named.whose; });
-    if (set == sets.end()) set = sets.insert(set, Set{named.whose, {}});
+    // A name that comes again is of another one.
+    const auto time = static_cast<std::size_t>(
+        std::count(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]));
+    auto set = std::find_if(sets.begin(), sets.end(), [&](const Set& known) {
+      return known.whose == named.whose && known.time == time;
+    });
+    if (set == sets.end()) set = sets.insert(set, Set{named.whose, time, {}});
     auto& column = set->columns[static_cast<std::size_t>(named.axis)];
     if (!column) column = i;
   }

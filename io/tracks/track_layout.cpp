@@ -17,6 +17,7 @@
 #include "io/tracks/known_tables.hpp"
 #include "io/tracks/local_positions.hpp"
 #include "io/tracks/motion_capture.hpp"
+#include "io/tracks/offered_columns.hpp"
 #include "io/tracks/record_numbers.hpp"
 #include "io/tracks/ros_table.hpp"
 #include "io/tracks/scaled_degrees.hpp"
@@ -32,6 +33,7 @@
 #include "io/tracks/wall_times.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -71,10 +73,27 @@ std::optional<Error> nameless_position(const Header& header) {
                      (header.has(Role::kLongitude) && header.has(Role::kLatitude));
   if (overridden || named) return std::nullopt;
   const TableLayout& table = header.table();
-  return missing((table.names.empty()
-                      ? std::string("there is no header that tells the columns")
-                      : std::string("the header names no position (x and y, or longitude "
-                                    "and latitude)")) +
+  // Of Flightradar24: "48.0,2.0" in quotes.
+  const auto joined = std::find(table.names.begin(), table.names.end(), "Position");
+  const auto at = static_cast<std::size_t>(joined - table.names.begin());
+  if (joined != table.names.end() && at < table.contents.size() &&
+      table.contents[at] == ColumnContent::kText) {
+    return missing(column_text(table, at) +
+                   " seems to hold latitude and longitude in one; make two columns of it, as by "
+                   "sed 's/\"//g; 1s/Position/latitude,longitude/' FILE.csv > split.csv, and say "
+                   "--units aviation");
+  }
+  if (!table.names.empty()) {
+    const std::string metric = offered_columns(header, false);
+    return missing("the header names no position (x and y, or longitude and latitude)" +
+                   (metric.empty()
+                        ? std::string("; name its columns with --columns x=N,y=N,z=N or "
+                                      "lon=N,lat=N,height=N (")
+                        : "; say which is which, perhaps with --columns " + metric +
+                              ", or, of degrees, " + offered_columns(header, true) + " (") +
+                   list_columns(table) + ")");
+  }
+  return missing(std::string("there is no header that tells the columns") +
                  (table.columns >= 5 ? "; say which is which, for example with --columns "
                                        "id=1,time=2,x=3,y=4,z=5 ("
                                      : "; needed are columns of numbers for the time, for x and y "

@@ -331,7 +331,9 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     if (height_unit != Unit::kMetre) stated_height = record.stated_height;
     assembly.tracks().add(record.id, {record.time_s, record.position},
                           layout.velocity ? &record.velocity : nullptr, origin, stated_height);
-    if (!record.label.empty()) assembly.tracks().label(record.id, record.label);
+    if (!record.label.empty()) {
+      assembly.tracks().label(record.id, record.label, record.time_s);
+    }
   }
   if (progress != nullptr) {
     progress->done += static_cast<std::uint64_t>(text.data() + text.size() - reported);

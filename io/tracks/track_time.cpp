@@ -9,6 +9,7 @@
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/table/table_sources.hpp"
+#include "io/tracks/dated_numbers.hpp"
 #include "io/tracks/excel_days.hpp"
 #include "io/tracks/fine_time.hpp"
 #include "io/tracks/first_fields.hpp"
@@ -22,21 +23,6 @@
 
 namespace beespace::io {
 namespace {
-
-// The unit in which all of them are times since 1970; kUnstated where there is none.
-Unit common_unit(const FirstFields& times) {
-  Unit common = Unit::kUnstated;
-  for (const std::string_view time : times.texts) {
-    double value = 0.0;
-    if (parse_number(time, value) != NumberKind::kNumber) return Unit::kUnstated;
-    const Unit unit = unit_since_1970(value);
-    if (unit == Unit::kUnstated || (common != Unit::kUnstated && unit != common)) {
-      return Unit::kUnstated;
-    }
-    common = unit;
-  }
-  return common;
-}
 
 // ---- Seconds and nanoseconds in two columns -----------------------------------------------------
 
@@ -105,7 +91,7 @@ Result<TimeChoice> time_of_stamp(const Stamp& stamp, std::string_view text, cons
   time.column = stamp.seconds;
   time.nanoseconds = stamp.nanoseconds;
   const auto times = first_fields(text, header.table(), stamp.seconds);
-  time.since_1970 = !times.empty() && common_unit(times) == Unit::kSecond;
+  time.since_1970 = !times.empty() && common_unit_since_1970(times) == Unit::kSecond;
   for (const std::size_t other : header.columns(Role::kTime)) {
     if (other != stamp.seconds && other != stamp.nanoseconds) time.other = other;
   }
@@ -148,10 +134,12 @@ std::optional<std::size_t> take_faint(const TableLayout& table, std::vector<std:
   return taken;
 }
 
-// A time of aircraft, or of ROS, that counts from 1970 tells its unit by its size; elsewhere
-// microseconds since a boot may look the same, but no nanoseconds since one do.
+// A time of aircraft, or of ROS, that counts from 1970 tells its unit by its size, and so does one
+// that is `dated` by the others beside it; elsewhere microseconds since a boot may look the same,
+// but no nanoseconds since one do.
 Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
-                               const FirstFields& times, const TableLayout& table, Unit asked) {
+                               const FirstFields& times, const TableLayout& table, Unit asked,
+                               bool dated) {
   time.since_1970 = meaning.since_1970;
   time.unit = asked != Unit::kUnstated ? asked : if_unit_of(meaning.unit, Quantity::kTime);
   if (asked == Unit::kUnstated && !meaning.foreign_unit.empty()) {
@@ -160,10 +148,10 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
                          "'; convert it first: beespace reads s, ms, us, ns and dates of ISO 8601",
                      time.column);
   }
-  const Unit by_size = common_unit(times);
+  const Unit by_size = common_unit_since_1970(times);
   const bool of_ros = std::any_of(table.names.begin(), table.names.end(), is_of_ros);
   const bool tells =
-      of_ros || by_size == Unit::kNanosecond || !words_of_aviation(table.names).empty();
+      dated || of_ros || by_size == Unit::kNanosecond || !words_of_aviation(table.names).empty();
   if (time.unit == Unit::kUnstated && tells) {
     time.unit = by_size;
     time.by_size = by_size != Unit::kUnstated;
@@ -261,6 +249,14 @@ Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Heade
                      list_columns(table) + ")",
                  {}};
   }
+  bool since_1970 = false;  // as those beside it tell
+  if (!column && found.size() > 1) {
+    if (const auto dated = only_since_1970(text, header, found)) {
+      other = found[found.front() == *dated ? 1 : 0];
+      found = {*dated};
+      since_1970 = true;
+    }
+  }
   if (!column && found.size() > 1) {
     // PX4 writes when a message was sent, and when it was measured, which older versions leave 0.
     const auto sample = std::find_if(found.begin(), found.end(), [&table](std::size_t at) {
@@ -309,7 +305,7 @@ Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Heade
   if (auto error = choose_wall_times(text, header, times, options, time)) return *std::move(error);
   if (time.form != TimeForm::kNumbers) return std::optional<TimeChoice>(std::move(time));
   auto chosen = choose_unit(time, column ? meaning : header.meaning(time.column), times, table,
-                            options.time_unit);
+                            options.time_unit, since_1970);
   if (!chosen) return chosen.error();
   return std::optional<TimeChoice>(chosen.value());
 }

@@ -209,6 +209,41 @@ TEST(Coverage, ARobotAtHeightZeroThatEndsWhileItMovesIsLostAndOneThatStopsIsNot)
   EXPECT_EQ(coverage.bees_cut_off, 1U);
 }
 
+// The same on the Earth without heights: who moves does not stop in the midst of the others, as a
+// collar does.
+TEST(Coverage, OnTheEarthWithoutHeightsWhoVanishesOnItsWayIsLost) {
+  io::Recording recording;
+  recording.frame = io::Frame::kWgs84;
+  recording.flat = true;
+  recording.bees = {bee_along_x("low", 0, 20, 0, 5, 0), bee_along_x("high", 0, 20, 0, 5, 50),
+                    bee_along_x("vanishes", 0, 10, 0, 5, 25), bee_along_x("collar", 0, 10, 9, 0, 9),
+                    bee_along_x("leaves", 0, 5, 20, -4, 20)};
+  for (io::RecordedBee& bee : recording.bees) {
+    for (Fix& fix : bee.fixes) {
+      fix.position.x = 179.9 + fix.position.x / 100'000;
+      fix.position.y = 47.0 + fix.position.y / 100'000;
+    }
+  }
+  const MaxGap max_gap{1.0, 0.5};
+  const Coverage coverage = coverage_of(recording, {}, max_gap);
+  EXPECT_EQ(coverage.bees_partly, 3U);
+  EXPECT_EQ(unknown_spans(recording, {}, max_gap), (std::vector<Gap>{{2, 10.0, 20.0}}));
+  EXPECT_NE(unknown_text(coverage).find("1 of which appear or vanish on their way"),
+            std::string::npos);
+}
+
+TEST(Coverage, WhereFixesFailedItIsUnknownUnlessTheGapIsAskedFor) {
+  io::Recording recording;
+  recording.bees = {bee_at("a", {0, 10, 40}), bee_at("b", {0, 10, 40})};
+  recording.bees[1].lost = {{10.0, 40.0}};
+  const Coverage coverage = coverage_of(recording, {}, {50.0, 10.0});
+  EXPECT_EQ(coverage.gaps, 1U);
+  EXPECT_EQ(coverage.in_gaps_s, 30.0);
+  EXPECT_TRUE(coverage.may_hide_conflicts());
+  EXPECT_EQ(unknown_spans(recording, {}, {50.0, 10.0}), (std::vector<Gap>{{1, 10.0, 40.0}}));
+  EXPECT_FALSE(coverage_of(recording, {}, {50.0, std::nullopt, true}).may_hide_conflicts());
+}
+
 TEST(Coverage, TellsWhenItIsNotKnownWhereABeeIs) {
   io::Recording recording;
   recording.frame = io::Frame::kMetres;

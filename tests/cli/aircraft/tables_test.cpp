@@ -133,7 +133,8 @@ TEST(AircraftTables, TheUnitOfTimesIsToldByTheirSizeAndSaid) {
                {"1533099600000000", "microseconds"},
                {"1533099600000000000", "nanoseconds"}};
   for (const auto& [time, unit] : times) {
-    const Finished finished = run({"replay"}, header + time + ",a,47,8,1\n" + time + ",b,48,8,1\n");
+    const Finished finished =
+        run({"replay", "--threshold", "100"}, header + time + ",a,47,8,1\n" + time + ",b,48,8,1\n");
     EXPECT_EQ(finished.exit_code, 0) << finished.err;
     expect_parts(finished.err, {std::string("times are read from column 1 'timestamp' in ") + unit +
                                     ", since 1970, as their size tells\n",
@@ -145,7 +146,7 @@ TEST(AircraftTables, TimesOfNoSuchSizeAreAskedFor) {
   const std::string header = "timestamp,icao24,latitude,longitude,alt_ft\n";
   for (const std::string times : {"12,a,47,8,1\n13,b,48,8,1\n", "1533099600,a,47,8,1\n9,b,48,8,1\n",
                                   "1533099600,a,47,8,1\n1533099600000,b,48,8,1\n"}) {
-    const Finished finished = run({"replay"}, header + times);
+    const Finished finished = run({"replay", "--threshold", "100"}, header + times);
     EXPECT_EQ(finished.exit_code, 2) << times << finished.err;
     expect_parts(finished.err, {"holds the time, but in which unit?"});
   }
@@ -167,26 +168,33 @@ TEST(AircraftTables, ALaterTimeInAnotherUnitIsAnError) {
 TEST(AircraftTables, TheAddressIsTheIdWhateverTheOrder) {
   const std::string text =
       "callsign,icao24,time_s,lat,lon,alt_ft\nSWR1,a1,0,47,8,1\n,a1,1,47,8,1\nSWR2,b2,0,47,8,2\n";
-  const Finished finished = run({"replay", "--csv"}, text);
+  const Finished finished = run({"replay", "--threshold", "100", "--csv"}, text);
   const TextRows rows = rows_of(finished.out, ',');
   ASSERT_EQ(rows.size(), 2u) << finished.err;
   EXPECT_EQ(rows[1].at(0) + rows[1].at(1), "a1b2");
   EXPECT_EQ(rows[1].at(6) + rows[1].at(7), "SWR1SWR2");
   expect_parts(finished.err, {"ids are read from column 2 'icao24', and how they are called beside "
                               "from column 1 'callsign'; --columns id=1 would take that"});
-  const TextRows flights =
-      rows_of(run({"replay", "--columns", "id=callsign", "--csv", "--skip-bad"}, text).out, ',');
+  const TextRows flights = rows_of(
+      run({"replay", "--threshold", "100", "--columns", "id=callsign", "--csv", "--skip-bad"}, text)
+          .out,
+      ',');
   ASSERT_EQ(flights.size(), 2u);
   EXPECT_EQ(flights[1].at(0) + flights[1].at(1), "SWR1SWR2");
   EXPECT_EQ(flights[1].size(), 6u);
 }
 
-TEST(AircraftTables, TheDefaultThresholdIsSaidToBeNoneOfAircraft) {
+// 100 m would tell of two that are 600 ft and 4 NM apart that they keep their distance.
+TEST(AircraftTables, ThereIsNoDefaultThresholdOfAircraft) {
   for (const char* const command : {"predict", "replay"}) {
-    expect_parts(run({command, table("traffic.csv")}).err,
-                 {"threshold  100 m (closer than), the default (--threshold); of aircraft "
-                  "--separation has the usual ones\n"});
+    const Finished finished = run({command, table("traffic.csv")});
+    EXPECT_EQ(finished.exit_code, 2) << command;
+    expect_parts(finished.err, {"these are aircraft, by heights in feet: how close is too close? "
+                                "Say --separation enroute, --separation terminal, or"});
+    EXPECT_EQ(run({command, table("traffic.csv"), "--separation", "enroute"}).exit_code, 0);
   }
+  expect_parts(run({"verify", table("traffic.csv")}).err,
+               {"how close is too close? Say how far it is, as in --threshold 5NM\n"});
 }
 
 TEST(AircraftTables, ASnapshotIsForPredict) {
@@ -199,8 +207,8 @@ TEST(AircraftTables, ASnapshotIsForPredict) {
 TEST(AircraftTables, GroundedOnesAreKeptWhereTheyTellAHeight) {
   const std::string text =
       "time_s,icao24,lat,lon,alt_ft,onground\n0,a,47,8,1,True\n0,b,47,8,2,True\n0,c,47,8,,True\n";
-  EXPECT_EQ(rows_of(run({"replay", "--grounded"}, text).out).size(), 1u);
-  const Finished finished = run({"replay"}, text);
+  EXPECT_EQ(rows_of(run({"replay", "--threshold", "100", "--grounded"}, text).out).size(), 1u);
+  const Finished finished = run({"replay", "--threshold", "100"}, text);
   EXPECT_EQ(finished.exit_code, 3);
   expect_parts(finished.err, {"no bee is left: 3 records of aircraft on the ground are left out; "
                               "--grounded keeps those that tell a height"});

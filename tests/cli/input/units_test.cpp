@@ -92,7 +92,8 @@ TEST(Units, TheSummaryAndTheDocumentSayWhichUnitWasTakenAndWhy) {
                {"heights in ft: the header names it: 'alt_ft'"});
   expect_parts(run({"detect"}, "x,y,z\n48,200,1\n4800,2,1\n").err,
                {"x, y and z in m: no unit is named, and nothing speaks of aviation"});
-  const Finished replayed = run({"replay", "--json"}, "id,time_s,lat,lon,alt_ft\na,0,48,2,1\n");
+  const Finished replayed =
+      run({"replay", "--threshold", "100", "--json"}, "id,time_s,lat,lon,alt_ft\na,0,48,2,1\n");
   EXPECT_TRUE(is_json(replayed.out)) << replayed.out;
   expect_parts(replayed.out, {R"("units": [{"of": "heights", "unit": "ft", )"});
   const Finished watched = run({"watch"}, "id,time_s,lat,lon,alt_ft\na,0,48,2,1\n");

@@ -250,8 +250,8 @@ TEST(Predict, BeesOnTheGroundCountWhenAskedFor) {
       R"({"now": 1000000.5, "messages": 7, "aircraft": [
         {"hex":"a","alt_baro":"ground","alt_geom":0,"gs":9,"track":0,"geom_rate":0,"lat":1,"lon":2,"seen_pos":0},
         {"hex":"b","alt_geom":10,"gs":9,"track":0,"geom_rate":0,"lat":1,"lon":2,"seen_pos":0}]})";
-  EXPECT_EQ(below_header(run({"predict"}, landed).out), "");
-  EXPECT_EQ(rows_of(run({"predict", "--grounded"}, landed).out).size(), 1u);
+  EXPECT_EQ(below_header(run({"predict", "--threshold", "100"}, landed).out), "");
+  EXPECT_EQ(rows_of(run({"predict", "--threshold", "100", "--grounded"}, landed).out).size(), 1u);
 }
 
 TEST(Predict, InvalidNumbersAreRefused) {

@@ -22,13 +22,29 @@ TEST(BadTrack, EmptyInputAndNothingBehindTheHeader) {
 TEST(BadTrack, MissingColumnsAreNamedWithThoseThatAreThere) {
   expect_error(record("id,time_s,a,b\nx,0,1,2\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1",
-                "the header names no position (x and y, or longitude and latitude); needed are "
-                "columns of numbers for the time, for x and y or longitude and latitude, and "
-                "perhaps for an id and the height; name them in a header or with --columns (the "
-                "columns are 1 'id', 2 'time_s', 3 'a', 4 'b')"});
+                "the header names no position (x and y, or longitude and latitude); say which is "
+                "which, perhaps with --columns id=1,time=2,x=3,y=4, or, of degrees, "
+                "id=1,time=2,lon=3,lat=4 (the columns are 1 'id', 2 'time_s', 3 'a', 4 'b')"});
   expect_error(record("id,time_s,a,b,c\nx,0,1,2,3\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1",
-                "say which is which, for example with --columns id=1,time=2,x=3,y=4,z=5"});
+                "say which is which, perhaps with --columns id=1,time=2,x=3,y=4,z=5"});
+  // Of DAIDALUS without its line of units, and of a data frame of move.
+  expect_error(record("NAME,sx,sy,sz,vz,trk,gs,time_s\nA,0,0,5,0,0,180,0\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1", "--columns id=1,time=8,x=2,y=3,z=4, or"});
+  expect_error(record("trackId,timestamps,coords.x1,coords.x2,sensor\n"
+                      "Anna,2023-08-15 06:00:00,8.9,47.7,GPS\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "x=3,y=4, or, of degrees, id=1,time=2,lon=3,lat=4 ("});
+  expect_error(record("Timestamp,UTC,Callsign,Position,Altitude,Speed,Direction\n1714564800,"
+                      "2024-05-01T12:00:00Z,BAW9,\"48.166554,2.000000\",33000,450,90\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "column 4 'Position' seems to hold latitude and longitude in one; make two"});
+  expect_error(record("name,time_s,colour\nAnna,0,red\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1", "name its columns with --columns x=N"});
+  expect_error(record("id,timestamp,lon,lat\na,2023-08-15T06:00:00Z,8,47\n"
+                      "a,2023-08-15T06:00:00Z,8,47.1\n"),
+               {ErrorCode::kTimeOrder, "bees.csv:3",
+                "at the same time, 2023-08-15T06:00:00.000Z, in bees.csv, line 2"});
   expect_error(record("id,time_s,lat,alt\nx,0,1,2\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1", "the header names no position"});
   expect_error(record("id,x,y,z\na,1,2,3\n"),

@@ -21,7 +21,10 @@ TEST(SeveralVehicles, ASecondSetOfCoordinatesIsRefused) {
        {"time_s,x,y,z,x2,y2,z2", "time_s,x,y,z,follower_x,follower_y,follower_z",
         "time,A_x,A_y,A_z,B_x,B_y,B_z", "time_s,x_1,y_1,x_2,y_2",
         "time_s,x [m],y [m],x2 [m],y2 [m]", "time_s,lat,lon,alt_m,lat2,lon2,alt2_m",
-        "time_s,leader_lat,leader_lon,leader_alt,follower_lat,follower_lon,follower_alt"}) {
+        "time_s,leader_lat,leader_lon,leader_alt,follower_lat,follower_lon,follower_alt",
+        "time_s,x,y,z,x,y,z", "time_s,id,lat,lon,alt_m,lat,lon,alt_m",
+        "__time,/r1/odom/pose/pose/position/x,/r1/odom/pose/pose/position/y,/r2/odom/pose/pose/"
+        "position/x,/r2/odom/pose/pose/position/y"}) {
     expect_error(load_with(header), {ErrorCode::kMissingColumn, "bees.csv:1",
                                      "places of several vehicles beside each other"});
   }
@@ -41,7 +44,12 @@ TEST(SeveralVehicles, WhatIsNoVehicleIsNoReason) {
         "time_s,id,x,y,z,vx,vy,vz,ax,ay,az", "time_s,x,y,z,goal_x,goal_y,goal_z",
         "time_s,x,y,z,q_x,q_y,q_z,q_w", "time_s,x,y,z,vel_x,vel_y,vel_z,acc_x,acc_y,acc_z",
         "time_s,pos_x,pos_y,pos_z,orientation_x,orientation_y,orientation_z",
-        "time_s,lat,lon,alt_m,home_lat,home_lon", "time_s,x,y,z,raw_x,raw_y,raw_z"}) {
+        "time_s,lat,lon,alt_m,home_lat,home_lon", "time_s,x,y,z,raw_x,raw_y,raw_z",
+        "__time,/r1/odom/pose/pose/position/x,/r1/odom/pose/pose/position/y,/r1/odom/pose/pose/"
+        "orientation/x,/r1/odom/pose/pose/orientation/y,/r1/odom/twist/twist/linear/x,/r1/odom/"
+        "twist/twist/linear/y,/r1/mocap/pose/position/x,/r1/mocap/pose/position/y",
+        "__time,/odom/pose/pose/position/x,/odom/pose/pose/position/y,/amcl_pose/pose/pose/"
+        "position/x,/amcl_pose/pose/pose/position/y"}) {
     const auto loaded = load_with(header);
     if (!loaded) {
       EXPECT_EQ(loaded.error().message.find("several vehicles"), std::string::npos) << header;

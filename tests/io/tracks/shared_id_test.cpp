@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <random>
 #include <string>
@@ -66,6 +68,74 @@ TEST(SharedId, TwoAircraftOfOneAddressAreFound) {
       Frame::kWgs84));
 }
 
+// Robots a metre or two apart, at half a metre a second, each at its own rate.
+bool mixture_is_found(const std::vector<double>& rates_hz, double apart_m, double noise_m) {
+  Random random(1);
+  std::normal_distribution<double> noise(0.0, noise_m);
+  std::vector<Fix> fixes;
+  for (std::size_t k = 0; k < rates_hz.size(); ++k) {
+    const double angle = 2.1 * static_cast<double>(k);
+    for (double t = 0.013 * static_cast<double>(k); t < 20.0; t += 1.0 / rates_hz[k]) {
+      const double x = apart_m * static_cast<double>(k) + 0.5 * std::cos(angle) * t;
+      fixes.push_back({t, {x + noise(random), 0.5 * std::sin(angle) * t + noise(random), 0}});
+    }
+  }
+  std::sort(fixes.begin(), fixes.end(),
+            [](const Fix& a, const Fix& b) { return a.time_s < b.time_s; });
+  SharedId shared;
+  for (const Fix& fix : fixes) shared.take(fix);
+  return shared.found().has_value();
+}
+
+TEST(SharedId, SeveralAtAnyRatesAreFound) {
+  EXPECT_TRUE(mixture_is_found({10, 10, 10}, 2, 0.01));
+  EXPECT_TRUE(mixture_is_found({4, 4, 4}, 10, 0.3));
+  EXPECT_TRUE(mixture_is_found({10, 4}, 1, 0.01));
+  EXPECT_TRUE(mixture_is_found({10, 1}, 1, 0.01));
+  EXPECT_TRUE(mixture_is_found({10, 7, 3}, 2, 0.01));
+  EXPECT_TRUE(mixture_is_found({10, 10, 10, 10, 10, 10}, 2, 0.01));
+  EXPECT_FALSE(mixture_is_found({10}, 1, 0.01));
+}
+
+// Of a receiver that stands: its places are rounded to as many digits of a degree as some have, on
+// a lattice of metres, and spread over a few of its points, at random.
+TEST(SharedId, NoiseThatIsRoundedIsNoSecondBee) {
+  for (const double rounded : {1e-4, 1e-5, 1e-6, 1e-7}) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      Random random(seed);
+      std::normal_distribution<double> noise(0.0, 1.0);
+      const auto near = [&](double degrees) {
+        return rounded * std::round((degrees + noise(random) / 111'000) / rounded);
+      };
+      EXPECT_FALSE(taken_for_two(
+          1000, 0.1,
+          [&](int) {
+            return Point{near(8 + rounded / 2), near(47 + rounded / 3), 500};
+          },
+          Frame::kWgs84))
+          << rounded << ", " << seed;
+    }
+  }
+}
+
+// Now and then in the wrong place, each time in another one; and an animal that goes to and fro
+// between two places, as it is told each minute.
+TEST(SharedId, OutliersAndAnimalsAreNoSecondBee) {
+  Random random(1);
+  std::normal_distribution<double> noise(0.0, 0.02);
+  std::normal_distribution<double> wild(0.0, 50.0);
+  for (const double share : {0.02, 0.1, 0.4}) {
+    std::bernoulli_distribution is_wild(share);
+    EXPECT_FALSE(taken_for_two(3000, 0.1, [&](int i) {
+      auto& off = is_wild(random) ? wild : noise;
+      return Point{0.2 * i + off(random), off(random), 0};
+    })) << share;
+  }
+  EXPECT_FALSE(taken_for_two(3000, 60, [&](int i) {
+    return Point{i / 3 % 2 * 800.0 + noise(random), noise(random), 0};
+  }));
+}
+
 TEST(SharedId, OneBeeIsOneBee) {
   const std::vector<std::function<Point(int)>> flights = {
       [](int i) {
@@ -76,10 +146,10 @@ TEST(SharedId, OneBeeIsOneBee) {
       },
       // A wild fix now and then, also twice in a row, and one that has moved for good.
       [](int i) {
-        return Point{i % 10 == 0 ? 500.0 : 0.2 * i, 0, 10};
+        return Point{i % 10 == 0 ? 500.0 + 37.0 * (i % 70) : 0.2 * i, 0, 10};
       },
       [](int i) {
-        return Point{i % 10 < 2 ? 500.0 : 0.2 * i, 0, 10};
+        return Point{i % 10 < 2 ? 500.0 + 37.0 * (i % 77) : 0.2 * i, 0, 10};
       },
       [](int i) {
         return Point{i < 300 ? 0.0 : 10'000.0, 0, 10};

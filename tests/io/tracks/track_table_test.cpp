@@ -117,6 +117,32 @@ TEST(TrackTable, OfSeveralIdsTheWholeWordIsTakenAndThatIsReported) {
   EXPECT_EQ(recording.bees[0].label, "FOO");
 }
 
+// An aircraft that lands and leaves as another flight.
+TEST(TrackTable, OfSeveralFlightsEachIsKnownWithItsTime) {
+  const auto recording = recording_of(
+      record("time_s,icao24,callsign,x_m,y_m,z_m\n0,3c6444,DLH1,1,2,3\n1,3c6444,,2,2,3\n"
+             "2,3c6444,DLH1,3,2,3\n9,3c6444,DLH2,4,2,3\n0,4b1812,SWR5,1,9,3\n"));
+  ASSERT_EQ(recording.bees.size(), 2u);
+  const RecordedBee& bee = recording.bees[0];
+  EXPECT_EQ(bee.label, "DLH1, DLH2");
+  ASSERT_EQ(bee.called.size(), 2u);
+  EXPECT_EQ(bee.called[0].since_s, 0.0);
+  EXPECT_EQ(bee.called[1].label, "DLH2");
+  EXPECT_EQ(bee.called[1].since_s, 9.0);
+  EXPECT_EQ(recording.bees[1].label, "SWR5");
+  EXPECT_TRUE(recording.bees[1].called.empty());
+}
+
+// One failed fix is bridged; of two and more in a row the bee is lost.
+TEST(TrackTable, FailedFixesInARowAreKept) {
+  const auto recording = recording_of(
+      record("time_s,id,x_m,y_m,z_m\n0,a,1,2,3\n1,a,NA,NA,NA\n2,a,2,2,3\n3,a,NA,NA,NA\n"
+             "4,a,NA,NA,NA\n5,a,3,2,3\n6,a,NA,NA,NA\n7,a,NA,NA,NA\n"));
+  ASSERT_EQ(recording.bees.size(), 1u);
+  EXPECT_EQ(recording.bees[0].lost, (std::vector<TimeSpan>{{2.0, 5.0}}));
+  EXPECT_EQ(recording.bees[0].unplaced_until_s, 7.0);
+}
+
 TEST(TrackTable, WithoutHeightsTheyAreZero) {
   const auto flat = recording_of(record("id,time_s,x [m],y [m]\na,0,1,2\n"));
   EXPECT_EQ(flat.bees[0].fixes, (Fixes{{0, {1, 2, 0}}}));
