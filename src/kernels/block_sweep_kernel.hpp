@@ -237,8 +237,12 @@ class BlockSweep {
     Lanes::clear(mine_.z + mine_.size);
     const std::int32_t* const x = sweep_.others.x;
     next_[k] = first_not_before(x, {next_[k], target.points.end}, reach_.first_x(mine_.x[0]));
-    const Range window{next_[k], first_not_before(x, {next_[k], target.points.end},
-                                                  reach_.end_x(mine_.x[mine_.size - 1]))};
+    Range window{next_[k], target.points.end};
+    const std::int32_t end = reach_.end_x(mine_.x[mine_.size - 1]);
+    // Most often the rest of the row is within reach.
+    if (window.begin < window.end && x[window.end - 1] >= end) {
+      window.end = first_not_before(x, window, end);
+    }
     const AtSides at_theirs({opposite(target.sides), reach_.units, row_width_});
     std::uint32_t j = window.begin;
     while (j < window.end) {
