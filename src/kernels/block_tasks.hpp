@@ -206,7 +206,7 @@ class CollectMeeting {
     return pairs_.add(meeting);
   }
   bool across(const Squared& squared, unsigned asking, const Beside& theirs, std::uint32_t j) {
-    float radius;
+    float radius = 0.0F;
     __builtin_memcpy(&radius, theirs.word + j, sizeof radius);
     const unsigned meeting = Lanes::meeting(squared, asked_radius_, radius) & asking;
     Lanes::store(asked_, meeting, pairs_.first());
