@@ -4,11 +4,13 @@
 #include "io/live/line_reader.hpp"
 #include "io/live/report_layout.hpp"
 #include "io/mavlink/live_telemetry_times.hpp"
+#include "io/mavlink/lost_places.hpp"
 #include "io/mavlink/mavlink_position.hpp"
 #include "io/mavlink/telemetry_log.hpp"
 #include "io/mavlink/telemetry_words.hpp"
 #include "io/mavlink/vehicle_census.hpp"
 #include "io/problems/skipped_records.hpp"
+#include "io/problems/unplaced.hpp"
 
 #include <array>
 #include <cmath>
@@ -47,6 +49,7 @@ class TelemetryFrames final : public LineReader {
       id_ = *std::move(drone);
       return left_out(kRemoteDrone);
     }
+    lost_.take(frame, static_cast<std::int64_t>(walk.stamp()));
     const auto at = read_mavlink_position(frame);
     if (components_[frame.system] == frame.component) {
       times_.take(frame, static_cast<std::int64_t>(walk.stamp()));
@@ -156,6 +159,9 @@ class TelemetryFrames final : public LineReader {
     }
     settled_ = true;
     if (!at.known) return left_out(kNoSatellites);
+    if (lost_.is_lost(frame.system, at.by, static_cast<std::int64_t>(stamp))) {
+      return left_out(kGuessedPlace);
+    }
     auto& component = components_[frame.system];
     if (!component) component = frame.component;
     if (*component != frame.component) return left_out(kOtherComponent);
@@ -244,6 +250,7 @@ class TelemetryFrames final : public LineReader {
   RecordingOptions options_;
   LeftOut left_out_;
   VehicleCensus census_;
+  LostPlaces lost_;
   std::string id_;
   std::string label_;
   std::string lesser_;  // by which message drones were taken that tell nothing better

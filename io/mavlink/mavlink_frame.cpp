@@ -28,6 +28,10 @@ std::optional<char> extra_of(std::uint32_t message) {
       return static_cast<char>(185);
     case kGlobalPositionInt:
       return static_cast<char>(104);
+    case kGps2Raw:
+      return static_cast<char>(87);
+    case kEstimatorStatus:
+      return static_cast<char>(163);
     case kExtendedSysState:
       return static_cast<char>(130);
     case kAdsbVehicle:

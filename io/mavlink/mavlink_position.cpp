@@ -56,6 +56,7 @@ MavlinkPosition global_position(const MavlinkPayload& payload) {
   found.velocity = from_north_east_down(payload.signed16(20) / kCentimetresPerMetre,
                                         payload.signed16(22) / kCentimetresPerMetre,
                                         payload.signed16(24) / kCentimetresPerMetre);
+  found.above_home_m = payload.signed32(16) / kMillimetresPerMetre;
   found.known = !is_nowhere(found.position);
   found.sent_us = boot_clock_us(payload);
   return found;

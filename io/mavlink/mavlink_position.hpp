@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -36,6 +37,8 @@ struct MavlinkPosition {
   std::uint32_t address = 0;  // of another aircraft: that of ICAO
   std::string name = {};      // of another aircraft its callsign; of message 340 whose place it is
   double age_s = 0.0;         // how old it was when it was sent, as far as that is said
+  // Above where it took off, by its own word; not-a-number where it does not say.
+  double above_home_m = std::numeric_limits<double>::quiet_NaN();
   // Of the sender's own place: when that was by its clock, in microseconds from any zero.
   std::optional<std::int64_t> sent_us = {};
 

@@ -2,6 +2,7 @@
 
 #include "io/aircraft/aircraft_report.hpp"
 #include "io/frames/track_domain.hpp"
+#include "io/mavlink/lost_places.hpp"
 #include "io/mavlink/mavlink_position.hpp"
 #include "io/mavlink/telemetry_log.hpp"
 #include "io/mavlink/telemetry_times.hpp"
@@ -9,6 +10,7 @@
 #include "io/mavlink/vehicle_census.hpp"
 #include "io/mavlink/vehicle_landings.hpp"
 #include "io/problems/skipped_records.hpp"
+#include "io/problems/unplaced.hpp"
 #include "io/recording/recording_sources.hpp"
 
 #include <algorithm>
@@ -39,6 +41,7 @@ struct Heard {
   std::uint8_t component = 0;
   MavlinkPosition at = {};
   bool is_taken = false;
+  bool is_lost = false;             // its drone says beside it that it has lost its place
   std::optional<bool> landed = {};  // nothing where its drone says nothing of the kind
   double time_s = 0.0;              // since 1970, once it is taken
 };
@@ -86,6 +89,7 @@ class TelemetryReading {
       landings_.take(frame, static_cast<std::int64_t>(walk_.stamp()));
       times_.take(frame, walk_.index(), static_cast<std::int64_t>(walk_.stamp()));
       if (auto drone = remote_drone(frame)) ++remote_[*std::move(drone)];
+      lost_.take(frame, static_cast<std::int64_t>(walk_.stamp()));
       auto position = read_mavlink_position(frame);
       if (!position || position->by != PlaceBy::kOfAnother) ++frames_of_[frame.system];
       if (!position) continue;
@@ -93,6 +97,8 @@ class TelemetryReading {
       any_[static_cast<std::size_t>(position->by)] = true;
       heard_.push_back(
           {walk_.stamp(), walk_.index(), frame.system, frame.component, *std::move(position)});
+      heard_.back().is_lost = lost_.is_lost(frame.system, heard_.back().at.by,
+                                            static_cast<std::int64_t>(walk_.stamp()));
     }
   }
 
@@ -275,6 +281,7 @@ class TelemetryReading {
     }
     if (is_handed_on(heard)) return leave_out(kHandedOn, handed_on_id(heard));
     if (!heard.at.known) return leave_out(kNoSatellites, id);
+    if (heard.is_lost) return leave_out(kGuessedPlace, id);
     auto& component = components_[heard.system];
     if (!component) component = heard.component;
     return *component == heard.component || leave_out(kOtherComponent, id);
@@ -322,8 +329,8 @@ class TelemetryReading {
       std::vector<LandedReports::Place> places;
       places.reserve(of_system.size());
       for (const Heard* const heard : of_system) {
-        places.push_back(
-            {static_cast<std::int64_t>(heard->stamp), heard->at.position, heard->at.velocity});
+        places.push_back({static_cast<std::int64_t>(heard->stamp), heard->at.position,
+                          heard->at.velocity, heard->at.above_home_m});
       }
       const std::vector<bool> landed =
           reports->on_ground(places, global_ ? Frame::kWgs84 : Frame::kMetres);
@@ -425,6 +432,7 @@ class TelemetryReading {
   std::vector<Heard> heard_;
   VehicleCensus census_;
   VehicleLandings landings_;
+  LostPlaces lost_;
   std::string before_;  // ids of systems
   bool global_ = false;
   std::array<bool, kPlacesBy> any_ = {};

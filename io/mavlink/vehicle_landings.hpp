@@ -16,7 +16,8 @@ class VehicleLandings {
   // That came at `stamp`, in microseconds.
   void take(const MavlinkFrame& frame, std::int64_t stamp);
 
-  // Of what that component says of its system; null where it says nothing of the kind.
+  // Of what that component says of its system; null where it says nothing of the kind, or is a
+  // rover or a boat, which never lands.
   [[nodiscard]] const LandedReports* of(std::uint8_t system, std::uint8_t component) const;
 
  private:
@@ -24,6 +25,7 @@ class VehicleLandings {
     LandedReports state;
     LandedReports heartbeats;
     bool has_state = false;
+    bool is_no_aircraft = false;
   };
 
   std::map<std::pair<std::uint8_t, std::uint8_t>, Said> said_;  // by system and component

@@ -34,11 +34,16 @@ inline constexpr LeftOutReason kDoubtedPlace = {
     "in which a drone says itself that it does not know its place"};
 inline constexpr LeftOutReason kDoubtedHeight = {
     "in which a drone says itself that it does not know its height"};
+// By dead_reckoning, eph and epv of PX4; ESTIMATOR_STATUS and GPS_RAW_INT of MAVLink.
+inline constexpr LeftOutReason kGuessedPlace = {
+    "in which a drone has lost its place (no fix of satellites any more, dead reckoning, or by its "
+    "own word off by more than 10 m)",
+    "where such a drone was is not known"};
 // Whether the bee was there, but it is not known where.
 inline bool has_no_place(const LeftOutReason& reason) {
   return &reason == &kUnknownPlace || &reason == &kHalfPlace || &reason == &kOutlier ||
          &reason == &kNoFix || &reason == &kNoReference || &reason == &kDoubtedPlace ||
-         &reason == &kDoubtedHeight;
+         &reason == &kDoubtedHeight || &reason == &kGuessedPlace;
 }
 inline constexpr LeftOutReason kNoAnimal = {
     "whose id of an animal is empty (of tags that are on none)",

@@ -14,6 +14,10 @@ constexpr std::string_view kGlobalTopic = "vehicle_global_position";
 constexpr std::string_view kLocalTopic = "vehicle_local_position";
 constexpr std::string_view kLandTopic = "vehicle_land_detected";
 constexpr std::string_view kGpsTopic = "vehicle_gps_position";
+constexpr std::string_view kStatusTopic = "vehicle_status";
+
+// PX4's own failsafe of a lost position begins at less, by default.
+constexpr double kMostUncertain_m = 10.0;
 
 // A double holds every microsecond until then: the year 2255.
 constexpr std::uint64_t kLatestMicros = std::uint64_t{1} << 53u;
@@ -29,6 +33,11 @@ class Numbers {
     return field != nullptr ? ulog_number(message_, *field) : otherwise;
   }
   [[nodiscard]] bool flag(std::string_view name) const { return of(name, 1.0) != 0.0; }
+  // Whether it goes on from its last place by its inertia alone, or says that it may be anywhere.
+  [[nodiscard]] bool is_guessed() const {
+    return of("dead_reckoning", 0.0) != 0.0 || of("eph", 0.0) > kMostUncertain_m;
+  }
+  [[nodiscard]] bool is_height_guessed() const { return of("epv", 0.0) > kMostUncertain_m; }
   [[nodiscard]] std::uint64_t micros(std::string_view name) const {
     const UlogField* const field = layout_.number(name);
     return field != nullptr ? ulog_unsigned(message_, *field).value_or(0) : 0;
@@ -69,6 +78,8 @@ Px4Place global_place(const Numbers& numbers) {
                     known_speed(numbers.of("vel_d"), true));
   place.known = numbers.flag("lat_lon_valid");
   place.height_known = numbers.flag("alt_valid");
+  place.guessed = numbers.is_guessed();
+  place.height_guessed = numbers.is_height_guessed();
   return place;
 }
 
@@ -82,6 +93,8 @@ Px4Place local_place(const Numbers& numbers) {
                     known_speed(numbers.of("vz"), numbers.flag("v_z_valid")));
   place.known = numbers.flag("xy_valid");
   place.height_known = numbers.flag("z_valid");
+  place.guessed = numbers.is_guessed();
+  place.height_guessed = numbers.is_height_guessed();
   const double longitude = numbers.degrees("ref_lon");
   const double latitude = numbers.degrees("ref_lat");
   const bool somewhere = longitude != 0.0 || latitude != 0.0;
@@ -120,6 +133,8 @@ class Gathering {
         add_time(gps_[topic.instance]);
       } else if (topic.name == kLandTopic) {
         add_landed(landed_[topic.instance]);
+      } else if (topic.name == kStatusTopic) {
+        take_type();
       }
     }
     if (auto error = bad_topic()) return *std::move(error);
@@ -129,10 +144,8 @@ class Gathering {
     log.clock = clock_of(first_of(gps_, kGpsTopic, log));
     log.losses = walk_.losses();
     for (const auto& [micros, landed] : first_of(landed_, kLandTopic, log)) {
-      log.landed.take(micros, landed);
+      if (!is_rover_) log.landed.take(micros, landed);
     }
-    // It is written whenever it changes.
-    if (log.losses.dropouts == 0 && log.losses.damaged_places == 0) log.landed.hold_all_changes();
     return log;
   }
 
@@ -185,6 +198,18 @@ class Gathering {
     reports.emplace_back(static_cast<std::int64_t>(micros), numbers.flag("landed"));
   }
 
+  // What drives or swims says that it has landed wherever it is not armed, or slow.
+  void take_type() {
+    constexpr double kRover = 10.0;  // MAV_TYPE; behind it boats and submarines
+    constexpr double kSubmarine = 12.0;
+    constexpr double kVehicleRover = 3.0;  // VEHICLE_TYPE_ROVER
+    if (!walk_.topic().layout) return;
+    const Numbers numbers(*walk_.topic().layout, walk_.message());
+    const double type = numbers.of("system_type");
+    is_rover_ = is_rover_ || (type >= kRover && type <= kSubmarine) ||
+                numbers.of("vehicle_type") == kVehicleRover;
+  }
+
   // A topic that should tell places, or the time, and cannot be understood.
   [[nodiscard]] std::optional<Error> bad_topic() const {
     const auto lacks = [](const UlogTopic& topic, std::initializer_list<std::string_view> names) {
@@ -212,6 +237,7 @@ class Gathering {
   std::map<std::uint8_t, std::vector<Px4Place>> local_;
   std::map<std::uint8_t, std::vector<std::int64_t>> gps_;
   std::map<std::uint8_t, std::vector<std::pair<std::int64_t, bool>>> landed_;
+  bool is_rover_ = false;
 };
 
 }  // namespace

@@ -31,6 +31,8 @@ struct Px4Place {
   Velocity velocity = {kUnknown, kUnknown, kUnknown};  // m/s east, north, up
   bool known = true;                                   // it says so itself
   bool height_known = true;
+  bool guessed = false;  // by inertia alone, or off by who knows how much
+  bool height_guessed = false;
   // Of vehicle_local_position: longitude, latitude, height of its origin; not-a-number where the
   // drone does not know them.
   Point origin = {kUnknown, kUnknown, kUnknown};

@@ -72,6 +72,7 @@ class FlightReading {
     if (place.micros == 0 || place.micros >= std::uint64_t{1} << 53u) return &kNoTimeOfIt;
     if (!place.known) return &kDoubtedPlace;
     if (!place.height_known) return &kDoubtedHeight;
+    if (place.guessed || place.height_guessed) return &kGuessedPlace;
     if (!std::isfinite(place.position.x + place.position.y + place.position.z))
       return &kDoubtedPlace;
     if (source == Source::kGlobal && at.x == 0.0 && at.y == 0.0) return &kDoubtedPlace;

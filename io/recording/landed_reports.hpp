@@ -2,10 +2,13 @@
 // that it has landed, or not. Where it does not say so surely, it is taken for flying.
 //
 // A place is on the ground where the report before it and the one behind it both say so, and these
-// are no more than 5 s apart; of a log that holds each change, where the last report before it
-// does. Up to 5 s before the first report and behind the last one it is as these say where it is
-// the same place, within a metre. Who says at a place to be faster than a drone on the ground
-// flies.
+// are no more than 5 s apart. Up to 5 s before the first report and behind the last one it is as
+// these say where it is the same place, within a metre. Who says at a place to be faster than a
+// drone on the ground flies.
+//
+// A flag may be stuck. So a stretch of such places counts only where it stays within 2 m of where
+// it begins or ends, is no more than that above its own lowest place, and at about the height at
+// which the drone is on the ground as its log begins or ends: where all of that is not so it flies.
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"
@@ -15,6 +18,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace beespace::io {
@@ -25,12 +29,12 @@ class LandedReports {
     std::int64_t micros = 0;  // by the clock of the reports
     Point position = {};
     Velocity velocity = {};  // not-a-number where unknown
+    // Above where it took off, by its own word; not-a-number where it does not say.
+    double above_home_m = std::numeric_limits<double>::quiet_NaN();
   };
 
   // In the order in which they came.
   void take(std::int64_t micros, bool landed);
-  // Each change is among them.
-  void hold_all_changes() { all_changes_ = true; }
   // Whether it has ever said so.
   [[nodiscard]] bool any_landed() const;
 
@@ -50,7 +54,6 @@ class LandedReports {
                        std::vector<bool>& ground) const;
 
   std::vector<Report> reports_;
-  bool all_changes_ = false;
   bool goes_back_ = false;  // the clock does: then nothing is sure
 };
 

@@ -37,6 +37,8 @@ inline char crc_extra(std::uint32_t message) {
       return static_cast<char>(185);
     case 33:
       return static_cast<char>(104);
+    case 230:
+      return static_cast<char>(163);
     case 245:
       return static_cast<char>(130);
     case 12901:

@@ -118,6 +118,25 @@ TEST(Telemetry, APlaceThatStaysWhileTheDroneMovesIsNone) {
   EXPECT_TRUE(has_note(recording, "11 records whose place stays exactly the same"));
 }
 
+// The flag is stuck: 20 m above where it stood it flies, and so it does elsewhere.
+TEST(VehicleLandings, WhoIsAwayFromWhereItStoodFliesWhateverItSays) {
+  for (const Says& says :
+       {by_state(1, 1), Says([](int) { return frame_v2(1, 0, heartbeat(2, 12, 0, 3)); })}) {
+    const auto recording = recording_of(load(flight(says)));
+    ASSERT_EQ(recording.bees[0].landed.size(), 2u);
+    EXPECT_LE(recording.bees[0].landed[0].ends_s, kNoon_s + 10.0);
+    EXPECT_GE(recording.bees[0].landed[1].begins_s, kNoon_s + 20.0);
+  }
+}
+
+TEST(VehicleLandings, ARoverNeverLands) {
+  const auto stands = [](int second) {
+    return second % 2 == 0 ? frame_v2(1, 0, heartbeat(10, 12, 0, 3))
+                           : frame_v2(1, 245, landed_state(1));
+  };
+  EXPECT_TRUE(recording_of(load(flight(stands))).bees[0].landed.empty());
+}
+
 TEST(VehicleLandings, WhoNeverTakesOffStandsAllTheTime) {
   const std::string still = global_payload(470'000'000, 80'000'000, 500'000, 0, 0, 0);
   std::string log;
