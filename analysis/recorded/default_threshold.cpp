@@ -35,12 +35,12 @@ bool cruises(const io::Recording& recording) {
   });
 }
 
-// Of 500 ft, as near mid-air collisions are counted, in metres.
-constexpr double kLeastUsual_m = 152.4;
+// A bare number up to this one is hardly meant in metres, but in nautical miles.
+constexpr double kMostMiles = 30.0;
 
 // Whether what was typed leaves nothing to ask.
 bool says_enough(const std::optional<io::StatedLength>& typed) {
-  return typed && !(typed->bare && typed->metric < kLeastUsual_m);
+  return typed && !(typed->bare && typed->metric <= kMostMiles);
 }
 
 Error aircraft_question(std::string_view known_by, const std::optional<io::StatedLength>& typed,

@@ -13,7 +13,7 @@ namespace beespace::cli_test {
 namespace {
 
 // Two 6 km beside each other at one height: as OpenSky has them, in metres.
-std::string in_metres(const std::string& columns = "time,icao24,lat,lon,geoaltitude") {
+std::string in_metres(const std::string& columns = "time,icao24,lat,lon,geoaltitude_m") {
   std::string text = columns + "\n";
   for (int t = 0; t < 4; ++t) {
     const std::string time = std::to_string(1714564800 + 10 * t);
@@ -89,8 +89,8 @@ std::string heard_at(const std::string& now, const std::string& seen) {
 }
 
 TEST(PresentOfAircraft, IsThatOfTheFile) {
-  const Arguments ask = {"predict",   "--separation",   "enroute",   "--heights",
-                         "geometric", "--fail-on-risk", "--horizon", "60"};
+  const Arguments ask = {"predict",   "--separation", "enroute",
+                         "--heights", "geometric",    "--fail-on-risk"};
   // 30 km apart, at 400 m/s: closer than 5 NM after 53 s.
   EXPECT_EQ(rows_of(run(ask, states_at("1714564800")).out).size(), 1u);
   const Finished later = run(ask, states_at("1714564820"));
@@ -130,7 +130,7 @@ TEST(PresentOfAircraft, OfAScenarioSaysHowAllAreKept) {
 
 // One that flies level eastwards, and one above; of these two records in a row are elsewhere.
 std::string with_spike(const std::string& height_m, const std::string& latitude) {
-  std::string text = "time,icao24,lat,lon,geoaltitude,velocity,heading,vertrate\n";
+  std::string text = "time,icao24,lat,lon,geoaltitude [m],velocity [m/s],heading,vertrate [m/s]\n";
   for (int t = 0; t < 12; ++t) {
     const bool false_one = t == 5 || t == 6;
     const std::string time = std::to_string(1714564800 + 5 * t);
