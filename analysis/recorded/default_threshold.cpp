@@ -95,7 +95,8 @@ std::optional<Error> threshold_needed(const io::Recording& recording,
       known_by_heights(recording.frame, recording.height_unit, recording.heights);
   if (!by.empty()) return aircraft_question(by, typed, apart_in_height);
   if (recording.of_aircraft) return aircraft_question({}, typed, apart_in_height);
-  if (!cruises(recording)) return std::nullopt;
+  // Who typed a number there knows what flies.
+  if (typed || !cruises(recording)) return std::nullopt;
   return aircraft_question(", higher and faster than drones fly", typed, apart_in_height);
 }
 
