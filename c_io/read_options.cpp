@@ -172,6 +172,7 @@ Result<io::RecordingOptions> recording_options(const beespace_io_options* option
       BEESPACE_IO_SKIP_BAD | BEESPACE_IO_GROUNDED | BEESPACE_IO_ANY_LIKELIHOOD;
   Status common = read_columns(*given, kKnown, read);
   if (!common) return std::move(common).error();
+  read.one_clock = !text_of(given->time_unit).empty();
   if (Status chosen = choose_unit(given->time_unit, read.time_unit); !chosen) {
     return std::move(chosen).error();
   }

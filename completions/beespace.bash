@@ -49,7 +49,7 @@ _beespace() {
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         -o | --output) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --max-age | --threshold | --vertical | --threads | --max-results | --horizon) return ;;
-        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-age --threshold --vertical --separation --inclusive --threads --max-results --horizon --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-age --threshold --vertical --separation --inclusive --threads --max-results --horizon --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     replay)
@@ -63,7 +63,7 @@ _beespace() {
         --report) values='conflicts bees separation events' ;;
         -o | --output) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --max-results | --every | --horizon | --leave-factor | --look-every | --memory | --temporary) return ;;
-        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --straight --threshold --vertical --separation --inclusive --threads --max-results --report --every --horizon --leave-factor --look-every --memory --temporary --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --straight --threshold --vertical --separation --inclusive --threads --max-results --report --every --horizon --leave-factor --look-every --memory --temporary --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     watch)
@@ -127,7 +127,7 @@ _beespace() {
         --max-gap) values='never' ;;
         --obstacles | -o | --output) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --threshold | --max-speed | --max-acceleration | --max-horizontal | --max-climb | --max-descent | --max-height | --skip-limits | --clearance | --threads) return ;;
-        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --threshold --max-speed --max-acceleration --max-horizontal --max-climb --max-descent --max-height --skip-limits --obstacles --clearance --max-gap --straight --threads --output --csv --json --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --threshold --max-speed --max-acceleration --max-horizontal --max-climb --max-descent --max-height --skip-limits --obstacles --clearance --max-gap --straight --threads --output --csv --json --quiet --help --version' files=yes ;;
       esac
       ;;
     fleet)
@@ -139,7 +139,7 @@ _beespace() {
         --max-gap) values='never' ;;
         --set) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --set-columns) return ;;
-        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --set --set-columns --max-gap --json --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --set --set-columns --max-gap --json --quiet --help --version' files=yes ;;
       esac
       ;;
     report)
@@ -152,7 +152,7 @@ _beespace() {
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --compare | --fleet-log | --obstacles | -o | --output) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads) return ;;
-        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --obstacles --output --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --obstacles --output --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     view)
@@ -165,7 +165,7 @@ _beespace() {
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --compare | --fleet-log | --obstacles) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --port) return ;;
-        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --obstacles --no-open --port --json --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --obstacles --no-open --port --json --quiet --help --version' files=yes ;;
       esac
       ;;
     plot)
@@ -178,7 +178,7 @@ _beespace() {
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         -o | --output) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --width | --title) return ;;
-        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --width --title --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --width --title --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     export)
@@ -192,7 +192,7 @@ _beespace() {
         --format) values='kml czml geojson csv' ;;
         -o | --output | --obstacles) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --origin) return ;;
-        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --format --origin --obstacles --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --format --origin --obstacles --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     generate)

@@ -179,15 +179,34 @@ bool is_of_instants(const io::Recording& recording) {
          });
 }
 
+// Those that overlap put together, in ascending order of (track, begins_s).
+std::vector<Gap> apart_from_each_other(std::vector<Gap> all) {
+  std::sort(all.begin(), all.end(), [](const Gap& a, const Gap& b) {
+    return std::tuple(a.track, a.begins_s, -a.ends_s) < std::tuple(b.track, b.begins_s, -b.ends_s);
+  });
+  std::vector<Gap> apart;
+  for (const Gap& next : all) {
+    if (!apart.empty() && apart.back().track == next.track && next.begins_s < apart.back().ends_s) {
+      apart.back().ends_s = std::max(apart.back().ends_s, next.ends_s);
+    } else {
+      apart.push_back(next);
+    }
+  }
+  return apart;
+}
+
 }  // namespace
 
-std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps) {
+std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps,
+                                    const MaxGap& max_gap) {
   std::vector<double> unknown_s;
   constexpr double kAny = std::numeric_limits<double>::infinity();
   for (const Outside& outside : outside_of(recording, kAny)) {
     unknown_s.push_back(outside.seconds);
   }
-  for (const Gap& gap : gaps) unknown_s[gap.track] += length_of(gap);
+  // A long gap may be within a doubtful span, or across its ends.
+  const auto within = apart_from_each_other(joined_gaps(gaps, doubtful_spans(recording, max_gap)));
+  for (const Gap& gap : within) unknown_s[gap.track] += length_of(gap);
   return unknown_s;
 }
 
@@ -200,19 +219,7 @@ std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector
       all.push_back({static_cast<PointId>(track), span.begins_s, span.ends_s});
     }
   }
-  std::sort(all.begin(), all.end(), [](const Gap& a, const Gap& b) {
-    return std::tuple(a.track, a.begins_s, -a.ends_s) < std::tuple(b.track, b.begins_s, -b.ends_s);
-  });
-  // Of one that is both in the air and without a place, the two may overlap.
-  std::vector<Gap> apart;
-  for (const Gap& next : all) {
-    if (!apart.empty() && apart.back().track == next.track && next.begins_s < apart.back().ends_s) {
-      apart.back().ends_s = std::max(apart.back().ends_s, next.ends_s);
-    } else {
-      apart.push_back(next);
-    }
-  }
-  return apart;
+  return apart_from_each_other(std::move(all));
 }
 
 Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gaps,

@@ -69,9 +69,10 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
 Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gaps,
                      const MaxGap& max_gap, const std::vector<BeeInterval>& intervals);
 
-// For how long it is unknown of each bee where it was, in gaps and before its first fix and after
-// its last one. `gaps` as above.
-std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps);
+// For how long it is unknown of each bee where it was: in gaps, where it jumps or has records
+// without a place, and before its first fix and after its last one. `gaps` as above.
+std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps,
+                                    const MaxGap& max_gap);
 
 // When a bee is there and it is not known where, so that conflicts may be hidden: in its gaps,
 // where it jumps, and before its first fix and after its last one if it is in the air or on its way

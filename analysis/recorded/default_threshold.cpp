@@ -1,9 +1,77 @@
 #include "analysis/recorded/default_threshold.hpp"
 
+#include "io/bytes/number_text.hpp"
+#include "io/recording/flat_distance.hpp"
+
+#include <algorithm>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace beespace::analysis {
+namespace {
+
+// No drone that one has logs of, and no bird, is both so high and so fast.
+constexpr double kAboveDrones_m = 6'000.0;
+constexpr double kFasterThanDrones_mps = 90.0;
+
+// Whether one flies as airliners do, in two steps in a row at least.
+bool cruises(const io::Recording& recording) {
+  if (recording.frame != io::Frame::kWgs84 || recording.flat) return false;
+  const auto fast = [&recording](const Fix& from, const Fix& to) {
+    const double lasts_s = to.time_s - from.time_s;
+    return from.position.z > kAboveDrones_m && to.position.z > kAboveDrones_m &&
+           io::flat_distance_m(from.position, to.position, recording.frame) >
+               kFasterThanDrones_mps * lasts_s;
+  };
+  return std::any_of(recording.bees.begin(), recording.bees.end(), [&](const io::RecordedBee& bee) {
+    for (std::size_t i = 2; i < bee.fixes.size(); ++i) {
+      if (fast(bee.fixes[i - 2], bee.fixes[i - 1]) && fast(bee.fixes[i - 1], bee.fixes[i])) {
+        return true;
+      }
+    }
+    return false;
+  });
+}
+
+// A bare number up to this one is hardly meant in metres, but in nautical miles.
+constexpr double kMostMiles = 30.0;
+
+// Whether what was typed leaves nothing to ask.
+bool says_enough(const std::optional<io::StatedLength>& typed) {
+  return typed && !(typed->bare && typed->metric <= kMostMiles);
+}
+
+Error aircraft_question(std::string_view known_by, const std::optional<io::StatedLength>& typed,
+                        bool apart_in_height) {
+  std::string message = "these are aircraft" + std::string(known_by);
+  if (typed) {
+    const std::string number = io::exact(typed->value);
+    message += ", and --threshold " + number + " would be " + number +
+               " m, less than any separation of aircraft: say --threshold " + number +
+               "NM if it is in nautical miles, or --threshold " + number + "m";
+  } else if (apart_in_height) {
+    message +=
+        ": how close is too close? Say --separation enroute, --separation terminal, or how far it "
+        "is, as in --threshold 5NM --vertical 1000ft";
+  } else {
+    message +=
+        ": how close is too close? Distances are straight lines here, whatever heights are apart: "
+        "'beespace replay --separation enroute' asks about both; or say how far it is in space, as "
+        "in --threshold 5NM";
+  }
+  return {ErrorCode::kInvalidArgument, std::move(message), {}};
+}
+
+// By its heights, which others do not state so; empty where these say nothing.
+std::string_view known_by_heights(io::Frame frame, io::Unit unit, io::HeightDatum datum) {
+  if (frame != io::Frame::kWgs84) return {};
+  if (unit == io::Unit::kFoot || unit == io::Unit::kFlightLevel) return ", by heights in feet";
+  return datum == io::HeightDatum::kPressure ? ", by heights of pressure" : "";
+}
+
+}  // namespace
 
 DefaultThreshold default_threshold(const io::Recording& recording, double otherwise_m) {
   if (recording.declared_threshold_m) {
@@ -12,23 +80,31 @@ DefaultThreshold default_threshold(const io::Recording& recording, double otherw
   if (recording.show) {
     return {kDefaultShowThreshold_m, ", the default of shows that declare none (--threshold)"};
   }
+  if (recording.of_drones) {
+    return {kDefaultDroneThreshold_m, ", the default of logs of drones (--threshold)"};
+  }
   return {otherwise_m, {}};
 }
 
-std::optional<Error> threshold_needed(const io::Recording& recording, bool knows_usual) {
-  const bool by_pressure = recording.heights == io::HeightDatum::kPressure;
-  const bool in_feet =
-      recording.height_unit == io::Unit::kFoot || recording.height_unit == io::Unit::kFlightLevel;
-  const bool of_aircraft =
-      recording.frame == io::Frame::kWgs84 && !recording.show && (by_pressure || in_feet);
-  if (!of_aircraft || recording.declared_threshold_m) return std::nullopt;
-  std::string message = "these are aircraft, by heights ";
-  message += in_feet ? "in feet" : "of pressure";
-  message += ": how close is too close? Say ";
-  message += knows_usual ? "--separation enroute, --separation terminal, or how far it is, as in "
-                           "--threshold 5NM --vertical 1000ft"
-                         : "how far it is, as in --threshold 5NM";
-  return Error{ErrorCode::kInvalidArgument, std::move(message), {}};
+std::optional<Error> threshold_needed(const io::Recording& recording,
+                                      const std::optional<io::StatedLength>& typed,
+                                      bool apart_in_height) {
+  if (says_enough(typed) || recording.show) return std::nullopt;
+  if (!typed && recording.declared_threshold_m) return std::nullopt;
+  const std::string_view by =
+      known_by_heights(recording.frame, recording.height_unit, recording.heights);
+  if (!by.empty()) return aircraft_question(by, typed, apart_in_height);
+  if (recording.of_aircraft) return aircraft_question({}, typed, apart_in_height);
+  // Who typed a number there knows what flies.
+  if (typed || !cruises(recording)) return std::nullopt;
+  return aircraft_question(", higher and faster than drones fly", typed, apart_in_height);
+}
+
+std::optional<Error> threshold_needed(const io::LoadedPoints& points, bool names_aircraft,
+                                      const std::optional<io::StatedLength>& typed) {
+  const std::string_view by = known_by_heights(points.frame, points.height_unit, points.heights);
+  if (says_enough(typed) || (by.empty() && !names_aircraft)) return std::nullopt;
+  return aircraft_question(by, typed, true);
 }
 
 }  // namespace beespace::analysis

@@ -1,7 +1,9 @@
 // What is too close where the command does not say: what the input declares, or what is usual.
 #pragma once
 
+#include "io/points/loaded_points.hpp"
 #include "io/recording/recording.hpp"
+#include "io/units/stated_length.hpp"
 
 #include <beespace/result.hpp>
 
@@ -13,6 +15,10 @@ namespace beespace::analysis {
 // Drones of shows fly some metres apart: a default for aircraft would find nothing but conflicts.
 inline constexpr double kDefaultShowThreshold_m = 2.0;
 
+// Of what drones logged, whatever is asked about it: more than a show needs, as they are elsewhere
+// by some metres than they say.
+inline constexpr double kDefaultDroneThreshold_m = 5.0;
+
 struct DefaultThreshold {
   double metres;
   // ", as the input declares"; empty where it is `otherwise_m`.
@@ -22,8 +28,15 @@ struct DefaultThreshold {
 DefaultThreshold default_threshold(const io::Recording& recording, double otherwise_m);
 
 // Of air traffic nothing else is usual than what its rules say, and these are of several kinds:
-// what to type where nothing was. Nothing for what is no air traffic, as far as is known.
-// `knows_usual`: the command has --separation.
-std::optional<Error> threshold_needed(const io::Recording& recording, bool knows_usual);
+// what to type where nothing was, or a bare number that is less than any of them, as one of miles
+// that would be taken for metres. Nothing for what is no air traffic, as far as is known: by its
+// format, by what columns are called, by units, or as nothing else is so high and so fast.
+// `apart_in_height`: the command has --separation and --vertical. Of points the caller looks at
+// what columns are called.
+std::optional<Error> threshold_needed(const io::Recording& recording,
+                                      const std::optional<io::StatedLength>& typed,
+                                      bool apart_in_height = true);
+std::optional<Error> threshold_needed(const io::LoadedPoints& points, bool names_aircraft,
+                                      const std::optional<io::StatedLength>& typed);
 
 }  // namespace beespace::analysis

@@ -15,6 +15,36 @@ auto order_of_gap(const Gap& gap) {
   return std::tuple(gap.track, gap.begins_s, gap.ends_s);
 }
 
+const Velocity* velocity_at(const io::RecordedBee& bee, std::size_t fix) {
+  return bee.velocities.empty() ? nullptr : &bee.velocities[fix];
+}
+
+// To which of its fixes it jumps.
+std::vector<std::size_t> jumps_of(const io::RecordedBee& bee, io::Frame frame) {
+  std::vector<std::size_t> found;
+  io::Jumps jumps;
+  for (std::size_t i = 0; i < bee.fixes.size(); ++i) {
+    if (jumps.take(bee.fixes[i], velocity_at(bee, i), frame)) found.push_back(i);
+  }
+  return found;
+}
+
+// With which of the next jumps it comes back to where it can have got from before jump `out`: what
+// lies between was somewhere else. `out` itself where there is none.
+std::size_t way_back(const io::RecordedBee& bee, io::Frame frame,
+                     const std::vector<std::size_t>& jumps, std::size_t out) {
+  constexpr std::size_t kMostBetween = 8;
+  const std::size_t before = jumps[out] - 1;
+  io::Jumps from;
+  from.take(bee.fixes[before], velocity_at(bee, before), frame);
+  const std::size_t end = std::min(jumps.size(), out + 1 + kMostBetween);
+  for (std::size_t i = out + 1; i < end; ++i) {
+    const std::size_t fix = jumps[i];
+    if (!from.jumps_to(bee.fixes[fix], velocity_at(bee, fix), frame)) return i;
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<Gap> jump_spans(const io::Recording& recording) {
@@ -22,11 +52,12 @@ std::vector<Gap> jump_spans(const io::Recording& recording) {
   if (recording.missing.jumping == 0) return spans;
   for (std::size_t track = 0; track < recording.bees.size(); ++track) {
     const io::RecordedBee& bee = recording.bees[track];
-    io::Jumps jumps;
-    for (std::size_t i = 0; i < bee.fixes.size(); ++i) {
-      const Velocity* const velocity = bee.velocities.empty() ? nullptr : &bee.velocities[i];
-      if (!jumps.take(bee.fixes[i], velocity, recording.frame)) continue;
-      spans.push_back({static_cast<PointId>(track), bee.fixes[i - 1].time_s, bee.fixes[i].time_s});
+    const std::vector<std::size_t> jumps = jumps_of(bee, recording.frame);
+    for (std::size_t i = 0; i < jumps.size(); ++i) {
+      const std::size_t back = way_back(bee, recording.frame, jumps, i);
+      spans.push_back({static_cast<PointId>(track), bee.fixes[jumps[i] - 1].time_s,
+                       bee.fixes[jumps[back]].time_s});
+      i = back;
     }
   }
   return spans;

@@ -1,5 +1,7 @@
 // When bees that jump do so (see io/recording/jumps.hpp): from the fix before to the one behind it
-// is not known where such a bee is, as one of the two places, or times, is wrong.
+// is not known where such a bee is, as one of the two places, or times, is wrong. Where it jumps
+// back to where it can have got meanwhile, the places between are the wrong ones: it is not known
+// until then.
 #pragma once
 
 #include "analysis/recorded/gaps.hpp"

@@ -140,9 +140,11 @@ bool has_velocities(const io::Recording& recording) {
                      [](const io::RecordedBee& bee) { return !bee.velocities.empty(); });
 }
 
-// Of the last fix of all. Error: where the input says nothing of the present.
-Result<double> last_time(const io::Recording& recording) {
-  double time_s = -std::numeric_limits<double>::infinity();
+// When the input was written, where it says so, as that is what its reader sees as now: the last
+// positions of all may be old, too. Otherwise, and where one comes later, that of the last fix of
+// all. Error: where the input says nothing of the present.
+Result<double> present_time(const io::Recording& recording) {
+  double time_s = recording.written_s.value_or(-std::numeric_limits<double>::infinity());
   for (const io::RecordedBee& bee : recording.bees) {
     if (bee.path || recording.show) {
       return of_bee({ErrorCode::kUnsupportedFormat,
@@ -182,7 +184,7 @@ Snapshot Snapshot::present() const {
 
 Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, double max_age_s,
                              Wanted wanted) {
-  const auto now = last_time(recording);
+  const auto now = present_time(recording);
   if (!now) return now.error();
   Snapshot snapshot;
   snapshot.time_s = *now;
@@ -193,6 +195,7 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
     const double age = *now - bee.fixes.back().time_s;
     if (age > max_age_s) {
       ++snapshot.stale;
+      snapshot.stalest_s = std::max(snapshot.stalest_s, age);
       continue;
     }
     auto state = wanted == Wanted::kPlaces && age == 0.0

@@ -1,5 +1,6 @@
 #include "analysis/scene/load_scene.hpp"
 
+#include "analysis/recorded/default_threshold.hpp"
 #include "analysis/scene/fleet_facts.hpp"
 #include "analysis/scene/recording_facts.hpp"
 #include "analysis/scene/snapshot_facts.hpp"
@@ -10,24 +11,28 @@
 #include "io/points/loaded_points.hpp"
 #include "io/table/column_names.hpp"
 #include "io/table/fields.hpp"
+#include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_columns.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace beespace::analysis {
 namespace {
 
 using Loaded = std::variant<io::LoadedPoints, io::Recording>;
 
+constexpr std::size_t kLongestHeader = 10'000;
+
 bool has_time_column(std::string_view header) {
-  constexpr std::size_t kLongest = 10'000;
-  if (header.size() > kLongest) return false;
+  if (header.size() > kLongestHeader) return false;
   for (const char delimiter : {',', ';', '\t'}) {
     io::FieldCursor cursor(header, delimiter);
     io::Field name;
@@ -35,6 +40,17 @@ bool has_time_column(std::string_view header) {
       if (io::read_column_name(io::track_columns(), io::unquoted(name)).role == io::Role::kTime)
         return true;
     }
+  }
+  return false;
+}
+
+bool names_aircraft(std::string_view header) {
+  if (header.size() > kLongestHeader) return false;
+  for (const char delimiter : {',', ';', '\t'}) {
+    std::vector<std::string> columns;
+    io::FieldCursor cursor(header, delimiter);
+    for (io::Field name; cursor.next(name);) columns.emplace_back(io::unquoted(name));
+    if (io::name_aircraft(columns)) return true;
   }
   return false;
 }
@@ -206,10 +222,17 @@ Result<Scene> scene_from(Result<Facts> facts) {
 Result<Scene> scene_of(const Loaded& loaded, const std::string& title,
                        const SceneRequest& request) {
   if (const auto* points = std::get_if<io::LoadedPoints>(&loaded)) {
+    if (auto needed = threshold_needed(*points, names_aircraft(io::header_line(*points)),
+                                       typed_threshold(request))) {
+      return *std::move(needed);
+    }
     if (Status moves = check_moves(request, title); !moves) return std::move(moves).error();
     return scene_from(snapshot_facts(*points, title, request));
   }
   const auto& recording = std::get<io::Recording>(loaded);
+  if (auto needed = threshold_needed(recording, typed_threshold(request))) {
+    return *std::move(needed);
+  }
   if (!is_a_snapshot(recording)) return scene_from(facts_of(recording, title, request));
   if (Status moves = check_moves(request, title); !moves) return std::move(moves).error();
   return scene_from(snapshot_facts(recording, title, request));

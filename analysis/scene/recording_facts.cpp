@@ -185,20 +185,12 @@ void take_tracks(std::vector<Track> tracks, io::Frame frame, report::RecordingFa
   facts.tracks = std::move(tracks);
 }
 
-// As it was stated; nothing where the caller does not say it.
-std::optional<io::StatedLength> threshold_of(const SceneRequest& request) {
-  if (!request.threshold_m) return std::nullopt;
-  return io::StatedLength{*request.threshold_m,
-                          io::from_metric(*request.threshold_m, request.threshold_unit),
-                          request.threshold_unit};
-}
-
 }  // namespace
 
 Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
                                                const std::string& title,
                                                const SceneRequest& request) {
-  if (auto doubt = doubt_of_scale(recording, threshold_of(request))) return *std::move(doubt);
+  if (auto doubt = doubt_of_scale(recording, typed_threshold(request))) return *std::move(doubt);
   const Geometry geometry = geometry_for(recording, request.vertical);
   const MaxGap max_gap = max_gap_of(recording, request.max_gap_s);
   auto in_space = tracks_of(recording, Geometry::kSpace, request.tolerance_m);

@@ -3,6 +3,7 @@
 
 #include "io/recording/recording_options.hpp"
 #include "io/units/stated_length.hpp"
+#include "io/units/units.hpp"
 
 #include <beespace/geodesy.hpp>
 
@@ -19,6 +20,7 @@ struct SceneRequest {
   io::RecordingOptions load = {};
   std::optional<double> threshold_m = {};         // absent: what the input declares, or the default
   io::Unit threshold_unit = io::Unit::kUnstated;  // in which it is stated, for words
+  bool threshold_is_bare = false;                 // nobody said a unit
   // In the unit in which it is stated, so that heights in that unit can be compared as they stand.
   std::optional<io::StatedLength> vertical = {};
   bool inclusive = false;
@@ -36,5 +38,13 @@ struct SceneRequest {
     return vertical ? std::optional(vertical->metric) : std::nullopt;
   }
 };
+
+// As it was stated; nothing where the caller does not say it.
+inline std::optional<io::StatedLength> typed_threshold(const SceneRequest& request) {
+  if (!request.threshold_m) return std::nullopt;
+  return io::StatedLength{*request.threshold_m,
+                          io::from_metric(*request.threshold_m, request.threshold_unit),
+                          request.threshold_unit, request.threshold_is_bare};
+}
 
 }  // namespace beespace::analysis

@@ -87,6 +87,8 @@ void add_input_options(Command& command, MovingRequest& request) {
   command.option("--columns", "LIST", request.load.columns,
                  "By number or name: id=1,time=2,x=3,y=4,z=5,vx=6");
   add_time_unit_option(command, request.load.time_unit);
+  command.flag("--one-clock", request.load.one_clock,
+               "Times of several files count from one zero, though\nnothing says so");
   add_clock_and_pixel_options(command, request.load);
   command.option(
       "--least-likelihood", "N", request.load.least_likelihood, read_likelihood,
@@ -114,7 +116,7 @@ void add_threshold_options(Command& command, MovingRequest& request) {
   command.group("Separation");
   command.option("--threshold", "LENGTH", request.threshold, read_stated_threshold_in_motion,
                  "Closer than this is too close (default: what the\ninput declares, or 2 for "
-                 "shows, otherwise 100; of aircraft\n'replay' and 'predict' ask for it)");
+                 "shows, 5 for logs of drones,\notherwise 100; of aircraft it is asked for)");
   command.option("--vertical", "LENGTH", request.vertical, read_vertical, kVerticalHelp);
   add_usual_separation_option(command, request.separation);
   command.flag("--inclusive", request.inclusive, "A distance of exactly the threshold counts too");

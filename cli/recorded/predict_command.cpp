@@ -19,6 +19,8 @@
 #include <beespace/predict_conflicts.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
 
 namespace beespace::cli {
@@ -148,6 +150,14 @@ void append_estimates(std::string& out, const analysis::Snapshot& snapshot) {
   say_of(snapshot.climbs.two_fixes, "climb rate: it is that of the last two fixes");
 }
 
+// Aircraft of a scenario fly on as they were created: they are never out of reach.
+std::string stale_advice(const Prediction& prediction) {
+  if (!prediction.recording.format_description.starts_with("BlueSky scenario")) return {};
+  const auto whole_s = std::ceil(prediction.snapshot.stalest_s);
+  return "; they were created before that: --max-age " + io::exact(whole_s) +
+         " lets them fly on until now";
+}
+
 std::string summary(const Prediction& prediction, const PredictRequest& request, double search_s) {
   const analysis::Snapshot& snapshot = prediction.snapshot;
   std::string out = input_summary(prediction.recording, request.moving);
@@ -166,7 +176,8 @@ std::string summary(const Prediction& prediction, const PredictRequest& request,
   if (snapshot.stale > 0) {
     append_summary_line(out, "stale",
                         red(io::grouped(snapshot.stale) + " left out") + ", not heard of for " +
-                            io::exact(request.max_age_s) + " s (--max-age)");
+                            io::exact(request.max_age_s) + " s (--max-age)" +
+                            stale_advice(prediction));
   }
   append_unmoving(out, snapshot, request.max_age_s);
   append_missing(out, prediction.recording.missing);
@@ -219,8 +230,8 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
   if (auto doubt = analysis::doubt_of_scale(*recording, moving.threshold)) return *std::move(doubt);
-  if (!moving.threshold_m) {
-    if (auto needed = analysis::threshold_needed(*recording, true)) return *std::move(needed);
+  if (auto needed = analysis::threshold_needed(*recording, moving.threshold)) {
+    return *std::move(needed);
   }
   const analysis::Geometry geometry = analysis::geometry_for(*recording, moving.vertical);
   const auto snapshot =

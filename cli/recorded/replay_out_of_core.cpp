@@ -163,8 +163,8 @@ class Replaying {
   }
 
   Status search() {
-    if (!moving_.threshold_m) {
-      if (auto needed = analysis::threshold_needed(recording_, true)) return *std::move(needed);
+    if (auto needed = analysis::threshold_needed(recording_, moving_.threshold)) {
+      return *std::move(needed);
     }
     threshold_m_ = moving_.threshold_m.value_or(
         analysis::default_threshold(recording_, kDefaultThreshold_m).metres);

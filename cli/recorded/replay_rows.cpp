@@ -47,7 +47,8 @@ Rows bee_rows(const analysis::Findings& findings, const Distances& distances) {
   const auto bees = analysis::bees_in_conflict(findings.tracks.size(), conflicts);
   const auto of_air = analysis::bees_in_conflict(findings.tracks.size(), in_the_air);
   const auto of_ground = analysis::bees_in_conflict(findings.tracks.size(), standing);
-  const auto unknown_s = analysis::unknown_times_s(recording, findings.recorded.gaps);
+  const auto unknown_s =
+      analysis::unknown_times_s(recording, findings.recorded.gaps, findings.coverage.max_gap);
   for (PointId bee = 0; bee < bees.size(); ++bee) {
     const analysis::BeeInConflict& of = bees[bee];
     std::vector<Value> row{analysis::name_of(bee, recording), std::uint64_t{of.conflicts},

@@ -194,8 +194,8 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
   if (auto doubt = analysis::doubt_of_scale(*recording, moving.threshold)) return *std::move(doubt);
-  if (!moving.threshold_m) {
-    if (auto needed = analysis::threshold_needed(*recording, false)) return *std::move(needed);
+  if (auto needed = analysis::threshold_needed(*recording, moving.threshold, false)) {
+    return *std::move(needed);
   }
   if (Status flight = check_flight(*recording, moving.inputs.front()); !flight) {
     return flight.error();

@@ -8,7 +8,10 @@ analysis::SceneRequest scene_request(const ShowRequest& request) {
   analysis::SceneRequest scene;
   scene.load = request.moving.load;
   scene.threshold_m = request.moving.threshold_m;
-  if (request.moving.threshold) scene.threshold_unit = request.moving.threshold->unit;
+  if (request.moving.threshold) {
+    scene.threshold_unit = request.moving.threshold->unit;
+    scene.threshold_is_bare = request.moving.threshold->bare;
+  }
   scene.vertical = request.moving.vertical;
   scene.inclusive = request.moving.inclusive;
   scene.max_gap_s = request.max_gap_s;

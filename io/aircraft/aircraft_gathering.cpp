@@ -14,6 +14,7 @@ std::optional<Error> AircraftGathering::begin(std::string description, Unit heig
   facts.frame = Frame::kWgs84;
   facts.frame_reason = "aircraft tell longitude and latitude";
   facts.since_1970 = true;
+  facts.of_aircraft = true;
   facts.heights = choice_.datum();
   facts.height_unit = height_unit;
   facts.units = AircraftChoice::units(height_unit, description);

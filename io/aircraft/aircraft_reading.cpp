@@ -146,6 +146,7 @@ class AircraftDocuments {
     }
     if (!read_json(*now, now_s)) return json_number_problem(*now, "'now'");
     now_s = in_seconds(now_s);
+    assembly_.written_at(now_s);
     return read_list(root, list_key(root), *readsb_, line,
                      [now_s](JsonElement element, AircraftReport& report) -> std::optional<Error> {
                        report = AircraftReport();
@@ -178,6 +179,11 @@ class AircraftDocuments {
 
   std::optional<Error> read_states(JsonElement root, LineNumber line) {
     if (auto error = begin_opensky()) return error;
+    if (const auto time = json_member(root, "time")) {
+      double time_s = 0.0;
+      if (!read_json(*time, time_s)) return json_number_problem(*time, "'time'");
+      assembly_.written_at(time_s);
+    }
     return read_list(root, "states", *opensky_, line, read_state_vector);
   }
 

@@ -211,6 +211,7 @@ std::optional<Error> read_daidalus_encounter(std::string_view text, RecordingAss
   auto layout = find_track_layout(*table, assembly.options(), false);
   if (!layout) return layout.error();
   SourceFacts facts = facts_of(*layout, "DAIDALUS encounter");
+  facts.of_aircraft = true;
   for (UnitTaken& taken : facts.units) taken.reason = "the line of units says so";
   if (auto error = assembly.agree(facts)) return error;
   assembly.note("the first aircraft of each time is the ownship");

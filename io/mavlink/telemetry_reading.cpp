@@ -163,6 +163,7 @@ class TelemetryReading {
 
   [[nodiscard]] SourceFacts facts() const {
     SourceFacts facts;
+    facts.of_drones = true;
     facts.frame = global_ ? Frame::kWgs84 : Frame::kMetres;
     facts.frame_reason = global_ ? "MAVLink message 33 tells longitude and latitude"
                                  : "MAVLink message 32 tells metres";

@@ -171,6 +171,7 @@ class FlightReading {
 
   [[nodiscard]] SourceFacts facts() const {
     SourceFacts facts;
+    facts.of_drones = true;
     const bool degrees = source_ != Source::kLocal;
     facts.frame = degrees ? Frame::kWgs84 : Frame::kMetres;
     facts.frame_reason = source_ == Source::kGlobal

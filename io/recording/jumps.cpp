@@ -1,10 +1,10 @@
 #include "io/recording/jumps.hpp"
 
 #include "io/recording/flat_distance.hpp"
+#include "io/recording/stated_rates.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace beespace::io {
 namespace {
@@ -28,17 +28,30 @@ std::optional<double> own_speed(const Velocity* velocity) {
 }  // namespace
 
 bool Jumps::take(const Fix& fix, const Velocity* velocity, Frame frame) {
-  const auto before = std::exchange(last_, fix);
-  const auto own_before_mps = std::exchange(own_mps_, own_speed(velocity));
-  if (!before || !(fix.time_s > before->time_s)) return false;
-  if (is_in_space(before->position, frame) && is_in_space(fix.position, frame)) return false;
+  const bool jumps = jumps_to(fix, velocity, frame);
+  last_ = fix;
+  velocity_ = velocity == nullptr ? std::nullopt : std::optional(*velocity);
+  return jumps;
+}
+
+bool Jumps::jumps_to(const Fix& fix, const Velocity* velocity, Frame frame) const {
+  if (!last_ || !(fix.time_s > last_->time_s)) return false;
+  if (is_in_space(last_->position, frame) && is_in_space(fix.position, frame)) return false;
+  const Velocity* const before = velocity_ ? &*velocity_ : nullptr;
+  const auto own_before_mps = own_speed(before);
+  const auto own_mps = own_speed(velocity);
   double most_mps = kMostSpeed_mps;
-  if (own_before_mps && own_mps_) {
-    const double own_mps = std::max(*own_before_mps, *own_mps_);
-    most_mps = std::min(most_mps, kTimesOwnSpeed * own_mps + kBesideOwnSpeed_mps);
+  if (own_before_mps && own_mps) {
+    const double fastest_mps = std::max(*own_before_mps, *own_mps);
+    most_mps = std::min(most_mps, kTimesOwnSpeed * fastest_mps + kBesideOwnSpeed_mps);
   }
-  return flat_distance_m(before->position, fix.position, frame) >
-         most_mps * (fix.time_s - before->time_s + kTimesDiffer_s);
+  const double lasts_s = fix.time_s - last_->time_s;
+  if (flat_distance_m(last_->position, fix.position, frame) >
+      most_mps * (lasts_s + kTimesDiffer_s)) {
+    return true;
+  }
+  return frame == Frame::kWgs84 && (contradicts_stated_climb(*last_, before, fix, velocity) ||
+                                    contradicts_stated_speed(*last_, before, fix, velocity));
 }
 
 }  // namespace beespace::io

@@ -3,7 +3,7 @@
 //
 // Nothing that flies below space is faster than kMostSpeed_mps. Who tells a speed flies at
 // kTimesOwnSpeed times that, and kBesideOwnSpeed_mps, at most. Times may be rounded, or be those of
-// arrival, by kTimesDiffer_s.
+// arrival, by kTimesDiffer_s. On the Earth it goes about as its velocities say (stated_rates.hpp).
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"
@@ -25,10 +25,12 @@ class Jumps {
   // Fixes in the order of time, each with a velocity or none, which may have not-a-numbers; whether
   // the bee jumps to this one. One that goes back in time is the first of those to come.
   bool take(const Fix& fix, const Velocity* velocity, Frame frame = Frame::kMetres);
+  // The same, without taking it; false before the first one.
+  [[nodiscard]] bool jumps_to(const Fix& fix, const Velocity* velocity, Frame frame) const;
 
  private:
   std::optional<Fix> last_ = {};
-  std::optional<double> own_mps_ = {};  // of the last one, where it tells that it moves
+  std::optional<Velocity> velocity_ = {};  // of the last one
 };
 
 }  // namespace beespace::io

@@ -115,9 +115,14 @@ struct Recording {
   Unit height_unit = Unit::kMetre;             // of RecordedBee::stated_heights
   std::vector<UnitTaken> units;                // of what was read; heights (or z) are among them
   std::optional<double> declared_threshold_m;  // the least distance that a show promises
-  std::optional<ShowFacts> show = {};          // of drone shows: plans, not what was flown
-  std::vector<std::string> notes;              // what else was decided and must be said aloud
-  std::vector<Error> skipped;                  // with skip_bad: the first bad records
+  // When the input itself was written, where it says so beside the times of its positions: its
+  // present moment. Of several inputs the latest.
+  std::optional<double> written_s = {};
+  bool of_aircraft = false;            // its format or its columns say so
+  bool of_drones = false;              // all of it is what autopilots logged
+  std::optional<ShowFacts> show = {};  // of drone shows: plans, not what was flown
+  std::vector<std::string> notes;      // what else was decided and must be said aloud
+  std::vector<Error> skipped;          // with skip_bad: the first bad records
   std::uint64_t skipped_count = 0;
   MissingRecords missing;  // bad records that were skipped are among them
   std::uint64_t bytes = 0;

@@ -37,6 +37,12 @@ std::string clock_words(const SourceFacts& facts) {
   return facts.clock->dated ? "dates without a time zone" : "times of day without a date";
 }
 
+// Where the header says the unit, who says it again means the zero.
+std::string one_clock_option(const SourceFacts& facts) {
+  if (facts.small_times) return "--one-clock";
+  return "their unit, --time-unit " + std::string(time_unit_option(facts.time_unit));
+}
+
 // Whether it means itself within quotes, in whatever program.
 bool is_plain(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](unsigned char c) {
@@ -60,6 +66,8 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
       zero_names_bees_ = facts.names_bees;
     }
     recording_.units = facts.units;
+    recording_.of_aircraft = facts.of_aircraft;
+    recording_.of_drones = facts.of_drones;
     return agree_on_heights(facts.heights);
   }
   if (facts.frame != facts_->frame && facts.frame != Frame::kAuto &&
@@ -115,6 +123,8 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   }
   // The least that any of them says.
   facts_->naming = std::min(facts_->naming, facts.naming);
+  recording_.of_aircraft = recording_.of_aircraft || facts.of_aircraft;
+  recording_.of_drones = recording_.of_drones && facts.of_drones;
   if (auto error = agree_on_heights(facts.heights)) return error;
   if (facts_->trials.column.empty()) facts_->trials = facts.trials;
   if (facts_->tags.column.empty()) facts_->tags = facts.tags;
@@ -126,7 +136,8 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
 // Times that are counted from a zero of each file's own cannot be compared.
 std::optional<Error> RecordingAssembly::agree_on_zeros(const SourceFacts& facts) {
   const bool both = facts.begins_at_zero && zero_source_;
-  if (facts.since_start || facts_->since_start || both) {
+  const bool small = facts.small_times && facts_->small_times;
+  if (facts.since_start || facts_->since_start || both || small) {
     // Of files that name their bees each may be a trial of its own.
     const bool trials = both && !facts.since_start && !facts_->since_start &&
                         (facts.names_bees || zero_names_bees_);
@@ -138,8 +149,7 @@ std::optional<Error> RecordingAssembly::agree_on_zeros(const SourceFacts& facts)
                       "files each for itself, give times since 1970"
                     : "vehicle's own, as when it was switched on: then they cannot be compared; "
                       "give times since 1970 (of PX4 the logs themselves, .ulg)") +
-            ", or, if all have one clock, say so with their unit, --time-unit " +
-            std::string(time_unit_option(facts.time_unit)),
+            ", or, if all have one clock, say so with " + one_clock_option(facts),
         {sources_.back()}};
   }
   if (facts.begins_at_zero && !zero_source_) {

@@ -140,6 +140,10 @@ void RecordingAssembly::heard_of(const LeftOutReason& reason, std::string_view i
   heard_.emplace_back(reason, id);
 }
 
+void RecordingAssembly::written_at(double time_s) {
+  recording_.written_s = std::max(time_s, recording_.written_s.value_or(time_s));
+}
+
 void RecordingAssembly::unplaced(std::string_view id, double time_s) {
   unplaced_[std::string(id)].push_back(time_s);
 }

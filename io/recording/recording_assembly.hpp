@@ -52,6 +52,9 @@ struct SourceFacts {
   std::optional<double> stamps_ahead_s = {};  // of ROS, of the times of recording
   bool since_start = false;                   // times count since the one vehicle was switched on
   bool begins_at_zero = false;                // the first one is 0
+  bool small_times = false;                   // TimeChoice::is_small
+  bool of_aircraft = false;                   // by its format, or what its columns are called
+  bool of_drones = false;                     // what their autopilots logged
   bool names_bees = false;                    // by an id: there may be several in it
   Unit time_unit = Unit::kUnstated;           // in which times are numbers
   Unit named_time = Unit::kUnstated;  // that of the times, where nothing but the header says it
@@ -145,6 +148,8 @@ class RecordingAssembly {
   // where it is not known. Otherwise the error, with its source.
   std::optional<Error> bad(Error error, std::string_view id = {});
   void declare_threshold(double metres);
+  // The input was written then, whenever the positions in it were heard.
+  void written_at(double time_s);
   // Of several shows the stricter limits count, and a place only where all have the same.
   void declare_show(ShowFacts facts);
   [[nodiscard]] bool is_show() const { return recording_.show.has_value(); }

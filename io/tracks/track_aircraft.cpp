@@ -97,6 +97,29 @@ bool names_flight(std::string_view column) {
          (words.size() == 2 && words[0] == "call" && words[1] == "sign");
 }
 
+bool name_aircraft(const std::vector<std::string>& columns) {
+  const auto any_is = [&columns](const auto& is) {
+    return std::any_of(columns.begin(), columns.end(), is);
+  };
+  // Ships have call signs, too.
+  const bool ships = any_is([](const std::string& name) {
+    return is_one_of("mmsi imo vessel vesselname vesseltype shipname shiptype sog",
+                     plain_name(name));
+  });
+  if (ships || words_of_aviation(columns).empty()) return false;
+  // A drone may count its flights.
+  return any_is(names_address) || any_is([](const std::string& name) {
+           return names_flight(name) && plain_name(name) != "flight";
+         });
+}
+
+bool tells_of_aircraft(const TrackLayout& layout) {
+  if (layout.show) return false;
+  return name_aircraft(layout.table.names) ||
+         std::any_of(layout.units.begin(), layout.units.end(),
+                     [](const UnitTaken& taken) { return taken.unit == Unit::kNauticalMile; });
+}
+
 void settle_aircraft(const Header& header, const RecordingOptions& options, TrackLayout& layout) {
   layout.of_aircraft = !words_of_aviation(layout.table.names).empty();
   if (!layout.of_aircraft) return;

@@ -6,7 +6,9 @@
 #include "io/table/column_choice.hpp"
 #include "io/tracks/track_layout.hpp"
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace beespace::io {
 
@@ -18,6 +20,11 @@ bool says_no(std::string_view text);
 
 // Whether the column is called as the flight is: "callsign".
 bool names_flight(std::string_view column);
+
+// Whether columns are called as those of aircraft that carry people are: by addresses, call signs.
+bool name_aircraft(const std::vector<std::string>& columns);
+// The same, or its units are nautical miles.
+bool tells_of_aircraft(const TrackLayout& layout);
 
 // Fills in what is told of aircraft where the header speaks of them; the position and the id are
 // there already.

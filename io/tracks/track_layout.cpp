@@ -247,8 +247,12 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   auto time = choose_time(text, header, options);
   if (!time) return time.error();
   layout.time = time.value();
-  // Who says the unit knows what is counted.
-  if (layout.time && options.time_unit == Unit::kUnstated && !layout.time->since_1970) {
+  // Who says a unit that the header says, too, knows what is counted.
+  const bool known = header.source() != nullptr;
+  if (layout.time && known) layout.time->unit_is_asked = false;
+  const bool zero_is_said = options.one_clock || (options.time_unit != Unit::kUnstated &&
+                                                  !(layout.time && layout.time->unit_is_asked));
+  if (layout.time && !zero_is_said && !layout.time->since_1970) {
     layout.time->since_start =
         header.source() != nullptr
             ? header.source()->since_start && !header.override_of(Role::kTime)
@@ -326,9 +330,12 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   layout.doubted_above_mps = doubted_above(layout);
   if (layout.time) {
     if (seen != SeenRecords::kWhole) layout.time->bare_midnights = false;
-    layout.time->begins_at_zero =
-        options.time_unit == Unit::kUnstated && header.source() == nullptr && !layout.show &&
-        !names_one_colour(layout.table) && times_begin_at_zero(text, layout.table, *layout.time);
+    layout.time->begins_at_zero = !zero_is_said && !known && !layout.show &&
+                                  !names_one_colour(layout.table) &&
+                                  times_begin_at_zero(text, layout.table, *layout.time);
+    layout.time->is_small = layout.time->unit_is_asked && !zero_is_said && !layout.show &&
+                            !names_one_colour(layout.table) &&
+                            times_are_small(text, layout.table, *layout.time);
     layout.notes.push_back(
         time_note(layout.table, *layout.time, options.time_unit != Unit::kUnstated));
   }

@@ -45,7 +45,9 @@ struct TimeChoice {
   // The first one is 0, and nothing says that the table of another vehicle, or of another trial,
   // has the same zero.
   bool begins_at_zero = false;
-  bool to_the_minute = false;            // the first time has no seconds
+  bool unit_is_asked = false;  // the caller alone says the unit, who so says nothing of the zero
+  bool is_small = false;       // the same, and the first one is too small for a common zero
+  bool to_the_minute = false;  // the first time has no seconds
   DateOrder dates = DateOrder::kUnsaid;  // where the year is last
   std::string dates_reason = {};         // why it is that one
   std::optional<std::size_t> date = {};  // the column of the day

@@ -397,6 +397,7 @@ void TrackRecordReader::read_claim(TrackRecord& record) {
 
 std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord& record) {
   record.late_height = {};
+  record.is_timed = false;
   if (line.size() > kLongestLine) return long_line(line);
   std::size_t count = 0;
   FieldCursor cursor(line, layout_.table.delimiter);
@@ -411,7 +412,6 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   if (auto problem = record_problem(line, layout_.table, count, cursor.problem())) return problem;
   record.left_out = nullptr;
   record.doubled.reset();
-  record.is_timed = false;
   record.is_rough = layout_.sensor && is_of_argos(fields_[TrackSlot::kSensor].text);
   read_sets(record);
   if (auto problem = read_id(record)) return problem;
@@ -435,8 +435,11 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
                     !read_time(record);
   if (record.left_out != nullptr) return std::nullopt;
   if (auto problem = read_time(record)) return problem;
+  record.is_timed = layout_.time.has_value();
   if (auto problem = read_position(record)) return problem;
-  return read_velocity(record);
+  if (auto problem = read_velocity(record)) return problem;
+  record.is_timed = false;
+  return std::nullopt;
 }
 
 }  // namespace beespace::io

@@ -37,7 +37,7 @@ struct TrackRecord {
   bool is_bare_midnight = false;     // the time is a day alone, taken for its midnight,
   bool is_midnight = false;          // or midnight, written out
   bool is_rough = false;             // a place of Argos' Doppler shifts
-  bool is_timed = false;             // of a record that is left out since it has no place
+  bool is_timed = false;             // of one that is left out, or bad: its time is known
   Point position = {};               // metres, or degrees and a height in metres
   double stated_height = 0.0;        // or z, as the input has it
   Velocity velocity = {};            // not-a-number where it is unknown

@@ -78,8 +78,10 @@ std::optional<Error> joined_problem(const TrackRecord& record, const TrackLayout
                                                : "begin at 0 again") +
                   ", which may be another moment, as of another trial: then they cannot be "
                   "compared; read the tables each for itself, or, if all have one clock, say so "
-                  "with their unit, --time-unit " +
-                  std::string(time_unit_option(time.unit)),
+                  "with " +
+                  (time.unit_is_asked
+                       ? std::string("--one-clock")
+                       : "their unit, --time-unit " + std::string(time_unit_option(time.unit))),
               {}};
   error.location.column = time.column + 1;
   return error;
@@ -93,8 +95,10 @@ Error own_zeros(std::string_view one, std::string_view other, const TrackLayout&
                   ", which counts from when each vehicle was switched on, but here are several (" +
                   excerpt(one) + ", " + excerpt(other) +
                   "): then they cannot be compared; use a time of one clock, or, if these have "
-                  "one, say so with its unit, --time-unit " +
-                  std::string(time_unit_option(time.unit)),
+                  "one, say so with " +
+                  (time.unit_is_asked
+                       ? std::string("--one-clock")
+                       : "its unit, --time-unit " + std::string(time_unit_option(time.unit))),
               {}};
   error.location.column = time.column + 1;
   return error;
@@ -150,7 +154,9 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   facts.own_origin = layout.own_origin;
   facts.stamps_ahead_s = layout.stamps_ahead_s;
   facts.since_start = layout.time && layout.time->since_start;
+  facts.small_times = layout.time && layout.time->is_small;
   facts.begins_at_zero = layout.time && layout.time->begins_at_zero;
+  facts.of_aircraft = tells_of_aircraft(layout);
   facts.names_bees = choice.id.has_value();
   if (layout.time && layout.time->form == TimeForm::kNumbers) facts.time_unit = layout.time->unit;
   facts.trials.column = columns_of_trials(layout);
@@ -247,6 +253,7 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       }
       place(*problem, line, before.rows + walk.row(), place_of, layout);
       if (auto fatal = assembly.bad(*std::move(problem), record.id)) return fatal;
+      if (record.is_timed) assembly.unplaced(record.id, record.time_s);
       continue;
     }
     if (record.left_out == &kOnGround && record.claim_is_placed && layout.time) {

@@ -157,6 +157,8 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
     time.by_size = by_size != Unit::kUnstated;
   }
   time.since_1970 = time.since_1970 || (by_size != Unit::kUnstated && by_size == time.unit);
+  time.unit_is_asked = asked != Unit::kUnstated && by_size == Unit::kUnstated &&
+                       if_unit_of(meaning.unit, Quantity::kTime) == Unit::kUnstated;
   time.named = asked == Unit::kUnstated && !time.since_1970;
   double number = 0.0;
   if (time.unit == Unit::kUnstated && !times.empty() && !is_unknown(times.front()) &&
@@ -169,12 +171,14 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
                      time.column);
   }
   if (time.unit == Unit::kUnstated) {
-    return at_column(ErrorCode::kInvalidArgument,
-                     column_text(table, time.column) +
-                         " holds the time, but in which unit? Say it with --time-unit s, ms, us "
-                         "or ns (then several files have one clock), or in the header: time_s" +
-                         std::string(may_be_excel_days(times) ? kExcelDaysAdvice : ""),
-                     time.column);
+    return at_column(
+        ErrorCode::kInvalidArgument,
+        column_text(table, time.column) +
+            " holds the time, but in which unit? Say it with --time-unit s, ms, us "
+            "or ns (and, if times of several files count from one zero, --one-clock), or in "
+            "the header: time_s" +
+            std::string(may_be_excel_days(times) ? kExcelDaysAdvice : ""),
+        time.column);
   }
   return time;
 }
@@ -359,6 +363,16 @@ bool times_begin_at_zero(std::string_view text, const TableLayout& table, const 
            number == 0.0;
   };
   return is_zero(time.column) && (!time.nanoseconds || is_zero(*time.nanoseconds));
+}
+
+bool times_are_small(std::string_view text, const TableLayout& table, const TimeChoice& time) {
+  constexpr double kHundredDays_s = 100 * 86'400.0;
+  if (time.form != TimeForm::kNumbers || time.since_1970) return false;
+  const FirstFields fields = first_fields(text, table, time.column);
+  double number = 0.0;
+  return !fields.empty() &&
+         parse_number(without_padding(fields.front()), number) == NumberKind::kNumber &&
+         std::abs(in_metric(number, time.unit)) < kHundredDays_s;
 }
 
 std::string time_note(const TableLayout& table, const TimeChoice& time, bool asked) {

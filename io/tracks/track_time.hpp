@@ -39,6 +39,10 @@ bool counts_from_start(const TableLayout& table, const TimeChoice& time);
 // Whether the first of them is 0, as where numbers count from the start of what is in the table.
 bool times_begin_at_zero(std::string_view text, const TableLayout& table, const TimeChoice& time);
 
+// Whether the first time is less than a hundred days: it may count from where something was
+// switched on.
+bool times_are_small(std::string_view text, const TableLayout& table, const TimeChoice& time);
+
 // What was chosen, for the notes.
 std::string time_note(const TableLayout& table, const TimeChoice& time, bool asked);
 

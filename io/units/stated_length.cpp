@@ -11,7 +11,7 @@ namespace beespace::io {
 std::optional<StatedLength> parse_stated(std::string_view text, Quantity quantity) {
   const bool length = quantity == Quantity::kLength;
   const Unit ours = length ? Unit::kMetre : Unit::kMetrePerSecond;
-  if (const auto bare = parse_number(text)) return StatedLength{*bare, *bare, ours};
+  if (const auto bare = parse_number(text)) return StatedLength{*bare, *bare, ours, true};
   // The number ends where the last digit or point is; "m2" is no unit, so no digit belongs to one.
   const std::size_t last = text.find_last_of("0123456789.");
   if (last == std::string_view::npos) return std::nullopt;

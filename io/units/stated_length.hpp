@@ -14,6 +14,7 @@ struct StatedLength {
   double metric = 0.0;  // metres, or metres per second, rounded once
   double value = 0.0;
   Unit unit = Unit::kMetre;
+  bool bare = false;  // nothing was typed behind the number
 };
 
 // Nothing where it is none. "inf" and "nan" are read, too.

@@ -59,7 +59,7 @@ TEST(Coverage, CountsGapsAndTheTimeBeforeTheFirstAndAfterTheLastFix) {
   EXPECT_EQ(coverage.outside_s, 41.0);
   EXPECT_TRUE(coverage.may_hide_conflicts());
   EXPECT_FALSE(coverage.complete());
-  EXPECT_EQ(unknown_times_s(recording, gaps), (std::vector<double>{49.0, 41.0}));
+  EXPECT_EQ(unknown_times_s(recording, gaps, {5.0, 1.0}), (std::vector<double>{49.0, 41.0}));
   EXPECT_EQ(unknown_text(coverage),
             "1 bee unknown for 49 s in all, 1 bee known for a part of the recording only");
   EXPECT_EQ(gap_text(gaps.front(), recording), "a from 1.00 s for 49 s");
@@ -75,7 +75,7 @@ TEST(Coverage, DronesOfAShowAreKnownWhileTheyStandOnTheGround) {
   recording.bees[2].fixes[2].position.z = 0.2;
   const Coverage coverage = coverage_of(recording, {}, {5.0, 1.0});
   EXPECT_EQ(coverage.bees_partly, 1U);
-  EXPECT_EQ(unknown_times_s(recording, {}), (std::vector<double>{0.0, 0.0, 40.0}));
+  EXPECT_EQ(unknown_times_s(recording, {}, {5.0, 1.0}), (std::vector<double>{0.0, 0.0, 40.0}));
   EXPECT_EQ(coverage.bees_cut_off, 1U);
   EXPECT_TRUE(coverage.may_hide_conflicts());
   EXPECT_EQ(unknown_text(coverage),
@@ -97,7 +97,7 @@ TEST(Coverage, CurvesThatEndInTheAirAreKnownForAPart) {
                     curve_at("c", 30.0, 0.0, 0.05)};
   const Coverage coverage = coverage_of(recording, {}, {5.0, 1.0});
   EXPECT_EQ(coverage.bees_cut_off, 1U);
-  EXPECT_EQ(unknown_times_s(recording, {}), (std::vector<double>{0.0, 40.0, 0.0}));
+  EXPECT_EQ(unknown_times_s(recording, {}, {5.0, 1.0}), (std::vector<double>{0.0, 40.0, 0.0}));
 }
 
 // Where all begin and end is the ground only where the show says so, or near z = 0.
@@ -124,8 +124,7 @@ TEST(Coverage, WhereABeeJumpsItIsUnknown) {
   recording.bees[1].fixes[2].position.x = 1e6;
   EXPECT_TRUE(unknown_spans(recording, {}, {50.0, 10.0}).empty());
   recording.missing.jumping = 1;
-  EXPECT_EQ(unknown_spans(recording, {}, {50.0, 10.0}),
-            (std::vector<Gap>{{1, 10.0, 20.0}, {1, 20.0, 30.0}}));
+  EXPECT_EQ(unknown_spans(recording, {}, {50.0, 10.0}), (std::vector<Gap>{{1, 10.0, 30.0}}));
 }
 
 // Of an aircraft that has landed the time after that is no time in the air.

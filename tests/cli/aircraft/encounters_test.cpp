@@ -34,7 +34,7 @@ TEST(Encounters, AScenarioIsPredicted) {
 }
 
 TEST(Encounters, AScenarioOfUnknownAircraftIsNoAllClear) {
-  const Finished finished = run({"predict", "--threshold", "10", "--fail-on-risk"},
+  const Finished finished = run({"predict", "--threshold", "10m", "--fail-on-risk"},
                                 std::string(kScenario) + "00:00:00.00>MCRE 5\n");
   EXPECT_EQ(finished.exit_code, 1);
   expect_parts(finished.err, {"none of those that are known; 1 record was left out"});
@@ -44,19 +44,19 @@ TEST(Encounters, AScenarioOfUnknownAircraftIsNoAllClear) {
 TEST(Encounters, WhatAScenarioDoesNotSayIsNoAllClear) {
   for (const std::string command : {"HDG NORTH 90", "NORTH SPD 250", "ADDWPT WEST 1.0 1.0"}) {
     const Finished finished =
-        run({"predict", "--threshold", "10", "--horizon", "60", "--fail-on-risk"},
+        run({"predict", "--threshold", "10m", "--horizon", "60", "--fail-on-risk"},
             std::string(kScenario) + "00:00:10.00>" + command + "\n");
     EXPECT_EQ(finished.exit_code, 1) << command << finished.err;
     expect_parts(finished.err,
                  {"checked for now only", "none of those that are known", "is not followed"});
   }
-  const Finished all = run({"predict", "--threshold", "10", "--fail-on-risk"},
+  const Finished all = run({"predict", "--threshold", "10m", "--fail-on-risk"},
                            std::string(kScenario) + "00:00:10.00>ALT ALL FL300\n");
   EXPECT_EQ(all.exit_code, 1) << all.err;
   expect_parts(all.err, {"3 checked for now only", "none of those that are known",
                          "3 aircraft are told how to fly from there"});
   EXPECT_EQ(all.err.find("columns vx"), std::string::npos) << all.err;
-  const Finished unknown = run({"predict", "--threshold", "10", "--fail-on-risk"},
+  const Finished unknown = run({"predict", "--threshold", "10m", "--fail-on-risk"},
                                std::string(kScenario) + "00:00:00.00>SPAWN EAST 0 2\n");
   EXPECT_EQ(unknown.exit_code, 1) << unknown.err;
   expect_parts(unknown.err, {"none of those that are known; 1 record was left out"});
@@ -70,7 +70,7 @@ TEST(Encounters, WhatAScenarioDoesNotSayIsNoAllClear) {
 // Where aircraft begin is no flight: no verdict about one follows from it.
 TEST(Encounters, AScenarioIsNoFlight) {
   for (const char* const command : {"replay", "verify"}) {
-    const Finished finished = run({command, "--threshold", "10"}, kScenario);
+    const Finished finished = run({command, "--threshold", "10m"}, kScenario);
     EXPECT_EQ(finished.exit_code, 3) << command << finished.err;
     EXPECT_EQ(finished.out.find("holds"), std::string::npos);
     EXPECT_EQ(finished.err.find("keeps its distance"), std::string::npos);

@@ -73,7 +73,7 @@ TEST_P(TrafficTable, ReplayKnowsTheTimeFrom1970) {
 
 // One aircraft of which it is not known where it goes, or where it is, is never passed over.
 TEST_P(TrafficTable, IsNeverAnAllClear) {
-  const Arguments nothing = {"predict", table(GetParam()), "--threshold", "10", "--horizon", "20"};
+  const Arguments nothing = {"predict", table(GetParam()), "--threshold", "10m", "--horizon", "20"};
   const Finished finished = run(nothing + Arguments{"--fail-on-risk"});
   EXPECT_EQ(finished.exit_code, 1) << finished.err;
   expect_parts(finished.err, {"conflicts  none of those that are known; 1 bee is checked for now "
@@ -133,8 +133,8 @@ TEST(AircraftTables, TheUnitOfTimesIsToldByTheirSizeAndSaid) {
                {"1533099600000000", "microseconds"},
                {"1533099600000000000", "nanoseconds"}};
   for (const auto& [time, unit] : times) {
-    const Finished finished =
-        run({"replay", "--threshold", "100"}, header + time + ",a,47,8,1\n" + time + ",b,48,8,1\n");
+    const Finished finished = run({"replay", "--threshold", "100m"},
+                                  header + time + ",a,47,8,1\n" + time + ",b,48,8,1\n");
     EXPECT_EQ(finished.exit_code, 0) << finished.err;
     expect_parts(finished.err, {std::string("times are read from column 1 'timestamp' in ") + unit +
                                     ", since 1970, as their size tells\n",
@@ -146,7 +146,7 @@ TEST(AircraftTables, TimesOfNoSuchSizeAreAskedFor) {
   const std::string header = "timestamp,icao24,latitude,longitude,alt_ft\n";
   for (const std::string times : {"12,a,47,8,1\n13,b,48,8,1\n", "1533099600,a,47,8,1\n9,b,48,8,1\n",
                                   "1533099600,a,47,8,1\n1533099600000,b,48,8,1\n"}) {
-    const Finished finished = run({"replay", "--threshold", "100"}, header + times);
+    const Finished finished = run({"replay", "--threshold", "100m"}, header + times);
     EXPECT_EQ(finished.exit_code, 2) << times << finished.err;
     expect_parts(finished.err, {"holds the time, but in which unit?"});
   }
@@ -168,7 +168,7 @@ TEST(AircraftTables, ALaterTimeInAnotherUnitIsAnError) {
 TEST(AircraftTables, TheAddressIsTheIdWhateverTheOrder) {
   const std::string text =
       "callsign,icao24,time_s,lat,lon,alt_ft\nSWR1,a1,0,47,8,1\n,a1,1,47,8,1\nSWR2,b2,0,47,8,2\n";
-  const Finished finished = run({"replay", "--threshold", "100", "--csv"}, text);
+  const Finished finished = run({"replay", "--threshold", "100m", "--csv"}, text);
   const TextRows rows = rows_of(finished.out, ',');
   ASSERT_EQ(rows.size(), 2u) << finished.err;
   EXPECT_EQ(rows[1].at(0) + rows[1].at(1), "a1b2");
@@ -176,7 +176,8 @@ TEST(AircraftTables, TheAddressIsTheIdWhateverTheOrder) {
   expect_parts(finished.err, {"ids are read from column 2 'icao24', and how they are called beside "
                               "from column 1 'callsign'; --columns id=1 would take that"});
   const TextRows flights = rows_of(
-      run({"replay", "--threshold", "100", "--columns", "id=callsign", "--csv", "--skip-bad"}, text)
+      run({"replay", "--threshold", "100m", "--columns", "id=callsign", "--csv", "--skip-bad"},
+          text)
           .out,
       ',');
   ASSERT_EQ(flights.size(), 2u);
@@ -194,7 +195,8 @@ TEST(AircraftTables, ThereIsNoDefaultThresholdOfAircraft) {
     EXPECT_EQ(run({command, table("traffic.csv"), "--separation", "enroute"}).exit_code, 0);
   }
   expect_parts(run({"verify", table("traffic.csv")}).err,
-               {"how close is too close? Say how far it is, as in --threshold 5NM\n"});
+               {"'beespace replay --separation enroute' asks about both; or say how far it is in "
+                "space, as in --threshold 5NM\n"});
 }
 
 TEST(AircraftTables, ASnapshotIsForPredict) {
@@ -207,8 +209,8 @@ TEST(AircraftTables, ASnapshotIsForPredict) {
 TEST(AircraftTables, GroundedOnesAreKeptWhereTheyTellAHeight) {
   const std::string text =
       "time_s,icao24,lat,lon,alt_ft,onground\n0,a,47,8,1,True\n0,b,47,8,2,True\n0,c,47,8,,True\n";
-  EXPECT_EQ(rows_of(run({"replay", "--threshold", "100", "--grounded"}, text).out).size(), 1u);
-  const Finished finished = run({"replay", "--threshold", "100"}, text);
+  EXPECT_EQ(rows_of(run({"replay", "--threshold", "100m", "--grounded"}, text).out).size(), 1u);
+  const Finished finished = run({"replay", "--threshold", "100m"}, text);
   EXPECT_EQ(finished.exit_code, 3);
   expect_parts(finished.err, {"no bee is left: 3 records of aircraft on the ground are left out; "
                               "--grounded keeps those that tell a height"});

@@ -45,6 +45,22 @@ TEST(ZeroPlaces, AreLeftOutAndCounted) {
   }
 }
 
+// As of empty places: two in a row, or more, are a gap.
+TEST(ZeroPlaces, AndBadOnesInARowMakeTheTrackUnknown) {
+  RecordingOptions skip;
+  skip.skip_bad = true;
+  for (const char* const none : {"0,0,0", "No Fix,No Fix,1", "8.6,97,1"}) {
+    std::string text = kDegrees;
+    for (int t = 0; t < 8; ++t) {
+      text += "b," + std::to_string(t) + "," + (t == 3 || t == 4 ? none : "8.6,47,100") + "\n";
+    }
+    const Recording read = recording_of(record(text, skip));
+    ASSERT_EQ(read.bees[0].lost.size(), 1u) << none;
+    EXPECT_EQ(read.bees[0].lost[0].begins_s, 2.0);
+    EXPECT_EQ(read.bees[0].lost[0].ends_s, 5.0);
+  }
+}
+
 TEST(ZeroPlaces, AreKeptWhereOthersAreNear) {
   const auto read = recording_of(
       record(kDegrees + "a,0,0,0,100\na,1,0.00001,0,100\nb,0,0.5,-0.5,100\nb,1000,0,0,100\n"));

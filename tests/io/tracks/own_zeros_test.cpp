@@ -344,5 +344,21 @@ TEST(OneTable, OfSeveralVehiclesThatCountFromWhenTheyWereSwitchedOnIsAskedAbout)
   EXPECT_TRUE(several({table}, one_clock));
 }
 
+// The answer to which unit is none to which zero.
+TEST(OwnClocks, TheUnitThatTheCallerAloneSaysIsNoWordOfTheZero) {
+  const auto begins = [](const std::string& time) {
+    return "timestamp,x_m,y_m,z_m\n" + time + ",0,0,1\n" + time + "9,1,0,1\n";
+  };
+  RecordingOptions options;
+  options.time_unit = Unit::kMicrosecond;
+  for (const std::string first : {"0", "37000"}) {
+    expect_problem(several({begins(first), begins("905000")}, options), "say so with --one-clock");
+    RecordingOptions one_clock = options;
+    one_clock.one_clock = true;
+    EXPECT_TRUE(several({begins(first), begins("905000")}, one_clock));
+    EXPECT_TRUE(several({begins(first)}, options));
+  }
+}
+
 }  // namespace
 }  // namespace beespace::io

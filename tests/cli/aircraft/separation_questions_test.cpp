@@ -1,0 +1,171 @@
+// How close is too close is asked of aircraft, whatever their heights are in; and what is now, of
+// what a receiver or a server wrote.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/expectations.hpp"
+#include "tests/cli/run/temporary_folder.hpp"
+
+namespace beespace::cli_test {
+namespace {
+
+// Two 6 km beside each other at one height: as OpenSky has them, in metres.
+std::string in_metres(const std::string& columns = "time,icao24,lat,lon,geoaltitude_m") {
+  std::string text = columns + "\n";
+  for (int t = 0; t < 4; ++t) {
+    const std::string time = std::to_string(1714564800 + 10 * t);
+    const std::string east = std::to_string(8.5 + 0.02 * t);
+    text += time + ",4b1814,47.00," + east + ",10668.0\n";
+    text += time + ",3c6444,47.06," + east + ",10668.0\n";
+  }
+  return text;
+}
+
+TEST(SeparationOfAircraft, InMetresIsAskedForByAllCommands) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("states.csv", in_metres());
+  for (const std::string command : {"replay", "predict", "plot", "report", "export"}) {
+    Arguments arguments = {command, file};
+    if (command == "plot") arguments = arguments + Arguments{"-o", folder.path("p.svg")};
+    if (command == "report") arguments = arguments + Arguments{"-o", folder.path("p.html")};
+    if (command == "export") arguments = arguments + Arguments{"-o", folder.path("p.kml")};
+    const Finished asked = run(arguments);
+    EXPECT_EQ(asked.exit_code, 2) << command << asked.err;
+    expect_parts(asked.err,
+                 {"these are aircraft: how close is too close? Say --separation enroute"});
+    EXPECT_EQ(run(arguments + Arguments{"--separation", "enroute"}).exit_code, 0) << command;
+  }
+  const Finished verified = run({"verify", file});
+  EXPECT_EQ(verified.exit_code, 2) << verified.err;
+  expect_parts(verified.err, {"'beespace replay --separation enroute' asks about both"});
+}
+
+TEST(SeparationOfAircraft, IsAskedForWhereNothingElseFliesSo) {
+  const Finished asked = run({"replay"}, in_metres("time_s,id,lat,lon,height_m"));
+  EXPECT_EQ(asked.exit_code, 2) << asked.err;
+  expect_parts(asked.err, {"these are aircraft, higher and faster than drones fly: how close"});
+}
+
+TEST(SeparationOfAircraft, ABareNumberOfMilesIsNoNumberOfMetres) {
+  const Finished bare = run({"replay", "--threshold", "5"}, in_metres());
+  EXPECT_EQ(bare.exit_code, 2) << bare.err;
+  expect_parts(bare.err, {"--threshold 5 would be 5 m, less than any separation of aircraft: say "
+                          "--threshold 5NM if it is in nautical miles, or --threshold 5m"});
+  EXPECT_EQ(run({"replay", "--threshold", "5m", "--fail-on-risk"}, in_metres()).exit_code, 0);
+  EXPECT_EQ(run({"replay", "--threshold", "5NM", "--fail-on-risk"}, in_metres()).exit_code, 1);
+}
+
+// Ships and drones have some of these words, too.
+TEST(SeparationOfAircraft, IsNotAskedOfOthers) {
+  const std::string ships =
+      "MMSI,BaseDateTime,LAT,LON,CallSign\n1,2024-05-01T12:00:00Z,47,8.5,A\n"
+      "2,2024-05-01T12:00:00Z,47.1,8.5,B\n";
+  EXPECT_EQ(run({"replay"}, ships).err.find("aircraft"), std::string::npos);
+  const std::string drones =
+      "drone,flight,time_s,lat,lon,height_m\na,1,0,47,8.5,60\n"
+      "a,1,1,47,8.5,61\nb,1,0,47.1,8.5,60\nb,1,1,47.1,8.5,60\n";
+  EXPECT_EQ(run({"replay"}, drones).err.find("these are aircraft"), std::string::npos);
+}
+
+// ---- What is now --------------------------------------------------------------------------------
+
+// Two that fly towards each other, heard of at 1714564800.
+std::string states_at(const std::string& time) {
+  return R"({"time":)" + time + R"(,"states":[)" +
+         R"(["4b1814","","X",1714564800,1714564800,8.0,47.0,10000,false,200,90,0,null,10000,)" +
+         R"(null,false,0,0],)" +
+         R"(["3c6444","","X",1714564800,1714564800,8.4,47.0,10000,false,200,270,0,null,10000,)" +
+         R"(null,false,0,0]]})";
+}
+
+std::string heard_at(const std::string& now, const std::string& seen) {
+  return R"({"now":)" + now + R"(,"aircraft":[)" +
+         R"({"hex":"4b1814","lat":47.0,"lon":8.0,"alt_geom":33000,"gs":400,"track":90,)" +
+         R"("geom_rate":0,"seen_pos":)" + seen + R"(},{"hex":"3c6444","lat":47.0,"lon":8.4,)" +
+         R"("alt_geom":33000,"gs":400,"track":270,"geom_rate":0,"seen_pos":)" + seen + "}]}";
+}
+
+TEST(PresentOfAircraft, IsThatOfTheFile) {
+  const Arguments ask = {"predict",   "--separation", "enroute",
+                         "--heights", "geometric",    "--fail-on-risk"};
+  // 30 km apart, at 400 m/s: closer than 5 NM after 53 s.
+  EXPECT_EQ(rows_of(run(ask, states_at("1714564800")).out).size(), 1u);
+  const Finished later = run(ask, states_at("1714564820"));
+  EXPECT_EQ(rows_of(later.out).size(), 1u) << later.err;
+  expect_parts(later.err,
+               {"now        2024-05-01T12:00:20.000Z\n", "brought forward, by up to 20"});
+  const Finished soon = run(ask + Arguments{"--horizon", "40"}, states_at("1714564820"));
+  EXPECT_EQ(rows_of(soon.out).size(), 1u) << soon.err;
+  const Finished heard = run(ask, heard_at("1714564825", "25"));
+  EXPECT_EQ(rows_of(heard.out).size(), 1u) << heard.err;
+  expect_parts(heard.err, {"now        2024-05-01T12:00:25.000Z\n"});
+}
+
+TEST(PresentOfAircraft, WhereAllPositionsAreOldIsNoAllClear) {
+  for (const std::string& text : {states_at("1714564900"), heard_at("1714564900", "100")}) {
+    const Finished finished = run(
+        {"predict", "--separation", "enroute", "--heights", "geometric", "--fail-on-risk"}, text);
+    EXPECT_EQ(finished.exit_code, 1) << finished.err;
+    expect_parts(finished.err, {"stale      2 left out, not heard of for 30 s (--max-age)",
+                                "nothing to compare"});
+  }
+}
+
+// An aircraft that was created before another one flies on.
+TEST(PresentOfAircraft, OfAScenarioSaysHowAllAreKept) {
+  const std::string text =
+      "00:00:00.00>CRE A B744 47 8 90 FL300 400\n"
+      "00:04:10.00>CRE B B744 47 9 270 FL300 400\n";
+  const Finished finished = run({"predict", "--separation", "enroute"}, text);
+  expect_parts(finished.err, {"they were created before that: --max-age 250 lets them fly on"});
+  EXPECT_EQ(run({"predict", "--separation", "enroute", "--max-age", "250"}, text)
+                .err.find("nothing to compare"),
+            std::string::npos);
+}
+
+// ---- Spikes -------------------------------------------------------------------------------------
+
+// One that flies level eastwards, and one above; of these two records in a row are elsewhere.
+std::string with_spike(const std::string& height_m, const std::string& latitude) {
+  std::string text =
+      "time,icao24,lat,lon,geoaltitude [m],groundspeed [m/s],track,vertical_rate [m/s]\n";
+  for (int t = 0; t < 12; ++t) {
+    const bool false_one = t == 5 || t == 6;
+    const std::string time = std::to_string(1714564800 + 5 * t);
+    const std::string east = std::to_string(8.0 + 0.0040 * t) + ",";
+    text += time + ",4b1814,47," + east + "10000,60.9,90,0\n";
+    text += time + ",3c6444," + (false_one ? latitude : "47.2") + "," + east +
+            (false_one ? height_m : "10000") + ",60.9,90,0\n";
+  }
+  return text;
+}
+
+TEST(SpikesOfAircraft, AgainstTheirOwnRatesAreNotKnown) {
+  const Arguments ask = {"replay",    "--separation", "enroute",
+                         "--heights", "geometric",    "--fail-on-risk"};
+  for (const auto& [height_m, latitude] :
+       {std::pair("10305", "47.2"), {"13048", "47.2"}, {"0", "47.2"}, {"10000", "47.22"}}) {
+    const std::string text = with_spike(height_m, latitude);
+    const Finished finished = run(ask, text);
+    EXPECT_EQ(finished.exit_code, 1) << height_m << finished.err;
+    expect_parts(finished.err, {"1 bee jumps"});
+    // From the fix before to the one behind, and not while it jumps alone.
+    const std::string bees = run(ask + Arguments{"--report", "bees", "--json"}, text).out;
+    expect_parts(bees, {R"("unknown_s": 15)"});
+  }
+}
+
+TEST(SpikesOfAircraft, StepsAndSlowRatesAreNone) {
+  const Arguments ask = {"replay",    "--separation", "enroute",
+                         "--heights", "geometric",    "--fail-on-risk"};
+  for (const std::string height_m : {"10030.48", "10060.96", "9950", "10100"}) {
+    const Finished finished = run(ask, with_spike(height_m, "47.2"));
+    EXPECT_EQ(finished.exit_code, 0) << height_m << finished.err;
+  }
+}
+
+}  // namespace
+}  // namespace beespace::cli_test
