@@ -56,7 +56,10 @@ void RecordingAssembly::leave_out_zeros() {
 void RecordingAssembly::leave_out_zero_runs() {
   if (!facts_ || facts_->frame != Frame::kMetres || frame_is_settled_ || is_show()) return;
   tracks_.leave_out([](const RecordedBee& bee) { return zero_runs(bee.fixes); },
-                    [this](const std::string& id, const Fix&) { leave_out(kZeroRun, id); });
+                    [this](const std::string& id, const Fix& fix) {
+                      leave_out(kZeroRun, id);
+                      unplaced(id, fix.time_s);
+                    });
 }
 
 // Once all are in order.
