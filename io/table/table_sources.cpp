@@ -201,7 +201,7 @@ constexpr std::string_view kOfTags =
 constexpr std::string_view kAviationPairs =
     "ground-speed vertical-rate vert-rate vertical-speed baro-rate geom-rate climb-rate "
     "baro-altitude baro-alt alt-baro alt-geom geo-altitude geom-altitude pressure-altitude "
-    "on-ground flight-level call-sign mode-s n-number";
+    "on-ground flight-level call-sign mode-s n-number tail-number tail-num tail-no";
 
 // What trackers and tags measure beside places.
 constexpr std::string_view kOtherQuantities =
