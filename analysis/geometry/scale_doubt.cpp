@@ -1,6 +1,8 @@
 #include "analysis/geometry/scale_doubt.hpp"
 
 #include "io/bytes/number_text.hpp"
+#include "io/frames/frame_decision.hpp"
+#include "io/recording/unit_doubts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,19 +12,53 @@
 namespace beespace::analysis {
 namespace {
 
-// Millimetres are not looked for in a wider place: 20 m for one.
+// Millimetres are not looked for in a wider place, whoever says metres: 20 m for one.
 constexpr double kWidest = 20'000.0;
+
+bool is_small(io::Unit unit) {
+  return unit == io::Unit::kCentimetre || unit == io::Unit::kMillimetre ||
+         unit == io::Unit::kMicrometre;
+}
 
 }  // namespace
 
-bool may_be_pixels(const std::vector<io::UnitTaken>& units, io::Frame frame,
-                   const std::optional<io::StatedLength>& threshold) {
-  const bool small = threshold && (threshold->unit == io::Unit::kMillimetre ||
-                                   threshold->unit == io::Unit::kMicrometre);
-  return small && frame == io::Frame::kMetres &&
+bool are_without_unit(const std::vector<io::UnitTaken>& units, io::Frame frame) {
+  return frame == io::Frame::kMetres &&
          std::any_of(units.begin(), units.end(), [](const io::UnitTaken& taken) {
            return taken.of.starts_with('x') && taken.evidence == io::UnitEvidence::kUsual;
          });
+}
+
+bool may_be_pixels(const std::vector<io::UnitTaken>& units, io::Frame frame,
+                   const std::optional<io::StatedLength>& threshold) {
+  return threshold && is_small(threshold->unit) && are_without_unit(units, frame);
+}
+
+std::string metres_note(const std::vector<io::UnitTaken>& units, io::Frame frame,
+                        const std::optional<io::StatedLength>& threshold) {
+  if (!may_be_pixels(units, frame, threshold)) return {};
+  return "places are taken as metres, as --crs metres says, beside a threshold of " +
+         io::text_of(*threshold) + "; if they are in another unit, say --units position=mm";
+}
+
+double fastest_in_metres(const std::optional<io::StatedLength>& threshold) {
+  constexpr double kFast_mps = 50.0;
+  constexpr double kThresholdsPerSecond = 40.0;
+  if (!threshold) return io::kFastestUsual_mps;
+  return std::min(io::kFastestUsual_mps,
+                  std::max(kFast_mps, kThresholdsPerSecond * threshold->metric));
+}
+
+std::optional<Error> doubt_of_unit(const PlacesTaken& taken,
+                                   const std::optional<io::StatedLength>& threshold) {
+  if (taken.asked_for_metres || !may_be_pixels(taken.units, taken.frame, threshold)) {
+    return std::nullopt;
+  }
+  return Error{ErrorCode::kInvalidArgument,
+               "are x and y in metres? Nothing names their unit, and the threshold is " +
+                   io::text_of(*threshold) +
+                   "; say --units position=mm, or position=m if they are in metres",
+               {}};
 }
 
 void Spread::add(const Point& place) {
@@ -37,12 +73,18 @@ double Spread::metres() const {
 
 std::optional<Error> doubt_of_scale(const io::Recording& recording,
                                     const std::optional<io::StatedLength>& threshold) {
-  if (!may_be_pixels(recording.units, recording.frame, threshold)) return std::nullopt;
-  Spread spread;
-  for (const io::RecordedBee& bee : recording.bees) {
-    for (const Fix& fix : bee.fixes) spread.add(fix.position);
+  if (!are_without_unit(recording.units, recording.frame)) return std::nullopt;
+  if (may_be_pixels(recording.units, recording.frame, threshold)) {
+    Spread spread;
+    for (const io::RecordedBee& bee : recording.bees) {
+      for (const Fix& fix : bee.fixes) spread.add(fix.position);
+    }
+    const bool asked = recording.frame_reason == io::kAskedForMetres;
+    return doubt_of_scale({recording.units, recording.frame, asked}, spread, threshold, kWithScale);
   }
-  return doubt_of_scale(recording.units, recording.frame, spread, threshold, kWithScale);
+  // Two of one id are not fast.
+  if (recording.missing.shared > 0) return std::nullopt;
+  return io::doubt_of_metres(recording, fastest_in_metres(threshold));
 }
 
 std::optional<Error> doubt_of_scale(const io::LoadedPoints& points,
@@ -50,16 +92,17 @@ std::optional<Error> doubt_of_scale(const io::LoadedPoints& points,
   if (!may_be_pixels(points.units, points.frame, threshold)) return std::nullopt;
   Spread spread;
   for (const Point& place : points.points) spread.add(place);
-  return doubt_of_scale(points.units, points.frame, spread, threshold, kWithoutScale);
+  const bool asked = points.frame_reason == io::kAskedForMetres;
+  return doubt_of_scale({points.units, points.frame, asked}, spread, threshold, kWithoutScale);
 }
 
-std::optional<Error> doubt_of_scale(const std::vector<io::UnitTaken>& units, io::Frame frame,
-                                    const Spread& spread,
+std::optional<Error> doubt_of_scale(const PlacesTaken& taken, const Spread& spread,
                                     const std::optional<io::StatedLength>& threshold,
                                     std::string_view if_pixels) {
-  if (!may_be_pixels(units, frame, threshold)) return std::nullopt;
+  if (!may_be_pixels(taken.units, taken.frame, threshold)) return std::nullopt;
   const double wide_m = spread.metres();
-  if (!std::isfinite(wide_m) || !(wide_m > kWidest * threshold->metric)) return std::nullopt;
+  if (!std::isfinite(wide_m)) return std::nullopt;
+  if (taken.asked_for_metres && !(wide_m > kWidest * threshold->metric)) return std::nullopt;
   return Error{ErrorCode::kInvalidArgument,
                "are x and y in metres? Nothing names their unit, and they would go " +
                    io::grouped(wide_m, 0) + " m far, " +

@@ -11,6 +11,7 @@
 
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -28,13 +29,30 @@ class Spread {
   Point greatest_{-kFar, -kFar, -kFar};
 };
 
-// Whether there is anything to doubt if they are spread far: whether the threshold is that small,
-// and nothing names the unit.
+bool are_without_unit(const std::vector<io::UnitTaken>& units, io::Frame frame);
+
+// Whether there is anything to doubt: whether the threshold is in a unit that small, and nothing
+// names that of the places.
 bool may_be_pixels(const std::vector<io::UnitTaken>& units, io::Frame frame,
                    const std::optional<io::StatedLength>& threshold);
 
-// A threshold in millimetres or less beside places, whose unit nothing names, that are spread so
-// much farther: pixels of a picture, perhaps, of which none would come close. Errors:
+// What the summary says where a caller's word alone makes metres of such places; empty elsewhere.
+std::string metres_note(const std::vector<io::UnitTaken>& units, io::Frame frame,
+                        const std::optional<io::StatedLength>& threshold);
+
+// Faster than that, places whose unit nothing names are hardly in metres: what is watched for such
+// a threshold does not cross it many times a second, but for what flies wide ways.
+double fastest_in_metres(const std::optional<io::StatedLength>& threshold);
+
+struct PlacesTaken {
+  const std::vector<io::UnitTaken>& units;
+  io::Frame frame;
+  bool asked_for_metres;  // by --crs metres
+};
+
+// A threshold in centimetres or less beside places whose unit nothing names: millimetres or pixels
+// of a picture, perhaps, of which none would come close. Who says metres is believed, unless they
+// are spread so much farther. Of recordings also places that would move too fast in metres. Errors:
 // kInvalidArgument, with what to type; `if_pixels` is what to do then.
 inline constexpr std::string_view kWithScale = "say how long one is, as in --scale 0.1mm";
 inline constexpr std::string_view kWithoutScale = "make lengths of them first";
@@ -42,9 +60,12 @@ std::optional<Error> doubt_of_scale(const io::Recording& recording,
                                     const std::optional<io::StatedLength>& threshold);
 std::optional<Error> doubt_of_scale(const io::LoadedPoints& points,
                                     const std::optional<io::StatedLength>& threshold);
-std::optional<Error> doubt_of_scale(const std::vector<io::UnitTaken>& units, io::Frame frame,
-                                    const Spread& spread,
+std::optional<Error> doubt_of_scale(const PlacesTaken& taken, const Spread& spread,
                                     const std::optional<io::StatedLength>& threshold,
                                     std::string_view if_pixels);
+
+// The same before it is known how far they are spread.
+std::optional<Error> doubt_of_unit(const PlacesTaken& taken,
+                                   const std::optional<io::StatedLength>& threshold);
 
 }  // namespace beespace::analysis

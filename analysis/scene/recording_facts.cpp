@@ -229,6 +229,10 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   }
   swarm.names = names_of(recording);
   note_units(recording.units, request.vertical, recording.height_unit, swarm.notes);
+  if (std::string note = metres_note(recording.units, recording.frame, threshold_of(request));
+      !note.empty()) {
+    swarm.notes.push_back(std::move(note));
+  }
   swarm.notes.insert(swarm.notes.end(), recording.notes.begin(), recording.notes.end());
   if (recording.skipped_count > 0) {
     swarm.notes.push_back("bad records left out: " + io::grouped(recording.skipped_count));

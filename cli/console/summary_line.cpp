@@ -24,6 +24,10 @@ void append_units(std::string& out, const std::vector<io::UnitTaken>& units) {
   }
 }
 
+void append_note(std::string& out, const std::string& note) {
+  if (!note.empty()) append_summary_line(out, "note", printable(note));
+}
+
 void append_vertical(std::string& out, const std::optional<io::StatedLength>& vertical,
                      io::Unit height_unit) {
   const std::string note = vertical_note(vertical, height_unit);

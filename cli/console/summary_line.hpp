@@ -17,6 +17,9 @@ void append_summary_line(std::string& out, std::string_view label, std::string_v
 // Which units were taken and why, a line each.
 void append_units(std::string& out, const std::vector<io::UnitTaken>& units);
 
+// Nothing where there is none.
+void append_note(std::string& out, const std::string& note);
+
 // How the vertical threshold is compared, where that is not in metres.
 void append_vertical(std::string& out, const std::optional<io::StatedLength>& vertical,
                      io::Unit height_unit);

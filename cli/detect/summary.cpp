@@ -1,5 +1,6 @@
 #include "cli/detect/summary.hpp"
 
+#include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/snapshot/shown_ids.hpp"
 #include "analysis/text/unit_notes.hpp"
 #include "cli/console/summary_line.hpp"
@@ -111,6 +112,7 @@ std::string summary(const Inputs& inputs, const Detection& detection,
   std::string out;
   append_input(out, "input",
                {request.input(), inputs.ours, inputs.ours.points.size(), &inputs.our_repeated});
+  append_note(out, analysis::metres_note(inputs.ours.units, inputs.ours.frame, request.threshold));
   if (inputs.others) {
     append_input(
         out, "others",

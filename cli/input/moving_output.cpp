@@ -1,5 +1,6 @@
 #include "cli/input/moving_output.hpp"
 
+#include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "analysis/text/unit_notes.hpp"
@@ -74,6 +75,7 @@ std::string input_summary(const io::Recording& recording, const MovingRequest& r
   append_frame_lines(out, recording.frame, recording.frame_reason, recording.heights,
                      recording.flat);
   append_units(out, recording.units);
+  append_note(out, analysis::metres_note(recording.units, recording.frame, request.threshold));
   append_vertical(out, request.vertical, recording.height_unit);
   if (recording.flat && request.vertical) {
     append_summary_line(out, "note",

@@ -105,8 +105,9 @@ class Replaying {
     auto recording = stream_.finish(fixes_.facts().repeated);
     if (!recording) return std::move(recording).error();
     recording_ = *std::move(recording);
-    if (auto doubt = analysis::doubt_of_scale(recording_.units, recording_.frame, spread_,
-                                              moving_.threshold, analysis::kWithScale)) {
+    if (auto doubt = analysis::doubt_of_scale(
+            {recording_.units, recording_.frame, moving_.load.frame == io::Frame::kMetres}, spread_,
+            moving_.threshold, analysis::kWithScale)) {
       return *std::move(doubt);
     }
     intervals_.resize(recording_.bees.size());

@@ -25,6 +25,10 @@ std::optional<std::string> NoPlaces::stale(AgentId bee, double time_s, const io:
   }
   if (track.zeros.is_none(fix)) return "is " + std::string(io::kZeroRun.which);
   track.taken.take(fix, 0);
+  if (metres_) {
+    if (track.last) metres_->take_step(*track.last, fix);
+    track.last = fix;
+  }
   return std::nullopt;
 }
 
@@ -40,6 +44,13 @@ void NoPlaces::look_for_feet(Track& track, const Fix& fix, const Velocity& state
 std::optional<Error> NoPlaces::doubt_of_feet(const std::vector<io::UnitTaken>& units) const {
   if (!degrees_ || !io::FeetDoubt::concerns(units)) return std::nullopt;
   return feet_.doubt();
+}
+
+std::optional<Error> NoPlaces::doubt_of_metres() {
+  if (!metres_ || !metres_->is_settled()) return std::nullopt;
+  auto doubt = metres_->doubt();
+  metres_.reset();
+  return doubt;
 }
 
 bool NoPlaces::thaws(AgentId bee, double time_s, const io::ReportLine& at) {

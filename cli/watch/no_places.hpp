@@ -5,6 +5,7 @@
 #include "io/live/report_lines.hpp"
 #include "io/recording/feet_doubt.hpp"
 #include "io/recording/frozen_places.hpp"
+#include "io/recording/metres_doubt.hpp"
 #include "io/recording/stale_places.hpp"
 #include "io/recording/zero_places.hpp"
 #include "io/recording/zero_runs.hpp"
@@ -35,6 +36,11 @@ class NoPlaces {
   // At the end, of units that names alone tell (FeetDoubt): whether nothing bears them out.
   [[nodiscard]] std::optional<Error> doubt_of_feet(const std::vector<io::UnitTaken>& units) const;
 
+  // Of places in metres whose unit nothing names: they are no metres if they move faster than that.
+  void look_for_metres(double fastest_mps) { metres_.emplace(fastest_mps); }
+  // Once enough was heard; then no more.
+  std::optional<Error> doubt_of_metres();
+
   // At the end: how many bees were at no place for a time without having been told of, as only what
   // came later showed.
   [[nodiscard]] std::size_t late() const;
@@ -45,7 +51,7 @@ class NoPlaces {
     io::ZeroRunFilter zeros = {};
     io::ZeroRunWatch taken = {};
     io::FrozenWatch frozen = {};
-    std::optional<Fix> last = {};  // in degrees, with what it said of its velocity
+    std::optional<Fix> last = {};  // in degrees with what it said of its velocity, or in metres
     Velocity stated = io::kNoVelocity;
     bool thawed = false;
 
@@ -58,6 +64,7 @@ class NoPlaces {
 
   io::ZeroPlaces zeros_;
   io::FeetDoubt feet_;
+  std::optional<io::MetresDoubt> metres_;
   bool degrees_ = false;
   std::vector<Track> tracks_;  // by number
   std::size_t late_ = 0;       // of those that are forgotten

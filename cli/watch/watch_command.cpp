@@ -1,4 +1,5 @@
 #include "analysis/geometry/geometry.hpp"
+#include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/live/live_feed.hpp"
 #include "cli/console/signals.hpp"
 #include "cli/console/standard_output.hpp"
@@ -139,6 +140,9 @@ class Watch {
   void begin(io::Frame frame, io::Unit height_unit) {
     frame_ = frame;
     height_unit_ = height_unit;
+    if (analysis::are_without_unit(lines_.units(), frame)) {
+      no_places_.look_for_metres(analysis::fastest_in_metres(request_.threshold));
+    }
     geometry_ = analysis::geometry_for(frame, height_unit, request_.vertical);
     SwarmOptions options = request_.swarm;
     options.vertical_m = vertical_in(geometry_, request_.vertical, height_unit);
@@ -220,7 +224,14 @@ class Watch {
       return std::monostate{};
     }
     if (counts_as_none(no_places_.zero(at), at.id)) return std::monostate{};
-    if (!feed_) begin(at.frame, at.height_unit);
+    if (!feed_) {
+      const bool asked = request_.lines.frame == io::Frame::kMetres;
+      if (auto doubt =
+              analysis::doubt_of_unit({lines_.units(), at.frame, asked}, request_.threshold)) {
+        return *std::move(doubt);
+      }
+      begin(at.frame, at.height_unit);
+    }
     const auto metres = in_metres(at.position, at.velocity, at.frame, geometry_,
                                   {at.stated_height, at.height_unit});
     if (!metres) {
@@ -240,6 +251,7 @@ class Watch {
     if (!lines_.in_frames() && counts_as_none(no_places_.stale(*number, time_of(at), at), at.id)) {
       return std::monostate{};
     }
+    if (auto doubt = no_places_.doubt_of_metres()) return *std::move(doubt);
     if (!lines_.in_frames() && no_places_.thaws(*number, time_of(at), at)) note_thawed(*number, at);
     look_for_doubt(*number, at, {time_of(at), metres->position},
                    metres->velocity ? &*metres->velocity : nullptr);
@@ -367,6 +379,7 @@ class Watch {
     append_summary_line(out, "input", printable(lines_.description()));
     if (feed_) append_frame_lines(out, frame_, "", lines_.heights());
     append_units(out, lines_.units());
+    append_note(out, analysis::metres_note(lines_.units(), frame_, request_.threshold));
     append_vertical(out, request_.vertical, height_unit_);
     for (const std::string& note : lines_.notes())
       append_summary_line(out, "note", printable(note));

@@ -15,7 +15,8 @@ constexpr double kPillarRemoteness = 10.0;     // widths away from the origin
 constexpr std::size_t kSwarm = 30;             // points that it takes to speak of a pillar
 
 constexpr const char* kSayFrame =
-    "say it with --crs wgs84 (longitude, latitude in degrees) or --crs metres";
+    "say it with --crs wgs84 (longitude, latitude in degrees) or --crs metres, or, of another "
+    "length, with --units position=mm (or cm, ft)";
 
 std::string number_text(double value) {
   std::array<char, 32> text = {};
@@ -177,7 +178,7 @@ Extent extent_of(std::span<const Point> points) {
 
 FrameDecision frame_before_values(Frame asked, const FrameEvidence& evidence) {
   if (asked == Frame::kWgs84) return {asked, "asked for with --crs wgs84"};
-  if (asked == Frame::kMetres) return {asked, "asked for with --crs metres"};
+  if (asked == Frame::kMetres) return {asked, std::string(kAskedForMetres)};
   return {evidence.frame, evidence.reason};
 }
 

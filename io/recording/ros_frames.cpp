@@ -14,6 +14,18 @@ bool is_odometry(std::string_view frame) {
   return name == "odom" || name == "odom_combined" || name == "odometry";
 }
 
+// By its topic: local positions of an autopilot, as "/uav1/mavros/local_position/pose" and
+// "/px4_1/fmu/out/vehicle_local_position", count from where that vehicle was switched on or has its
+// home, whatever the frame is called.
+bool is_local_to_its_vehicle(std::string_view topic) {
+  const std::string name = lower_case(topic);
+  for (const std::string_view part :
+       {"mavros/local_position", "mavros/odometry", "vehicle_local_position", "vehicle_odometry"}) {
+    if (name.find(part) != std::string::npos) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<Error> RosFrames::agree(std::string_view frame, std::string_view bee,
@@ -31,11 +43,13 @@ std::optional<Error> RosFrames::agree(std::string_view frame, std::string_view b
                      ": they cannot be compared; bring all into one, as by the transforms of /tf",
                  {}};
   }
-  if (bee_ == bee || asked != Frame::kAuto || !is_odometry(frame)) return std::nullopt;
+  const bool local = is_local_to_its_vehicle(bee) || is_local_to_its_vehicle(bee_);
+  if (bee_ == bee || asked != Frame::kAuto || !(is_odometry(frame) || local)) return std::nullopt;
   return Error{ErrorCode::kUnknownFrame,
                "this position of " + excerpt(bee) + " and those of " + excerpt(bee_) +
                    (input_.empty() ? "" : " in " + input_) + " are in a frame " + excerpt(frame) +
-                   " of ROS, which begins where each robot was switched on: if these have one "
+                   " of ROS, which " + (local ? "autopilots (MAVROS, PX4) begin" : "begins") +
+                   " where each robot was switched on: if these have one "
                    "origin and direction, say so with --crs metres; else bring all into one, "
                    "such as 'map', by the transforms of /tf",
                {}};

@@ -1,5 +1,6 @@
 // The frames of ROS that positions are in: those of one frame can be compared, and of a frame that
-// begins where each robot was switched on, only those of one robot.
+// begins where each robot was switched on, only those of one robot; by the topic, too, as that of
+// MAVROS.
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"

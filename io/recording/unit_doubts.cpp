@@ -166,12 +166,16 @@ std::optional<Error> doubt_of_metres(const Recording& recording, double fastest_
   if (steps.speeds.size() < kFewest) return std::nullopt;
   const double speed = median(steps.speeds);
   if (!(speed > fastest_mps)) return std::nullopt;
-  return Error{ErrorCode::kInvalidArgument,
-               "are x, y, z in metres? Nothing names their unit, and in metres they move at " +
-                   short_number(speed) +
-                   " m/s; say it with --units position=cm, position=mm, or "
-                   "position=m if they do",
-               {}};
+  return too_fast_in_metres(speed);
+}
+
+Error too_fast_in_metres(double speed_mps) {
+  return {ErrorCode::kInvalidArgument,
+          "are x, y, z in metres? Nothing names their unit, and in metres they move at " +
+              short_number(speed_mps) +
+              " m/s; say it with --units position=cm, position=mm, or "
+              "position=m if they do",
+          {}};
 }
 
 }  // namespace beespace::io

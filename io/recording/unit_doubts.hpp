@@ -34,6 +34,9 @@ std::optional<Error> doubt_of_feet(const Recording& recording, double highest_m)
 // that. Errors: kInvalidArgument, without source.
 std::optional<Error> doubt_of_metres(const Recording& recording, double fastest_mps);
 
+// What is asked then.
+Error too_fast_in_metres(double speed_mps);
+
 // Heights of positions in degrees, whose greatest is that, in a unit that is not said, or that only
 // the words of a known source tell: higher than anything flies, they may be feet. Errors:
 // kInvalidArgument, without source.

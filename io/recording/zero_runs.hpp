@@ -1,5 +1,6 @@
-// Places at 0, 0, 0 in metres that a bee could only jump to: robots that do not know yet where they
-// are, and trackers that have lost an animal, write them. In degrees see zero_places.hpp.
+// Places in metres at 0, 0, 0, or at another number that stands for all coordinates, as -1, -1 or
+// -9999, -9999, that a bee could only jump to: robots that do not know yet where they are, and
+// trackers that have lost an animal, write them. In degrees see zero_places.hpp.
 #pragma once
 
 #include "io/problems/left_out.hpp"
@@ -14,8 +15,9 @@
 namespace beespace::io {
 
 inline constexpr LeftOutReason kZeroRun = {
-    "at 0, 0, 0 exactly, which is written where no place is known (the bee would get there more "
-    "than three times as fast as it ever moves elsewhere),",
+    "at 0, 0, 0 exactly, or at one number for all coordinates, as -1, -1 or -999, -999, which is "
+    "written where no place is known (the bee would get there more than three times as fast as it "
+    "ever moves elsewhere),",
     "the bee was somewhere else then"};
 
 // Which of the fixes of a bee, in the order of time, are such; empty where none is. Of a few fixes
@@ -29,7 +31,7 @@ class ZeroRunFilter {
   bool is_none(const Fix& fix);
 
  private:
-  bool in_run_ = false;
+  std::optional<Fix> run_ = {};   // such a place, where the bee would be now
   std::optional<Fix> last_ = {};  // that is none of these
   std::size_t others_ = 0;
   double fastest_mps_ = 0.0;

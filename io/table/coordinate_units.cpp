@@ -75,6 +75,13 @@ Error no_override(std::string_view what, const std::string& why) {
           {}};
 }
 
+// Crazyflie logs its estimate in metres, and in millimetres (int16) under the name with a Z.
+Unit unit_of_crazyflie(std::string_view name) {
+  const std::string plain = plain_name(name);
+  if (plain.starts_with("stateestimatez_")) return Unit::kMillimetre;
+  return plain.starts_with("stateestimate_") ? Unit::kMetre : Unit::kUnstated;
+}
+
 // The unit that the header names: of a known source perhaps behind a name that only its columns
 // have, as "X#wcentroid (cm)" of TRex.
 Unit named_unit(const ColumnMeaning& word, const KnownColumn* known) {
@@ -123,6 +130,13 @@ std::optional<Error> settle_units(const ColumnSchema& schema, const TableLayout&
   if (overrides.position != Unit::kUnstated && choice.evidence == Frame::kMetres) {
     choice.naming = Naming::kSure;
   }
+  const bool of_crazyflie = choice.axes[0] < table.names.size() &&
+                            unit_of_crazyflie(table.names[choice.axes[0]]) != Unit::kUnstated;
+  if (of_crazyflie && choice.evidence != Frame::kWgs84) {
+    choice.evidence = Frame::kMetres;
+    choice.naming = Naming::kSure;
+    choice.reason = "stateEstimate of Crazyflie has lengths";
+  }
   const Frame frame = options.frame != Frame::kAuto ? options.frame : choice.evidence;
   const bool geographic = frame == Frame::kWgs84;
   const bool pixels = options.pixel.has_value();
@@ -156,7 +170,10 @@ std::optional<Error> settle_units(const ColumnSchema& schema, const TableLayout&
     const KnownColumn* const known = chooser.source() != nullptr && named
                                          ? chooser.source()->find(table.names[column])
                                          : nullptr;
-    const Unit in_name = named_unit(word, known);
+    Unit in_name = named_unit(word, known);
+    if (in_name == Unit::kUnstated && named && !geographic) {
+      in_name = unit_of_crazyflie(table.names[column]);
+    }
     // What is said of positions is not of a z that names its own unit.
     const bool height =
         axis == 2 && (geographic || word.role == Role::kHeight || in_name != Unit::kUnstated ||

@@ -185,25 +185,32 @@ const std::array<TableSource, 12>& known_sources() {
 constexpr std::string_view kAviationWords =
     "icao icao24 callsign squawk groundspeed gs hex vertrate verticalrate baroaltitude geoaltitude "
     "onground adsb tas ias cas roc rocd flightlevel fl kt kts knots fpm aircraft mach flight "
-    "flightid flightnumber flightno flt registration tail tailnumber tailnum nnumber ident plane "
+    "flightid flightnumber flightno flt registration tailnumber tailnum nnumber ident plane "
     "airplane aeroplane airline modes transponder "
     "vuelo aeronave avion avi\u00f3n indicativo matricula matr\u00edcula voo aviao avi\u00e3o "
     "immatriculation indicatif vol aeronef a\u00e9ronef "
     "kennzeichen rufzeichen flug flugnummer flugzeug luftfahrzeug "
     "volo aeromobile velivolo nominativo immatricolazione";
 
+// Words of tags, collars and videos of animals.
+constexpr std::string_view kOfTags =
+    "tagid tag collar collarid animal animalid individual bird birdid fish species activity nose "
+    "thorax abdomen snout paw";
+
 // Two, one behind the other.
 constexpr std::string_view kAviationPairs =
     "ground-speed vertical-rate vert-rate vertical-speed baro-rate geom-rate climb-rate "
     "baro-altitude baro-alt alt-baro alt-geom geo-altitude geom-altitude pressure-altitude "
-    "on-ground flight-level call-sign mode-s n-number";
+    "on-ground flight-level call-sign mode-s n-number tail-number tail-num tail-no";
 
 // What trackers and tags measure beside places.
 constexpr std::string_view kOtherQuantities =
     "speed velocity acceleration heading angle theta orientation direction likelihood confidence "
     "score prob probability temperature temp humidity battery voltage satellites sats hdop vdop "
     "pdop dop accuracy area size width length count missing error mass ecc eccentricity signal ep "
-    "intensity brightness year month julianday hour minute fixtime activity numsats 2d";
+    "intensity brightness year month julianday hour minute fixtime activity numsats 2d roll pitch "
+    "yaw rollrate pitchrate yawrate climbrate groundspeed airspeed vx vy vz varx vary varxy ptt "
+    "step dx dy dz satcount red green blue rx ry rz";
 
 // What ids are unique within: whole names. Movebank's individuals and tags are so within a study.
 constexpr std::string_view kSets =
@@ -293,6 +300,8 @@ const TableSource* source_of(const std::vector<std::string>& names) {
 
 bool speaks_of_aviation(std::string_view name) {
   const std::vector<std::string> words = split_words(name);
+  // A column of its own; "tail_x" is of an animal.
+  if (words == std::vector<std::string>{"tail"}) return true;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (is_one_of(kAviationWords, words[i])) return true;
     if (i > 0 && is_one_of(kAviationPairs, words[i - 1] + "-" + words[i])) return true;
@@ -308,6 +317,19 @@ std::string words_of_aviation(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     if (found.size() < kMost && speaks_of_aviation(name)) found.push_back(excerpt(name));
   }
+  // Tags of animals have a speed over ground, too, and their own words beside it.
+  const auto is_said_by_tags = [](const std::string& name) {
+    return is_one_of("ground_speed groundspeed tail", plain_name(name));
+  };
+  const auto speaks = [&](const std::string& name) {
+    return speaks_of_aviation(name) && !is_said_by_tags(name);
+  };
+  const bool of_tags = std::any_of(names.begin(), names.end(), [](const std::string& name) {
+    const std::vector<std::string> words = split_words(name);
+    return std::any_of(words.begin(), words.end(),
+                       [](const std::string& word) { return is_one_of(kOfTags, word); });
+  });
+  if (of_tags && std::none_of(names.begin(), names.end(), speaks)) return {};
   std::string text;
   for (std::size_t i = 0; i < found.size(); ++i) {
     text += i == 0 ? "" : i + 1 == found.size() ? " and " : ", ";

@@ -155,6 +155,15 @@ bool counts_from_1970(std::string_view text, const TableLayout& table, std::size
          unit_since_1970(first) != Unit::kUnstated;
 }
 
+// Units that no header names are those of the format.
+void name_units(TrackLayout& layout, std::string_view reason) {
+  for (UnitTaken& taken : layout.units) {
+    if (taken.evidence != UnitEvidence::kUsual) continue;
+    taken.evidence = UnitEvidence::kNamed;
+    taken.reason = reason;
+  }
+}
+
 }  // namespace
 
 // Whether a table without a header can hardly be anything else: whole times that ascend, three
@@ -283,12 +292,7 @@ Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::stri
     layout->frame_reason = "positions of ROS are in metres";
   }
   layout->doubted_above_mps = std::nullopt;
-  for (UnitTaken& taken : layout->units) {
-    if (taken.evidence == UnitEvidence::kUsual) {
-      taken.evidence = UnitEvidence::kNamed;
-      taken.reason = "messages of ROS have them so";
-    }
-  }
+  name_units(*layout, "messages of ROS have them so");
   layout->own_origin = options.frame == Frame::kAuto && layout->frame == Frame::kMetres &&
                        begins_at_zero(text, layout->table);
   layout->axes_name = ros.axes_name;
@@ -349,6 +353,7 @@ Result<TrackLayout> layout_of_poses(TableLayout table, std::string_view text,
   layout->own_origin = own_origin;
   layout->doubted_above_mps = std::nullopt;
   if (!asked) layout->frame_reason = "trajectories as of TUM are in metres";
+  name_units(*layout, "trajectories as of TUM have them so");
   TimeChoice& time = *layout->time;
   const std::string told = time_note(layout->table, time, true);
   time.by_size = !unit_is_said && time.since_1970;

@@ -15,11 +15,12 @@ std::string_view program_of(std::string_view text) {
   if (text.starts_with("NO_OF_FRAMES\t")) return "QTM (Qualisys)";
   const Line first = line_at(text, 0, '\n');
   const auto title = without_padding(first.text.substr(0, first.text.find(',')));
-  if (title != "Trajectories" && title != "Model Outputs") return {};
+  if (title != "Trajectories" && title != "Model Outputs" && title != "Objects") return {};
   const Line second = line_at(text, first.next, '\n');
   double rate = 0.0;
   const auto field = without_padding(second.text.substr(0, second.text.find(',')));
-  return parse_number(field, rate) == NumberKind::kNumber ? "Nexus (Vicon)" : std::string_view();
+  return parse_number(field, rate) == NumberKind::kNumber ? "Vicon (Nexus, Tracker)"
+                                                          : std::string_view();
 }
 
 }  // namespace

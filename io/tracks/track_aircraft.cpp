@@ -84,11 +84,13 @@ bool is_unknown(std::string_view text) {
 }
 
 bool says_yes(std::string_view text) {
-  return is_one_of("true t yes y 1 1.0", lower_case(without_padding(text)));
+  return is_one_of("true t yes y 1 1.0 wahr ja vrai oui vero verdadero verdadeiro",
+                   lower_case(without_padding(text)));
 }
 
 bool says_no(std::string_view text) {
-  return is_one_of("false f no n 0 0.0", lower_case(without_padding(text)));
+  return is_one_of("false f no n 0 0.0 falsch nein faux non falso",
+                   lower_case(without_padding(text)));
 }
 
 bool names_flight(std::string_view column) {

@@ -16,6 +16,7 @@
 #include "io/tracks/first_fields.hpp"
 #include "io/tracks/known_tables.hpp"
 #include "io/tracks/local_positions.hpp"
+#include "io/tracks/mavlogdump.hpp"
 #include "io/tracks/motion_capture.hpp"
 #include "io/tracks/offered_columns.hpp"
 #include "io/tracks/record_numbers.hpp"
@@ -66,6 +67,22 @@ std::optional<std::size_t> choose_id(const Header& header, std::vector<std::stri
 
 // ---- Position ------------------------------------------------------------------------------
 
+// Messages in objects within objects, which no column names.
+std::optional<Error> nested_problem(const TableLayout& table) {
+  const auto has = [&table](std::string_view name) {
+    return std::find(table.names.begin(), table.names.end(), name) != table.names.end();
+  };
+  if (has("meta") && has("data")) return dumped_json_problem();
+  if (!has("op") || !has("topic") || !has("msg")) return std::nullopt;
+  return Error{ErrorCode::kUnsupportedFormat,
+               "these are messages of rosbridge, whose positions are nested; make an object a line "
+               "of them, and read that: jq -c 'select(.op == \"publish\" and .msg.pose) | "
+               "(.msg.pose.pose // .msg.pose).position as $p | .msg.header as $h | {id: .topic, "
+               "time_s: (($h.stamp.sec // $h.stamp.secs) + ($h.stamp.nanosec // $h.stamp.nsecs) * "
+               "1e-9), \"header.frame_id\": $h.frame_id, x: $p.x, y: $p.y, z: $p.z}' FILE",
+               {}};
+}
+
 // A position must have names: it is not taken from the order of the columns.
 std::optional<Error> nameless_position(const Header& header) {
   const bool overridden = header.override_of(Role::kX) || header.override_of(Role::kLongitude);
@@ -83,6 +100,7 @@ std::optional<Error> nameless_position(const Header& header) {
                    "sed 's/\"//g; 1s/Position/latitude,longitude/' FILE.csv > split.csv, and say "
                    "--units aviation");
   }
+  if (auto problem = nested_problem(table)) return problem;
   if (!table.names.empty()) {
     const std::string metric = offered_columns(header, false);
     return missing("the header names no position (x and y, or longitude and latitude)" +
@@ -238,6 +256,9 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   if (!overrides) return overrides.error();
   const Header header(track_columns(), options, layout.table, *overrides);
   const bool said = header.override_of(Role::kX) || header.override_of(Role::kLongitude);
+  if (!header.override_of(Role::kId)) {
+    if (auto problem = mixed_vehicles(text, layout.table)) return *std::move(problem);
+  }
   if (!said && header.source() == nullptr) {
     if (auto problem = several_vehicles(layout.table)) return *std::move(problem);
     if (!header.has(Role::kZ) && !header.has(Role::kHeight)) {
@@ -299,7 +320,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   settle_aircraft(header, options, layout);
   settle_animals(header, layout);
   settle_sets(header, layout);
-  layout.quality = find_fix_quality(layout.table);
+  layout.quality = find_fix_quality(text, layout.table);
   if (layout.quality) {
     layout.notes.push_back("whether there was a fix is read from " +
                            column_text(layout.table, layout.quality->column));
@@ -346,6 +367,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
 Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOptions& options,
                                       bool bare_skybrush, SeenRecords seen) {
   if (auto problem = motion_capture_problem(text)) return *std::move(problem);
+  if (auto problem = dumped_text_problem(text)) return *std::move(problem);
   auto table = find_table(text, options.skip_bad);
   if (!table) return table.error();
   if (auto error = no_record_problem(text, *table)) return *std::move(error);

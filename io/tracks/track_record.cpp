@@ -136,16 +136,6 @@ void TrackRecordReader::read_sets(TrackRecord& record) {
   record.trial = joined_trials_;
 }
 
-// As the owner of the data has marked it.
-bool TrackRecordReader::is_outlier() const {
-  if (layout_.visible && says_no(fields_[TrackSlot::kVisible].text)) return true;
-  if (layout_.marked_valid && says_yes(fields_[TrackSlot::kValid].text)) return false;
-  for (std::size_t i = 0; i < layout_.marked.size(); ++i) {
-    if (says_yes(fields_[TrackSlot::kMarked + i].text)) return true;
-  }
-  return false;
-}
-
 // Of what aircraft say of themselves: what is not known is no mistake.
 const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
   if (is_outlier()) return &kOutlier;
@@ -428,6 +418,9 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
     record.axes_name = without_padding(fields_[is_id ? TrackSlot::kId : TrackSlot::kAxesName].text);
   }
   record.left_out = reason_to_leave_out();
+  if (record.left_out == nullptr) {
+    if (auto problem = unclear_word()) return problem;
+  }
   record.flies_on_ground = record.left_out == nullptr && layout_.on_ground &&
                            says_yes(fields_[TrackSlot::kOnGround].text);
   if (record.left_out == &kOnGround) read_claim(record);

@@ -68,6 +68,7 @@ class TrackRecordReader {
   void read_sets(TrackRecord& record);
   [[nodiscard]] const LeftOutReason* reason_to_leave_out() const;
   [[nodiscard]] bool is_outlier() const;
+  [[nodiscard]] std::optional<Error> unclear_word() const;
   [[nodiscard]] bool flies() const;
   [[nodiscard]] bool heights_contradict() const;
   [[nodiscard]] bool is_old() const;

@@ -166,6 +166,10 @@ std::optional<Error> settle_units(const VelocityQuestion& question, VelocityChoi
       std::vector<std::string> words = split_words(names[column]);
       unit = take_unit(words, Quantity::kSpeed).value_or(Unit::kUnstated);
     }
+    // Crazyflie: millimetres a second beside millimetres.
+    const bool of_crazyflie =
+        column < names.size() && plain_name(names[column]).starts_with("stateestimatez_v");
+    if (of_crazyflie && unit == Unit::kUnstated) unit = Unit::kMillimetrePerSecond;
     const bool climb = i == 2;
     auto one = question.units.choose(climb ? UnitRole::kClimb : UnitRole::kSpeed,
                                      climb ? "climb rates" : "speeds", column, unit);

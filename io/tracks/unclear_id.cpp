@@ -1,8 +1,10 @@
 #include "io/tracks/unclear_id.hpp"
 
+#include "io/bytes/number.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/recording/flat_distance.hpp"
 #include "io/table/column_overrides.hpp"
+#include "io/table/fields.hpp"
 #include "io/table/record_walk.hpp"
 #include "io/table/table_sources.hpp"
 #include "io/tracks/track_aircraft.hpp"
@@ -11,6 +13,7 @@
 #include <beespace/track.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -62,6 +65,13 @@ LabelledFixes sample_of(std::string_view text, const TrackLayout& layout, std::s
       sample.fixes.begin(), sample.fixes.end(),
       [](const LabelledFix& a, const LabelledFix& b) { return a.fix.time_s < b.fix.time_s; });
   return sample;
+}
+
+// Negative, or with a fraction: what is measured, and no id.
+bool is_measured(const std::string& text) {
+  double value = 0.0;
+  return parse_number(without_padding(text), value) == NumberKind::kNumber &&
+         (value < 0.0 || value != std::floor(value));
 }
 
 // Whether those of each value together go a small part of the way of all as the bees that are
@@ -171,6 +181,7 @@ std::optional<Error> unclear_id(std::string_view text, const Header& header,
   for (std::size_t i = 0; i < header.size(); ++i) {
     if (!may_hold_ids(header, layout, i)) continue;
     const LabelledFixes sample = sample_of(text, layout, i);
+    if (std::any_of(sample.values.begin(), sample.values.end(), is_measured)) continue;
     if (explains(sample, layout.frame, kMuchFarther)) return which_id(layout, i, sample);
   }
   return std::nullopt;

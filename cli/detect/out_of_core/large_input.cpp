@@ -255,8 +255,9 @@ Status LargeInput::read_file(LargeFile& file, const LargeInputSinks& sinks,
   }
   if (auto problem = recording_.problem_of_file(file.path)) return *std::move(problem);
   const io::LoadedPoints& facts = file.facts;
-  if (auto doubt = analysis::doubt_of_scale(facts.units, facts.frame, spread, request_->threshold,
-                                            analysis::kWithoutScale)) {
+  if (auto doubt = analysis::doubt_of_scale(
+          {facts.units, facts.frame, request_->load.frame == io::Frame::kMetres}, spread,
+          request_->threshold, analysis::kWithoutScale)) {
     return *std::move(doubt);
   }
   note_ids(odd_ids, {}, request_->form.form, file.facts.notes);

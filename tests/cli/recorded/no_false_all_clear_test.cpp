@@ -327,5 +327,40 @@ TEST(NoFalseAllClear, PixelsAreNotTakenForMetresBesideAThresholdInMillimetres) {
                {"keeps its distance"});
 }
 
+// Nothing names the unit of places, and the threshold is small: whatever their spread.
+TEST(NoFalseAllClear, PlacesWithoutAUnitAreAskedAboutBesideASmallThreshold) {
+  std::string table = "id,time_s,x,y\n";
+  for (int t = 0; t < 20; ++t) {
+    table += "a," + std::to_string(t) + ",100,100\nb," + std::to_string(t) + ",103,100\n";
+  }
+  const TemporaryFolder folder;
+  const std::string file = folder.file("fish.csv", table);
+  for (const char* const threshold : {"2mm", "2cm", "900um"}) {
+    expect_failure({"replay", file, "--threshold", threshold}, {}, 2, "--units position=mm");
+    expect_failure({"watch", file, "--threshold", threshold}, {}, 2, "--units position=mm");
+  }
+  const Finished believed = run({"replay", file, "--threshold", "2cm", "--crs", "metres"});
+  expect_parts(believed.err,
+               {"places are taken as metres, as --crs metres says, beside a threshold"});
+}
+
+// Millimetres: in metres these robots would cross the threshold 200 times a second.
+TEST(NoFalseAllClear, PlacesThatWouldMoveTooFastInMetresAreAskedAbout) {
+  std::string table = "id,time_s,x,y,z\n";
+  for (int t = 0; t < 100; ++t) {
+    const std::string time = std::to_string(t / 10) + "." + std::to_string(t % 10);
+    table += "a," + time + "," + std::to_string(20 * t) + ",0,35\n";
+    table += "b," + time + "," + std::to_string(2000 - 20 * t) + ",300,35\n";
+  }
+  const TemporaryFolder folder;
+  const std::string file = folder.file("robots.csv", table);
+  for (const char* const command : {"replay", "verify", "watch"}) {
+    expect_failure({command, file, "--threshold", "1"}, {}, 2, "in metres they move at 200 m/s");
+  }
+  expect_parts(run({"replay", file, "--threshold", "1", "--units", "position=mm"}).err,
+               {"1 conflict of 1 pair"});
+  expect_parts(run({"replay", file, "--threshold", "50"}).err, {"keeps its distance"});
+}
+
 }  // namespace
 }  // namespace beespace::cli_test

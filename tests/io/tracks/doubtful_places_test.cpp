@@ -97,9 +97,18 @@ TEST(ZeroRuns, ThatABeeOnlyJumpsToAreLeftOutAndCounted) {
         record(with_zeros(static_cast<std::size_t>(begin), static_cast<std::size_t>(end))));
     EXPECT_EQ(read.bees[0].fixes.size(), 30u - static_cast<std::size_t>(end - begin)) << begin;
     EXPECT_EQ(read.missing.count, static_cast<std::uint64_t>(end - begin)) << begin;
-    EXPECT_TRUE(has_note(read, "at 0, 0, 0 exactly, which is written where no place"));
+    EXPECT_TRUE(has_note(read, "at 0, 0, 0 exactly, or at one number for all coordinates"));
   }
   EXPECT_EQ(recording_of(record(with_zeros(27, 30))).missing.count, 3u);
+}
+
+TEST(ZeroRuns, AtOneNumberForAllCoordinatesAreLeftOutLikewise) {
+  for (const char* const none : {"-1,-1,-1", "-999,-999,0", "9999,9999,9999"}) {
+    const auto read = recording_of(record(with_zeros(5, 9, none)));
+    EXPECT_EQ(read.missing.count, 4u) << none;
+    EXPECT_EQ(read.missing.jumping, 0u) << none;
+  }
+  EXPECT_TRUE(recording_of(record(with_zeros(5, 9, "-999,-998,0"))).missing.count == 0);
 }
 
 // What a stream says at its end; its fixes are of no account.
@@ -266,6 +275,20 @@ TEST(FixQuality, OfReceiversIsLookedAt) {
   expect_one_left_out(columns + "GPS_RAW_INT.fix_type", "2", "1");
   expect_one_left_out(columns + "gps:fix-type", "3D", "no fix");
   expect_one_left_out(columns + "fix", "1", "0");
+  for (const char* const name :
+       {"Fix Status", "fix_status", "gps-fix-status", "GPS Fix Attempt", "FixType", "Status"}) {
+    for (const char* const none : {"No Fix", "Not fixed", "0D"}) {
+      expect_one_left_out(columns + name, "3D Fix", none);
+    }
+  }
+  for (const char* const none : {"Failed", "GPS timeout", "Unresolved QFP", "Invalid"}) {
+    expect_one_left_out(columns + "GPS Fix Attempt", "Succeeded (3D)", none);
+    expect_one_left_out(columns + "FixType", "val. GPS-3D", none);
+  }
+  expect_one_left_out(columns + "eobs:status", "A", "D");
+  // What is not known is asked about.
+  expect_error(record(columns + "Fix Status\na,0,8,47,100,3D Fix\na,1,8,47,100,Perhaps\n"),
+               {ErrorCode::kMalformedRecord, "bees.csv:3:6", "'Perhaps' is not known"});
   // Any other status says something else.
   EXPECT_TRUE(recording_of(record(columns + "status\na,0,8,47,100,0\n")).missing.none());
 }
