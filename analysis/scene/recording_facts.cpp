@@ -229,7 +229,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   }
   swarm.names = names_of(recording);
   note_units(recording.units, request.vertical, recording.height_unit, swarm.notes);
-  if (std::string note = metres_note(recording.units, recording.frame, threshold_of(request));
+  if (std::string note = metres_note(recording.units, recording.frame, typed_threshold(request));
       !note.empty()) {
     swarm.notes.push_back(std::move(note));
   }

@@ -20,7 +20,7 @@ struct SceneRequest {
   io::RecordingOptions load = {};
   std::optional<double> threshold_m = {};         // absent: what the input declares, or the default
   io::Unit threshold_unit = io::Unit::kUnstated;  // in which it is stated, for words
-  bool threshold_is_bare = false;                 // nobody said a unit
+  bool threshold_is_bare = false;                 // without a unit
   // In the unit in which it is stated, so that heights in that unit can be compared as they stand.
   std::optional<io::StatedLength> vertical = {};
   bool inclusive = false;

@@ -251,10 +251,13 @@ class Watch {
     if (!lines_.in_frames() && counts_as_none(no_places_.stale(*number, time_of(at), at), at.id)) {
       return std::monostate{};
     }
-    if (auto doubt = no_places_.doubt_of_metres()) return *std::move(doubt);
     if (!lines_.in_frames() && no_places_.thaws(*number, time_of(at), at)) note_thawed(*number, at);
     look_for_doubt(*number, at, {time_of(at), metres->position},
                    metres->velocity ? &*metres->velocity : nullptr);
+    // What goes to and fro is fast in any unit.
+    if (left_out_.shared == 0 && left_out_.jumping == 0) {
+      if (auto doubt = no_places_.doubt_of_metres()) return *std::move(doubt);
+    }
     Status taken = feed_->take({*number, time_of(at), metres->position, metres->velocity,
                                 metres->height_m, metres->climb_mps},
                                wall_s());

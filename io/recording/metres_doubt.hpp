@@ -23,7 +23,8 @@ class MetresDoubt {
   [[nodiscard]] std::optional<Error> doubt() const;
 
  private:
-  static constexpr std::size_t kEnough = 16;  // steps of bees that move
+  static constexpr std::size_t kEnough =
+      64;  // steps of bees that move: more than show that an id is that of several
 
   double fastest_mps_;
   std::vector<double> speeds_mps_ = {};

@@ -107,7 +107,7 @@ TEST(LeftOutFilesOfReadsb, WhatTellsOfTheReceiverIsPassedOverAndTold) {
   }
   folder.file("run/receiver.json", R"({"lat":48,"lon":2,"version":"3.14","refresh":1000})");
   folder.file("run/stats.json", R"({"now":1700000000,"latest":{},"last1min":{}})");
-  const Arguments question = {"replay", folder.path("run"), "--threshold", "5", "--fail-on-risk"};
+  const Arguments question = {"replay", folder.path("run"), "--threshold", "5m", "--fail-on-risk"};
   const Finished finished = run(question);
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   expect_parts(finished.err, {"bees       2\n",
@@ -117,7 +117,7 @@ TEST(LeftOutFilesOfReadsb, WhatTellsOfTheReceiverIsPassedOverAndTold) {
   const TemporaryFolder other;
   std::filesystem::create_directory(other.path("run"));
   other.file("run/stats.json", R"({"now":1700000000,"latest":{},"last1min":{}})");
-  EXPECT_EQ(run({"replay", other.path("run"), "--threshold", "5"}).exit_code, 3);
+  EXPECT_EQ(run({"replay", other.path("run"), "--threshold", "5m"}).exit_code, 3);
 }
 
 TEST_F(LeftOutFiles, WithMemoryItIsNoAllClearEither) {
