@@ -144,6 +144,7 @@ struct RecordingFacts {
   std::vector<Conflict> conflicts = {};  // the closest first; all, or as many as can be shown
   std::uint64_t conflict_count = 0;      // of all
   std::uint64_t possible_count = 0;      // of these, not certain
+  std::uint64_t standing_count = 0;      // beside these, of two that both stand on the ground
   std::uint64_t pair_count = 0;          // in conflict
   std::optional<Conflict> closest = {};  // of the conflicts; where there is none, of all encounters
   bool closest_stands = false;           // one of these two is a drone that stands on the ground:

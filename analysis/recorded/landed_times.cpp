@@ -19,8 +19,8 @@ bool has_landed(const io::Recording& recording, PointId track, double time_s) {
   return track < recording.bees.size() && stands_during(recording.bees[track], time_s, time_s);
 }
 
-void leave_out_standing(const io::Recording& recording, std::vector<Conflict>& conflicts) {
-  std::erase_if(conflicts, [&](const Conflict& conflict) {
+std::size_t leave_out_standing(const io::Recording& recording, std::vector<Conflict>& conflicts) {
+  return std::erase_if(conflicts, [&](const Conflict& conflict) {
     return stands_during(recording.bees[conflict.first], conflict.begins_s, conflict.ends_s) &&
            stands_during(recording.bees[conflict.second], conflict.begins_s, conflict.ends_s);
   });

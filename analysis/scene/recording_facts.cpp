@@ -269,7 +269,11 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   if (!curves) return curves.error();
   recorded->conflicts = merged(std::move(recorded->conflicts), curves->conflicts);
   recorded->conflicts = merged(std::move(recorded->conflicts), *standing);
-  leave_out_standing(recording, recorded->conflicts);
+  facts.standing_count = leave_out_standing(recording, recorded->conflicts);
+  if (facts.standing_count > 0) {
+    facts.swarm.notes.push_back("conflicts of two that both stand on the ground, left out: " +
+                                io::grouped(facts.standing_count));
+  }
   const auto closest = closest_of(recorded->conflicts, *in_space, max_gap.seconds, request);
   if (!closest) return closest.error();
   facts.closest = *closest;

@@ -267,10 +267,7 @@ void RecordingAssembly::declare_show(ShowFacts facts) {
   keep(show->limits.accelerations, facts.limits.accelerations);
   keep(show->limits.navigation_m, facts.limits.navigation_m);
   keep(show->limits.not_looked_at, facts.limits.not_looked_at);
-  if (show->place != facts.place) {
-    note("the shows are at different places, or not all say theirs; none is taken");
-    show->place.reset();
-  }
+  shows_apart_ = shows_apart_ || show->place != facts.place;
   show->cues.insert(show->cues.end(), facts.cues.begin(), facts.cues.end());
 }
 

@@ -211,6 +211,7 @@ class RecordingAssembly {
   std::optional<Error> settle_times();
   [[nodiscard]] std::optional<Error> settle_files() const;
   [[nodiscard]] std::optional<Error> settle_midnights() const;
+  std::optional<Error> settle_shows();
   std::optional<Error> settle_frame();
   void leave_out_zeros();
   void leave_out_zero_runs();
@@ -275,6 +276,7 @@ class RecordingAssembly {
   std::size_t named_sources_ = 0;  // how many sources were begun when it was given away
   bool several_ = false;
   bool frame_is_settled_ = false;
+  bool shows_apart_ = false;          // which count from different places, as far as they say
   std::optional<SourceFacts> facts_;  // of all inputs so far
   std::string facts_source_;          // who said so first
   // That of the first, as long as options are for none of them.

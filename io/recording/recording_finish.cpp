@@ -191,6 +191,19 @@ std::optional<Error> RecordingAssembly::settle_midnights() const {
                location_of(doubt->origin)};
 }
 
+std::optional<Error> RecordingAssembly::settle_shows() {
+  if (!shows_apart_) return std::nullopt;
+  if (options_.frame != Frame::kMetres) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "the shows are at different places, or not all say theirs: how they lie to each "
+                 "other is not known; read each for itself, or say --crs metres if all count from "
+                 "one place"};
+  }
+  note("the shows are at different places, or not all say theirs; none is taken");
+  recording_.show->place.reset();
+  return std::nullopt;
+}
+
 std::optional<Error> RecordingAssembly::settle_frame() {
   if (!facts_ || frame_is_settled_) return std::nullopt;
   SourceFacts& facts = *facts_;
@@ -335,6 +348,7 @@ Result<Recording> RecordingAssembly::finish() {
   }
   if (auto error = overlapping_trials()) return *std::move(error);
   if (auto error = overlapping_tags()) return *std::move(error);
+  if (auto error = settle_shows()) return *std::move(error);
   if (auto error = settle_frame()) return *std::move(error);
   leave_out_zeros();
   if (tracks_.empty()) return nothing_left();

@@ -165,7 +165,7 @@ def check_coverage(coverage, known):
 
 
 def check(path, options, threshold, **arguments):
-    more = [f"--threshold={threshold}"]
+    more = [f"--threshold={threshold}m"]
     more += [
         f"--{name.replace('_', '-')}" if value is True else f"--{name.replace('_', '-')}={value}"
         for name, value in arguments.items()

@@ -48,12 +48,17 @@ std::string findings_of(const SnapshotFacts& facts) {
 
 std::string findings_of(const RecordingFacts& facts) {
   std::string text = count_label(facts.tracks.size(), "bee", "bees") + ". ";
+  const std::string but_for = facts.standing_count == 0
+                                  ? ""
+                                  : ", but for " +
+                                        count_label(facts.standing_count, "conflict", "conflicts") +
+                                        " of two that both stand on the ground";
   if (facts.conflict_count == 0 && !facts.unknown.empty()) {
-    return text + "No two come " + too_close(facts.swarm) + " in the known time; " + facts.unknown +
-           ".";
+    return text + "No two come " + too_close(facts.swarm) + " in the known time" + but_for + "; " +
+           facts.unknown + ".";
   }
   if (facts.conflict_count == 0)
-    return text + "No bee comes " + too_close(facts.swarm) + " to another.";
+    return text + "No bee comes " + too_close(facts.swarm) + " to another" + but_for + ".";
   text += count_label(facts.conflict_count, "conflict", "conflicts") + " of " +
           count_label(facts.pair_count, "pair", "pairs") + ": " + too_close(facts.swarm);
   if (facts.possible_count > 0) {

@@ -285,6 +285,15 @@ TEST(Figure, APossibleConflictIsMarkedAsSuch) {
   EXPECT_TRUE(says(figure_of(facts), "5.001 m at 50.0 s, possible"));
 }
 
+TEST(Figure, TwoThatBothStandAreNotPassedOverInSilence) {
+  RecordingFacts facts = two_tracks();
+  facts.conflicts.clear();
+  facts.conflict_count = facts.pair_count = 0;
+  EXPECT_FALSE(says(figure_of(facts), "but for"));
+  facts.standing_count = 1;
+  EXPECT_TRUE(says(figure_of(facts), "but for 1 conflict of two that both stand on the ground"));
+}
+
 TEST(Figure, ListsNothingAtTheThresholdThatIsBelowIt) {
   SnapshotFacts facts = three_bees();
   facts.distances_m = {99.99996};

@@ -223,6 +223,37 @@ TEST(ShowPlace, OfAShowIsNotGuessed) {
       with(R"({"origin": [474729200, 190620700], "orientation": 30, "type": "neu"})").exit_code, 0);
 }
 
+// How they lie to each other is not guessed: the next show may stand right beside the first one.
+TEST(ShowPlace, OfSeveralShowsIsToBeOne) {
+  const TemporaryFolder folder;
+  const std::string show = text_of_file(show_file("ring.json"));
+  const auto at = [&](const std::string& name, const std::string& location) {
+    std::string other = show;
+    const std::size_t begin = other.find(R"({"origin")");
+    other.replace(begin, other.find('}', begin) + 1 - begin, location);
+    return folder.file(name, other);
+  };
+  const std::string here =
+      at("here.json", R"({"origin": [474729200, 190620700], "orientation": 30, "type": "neu"})");
+  const std::string there =
+      at("there.json", R"({"origin": [474729300, 190620700], "orientation": 30, "type": "neu"})");
+  const std::string nowhere = at("nowhere.json", "{}");
+  for (const char* const command : {"verify", "replay"}) {
+    for (const std::string& other : {there, nowhere}) {
+      const Finished apart = run({command, here, other});
+      EXPECT_EQ(apart.exit_code, 2) << apart.err;
+      expect_parts(apart.err, {"how they lie to each other is not known", "--crs metres"});
+    }
+    // Two that are at one place, as the caller says, collide drone by drone.
+    EXPECT_EQ(run({command, here, there, "--crs", "metres", "--threshold", "1"}).err.find("error"),
+              std::string::npos);
+    EXPECT_EQ(
+        run({command, here, folder.file("again.json", text_of_file(here)), "--threshold", "1"})
+            .err.find("error"),
+        std::string::npos);
+  }
+}
+
 // Which comes first is asked for, with what to type.
 TEST(ShowPlace, InDegreesIsAskedFor) {
   const TemporaryFolder folder;
