@@ -12,7 +12,8 @@
 namespace beespace::analysis {
 namespace {
 
-// Millimetres are not looked for in a wider place, whoever says metres: 20 m for one.
+// Places spread wider than so many thresholds are asked about even with --crs metres: 20 m for a
+// millimetre.
 constexpr double kWidest = 20'000.0;
 
 bool is_small(io::Unit unit) {

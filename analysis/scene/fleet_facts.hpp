@@ -18,7 +18,7 @@ namespace beespace::analysis {
 inline constexpr std::size_t kMostFleetStates = 3'000'000;
 
 // `tracks` are those of the recording. `skip_bad`: agents that the recording lacks are left out.
-// Appends to `notes` what must be said aloud. Errors: kMalformedRecord where the log is not one of
+// Appends to `notes` what must be told. Errors: kMalformedRecord where the log is not one of
 // this recording, with the place in the log; kTooManyPoints.
 Result<report::FleetFacts> fleet_facts(const io::FleetLog& log, const io::Recording& recording,
                                        const std::vector<Track>& tracks, bool skip_bad,

@@ -16,7 +16,7 @@ namespace beespace::cli {
 struct MissionToFly {
   scenes::Mission mission;
   FlightNames names;
-  std::vector<std::string> notes;  // what must be said aloud
+  std::vector<std::string> notes;  // what must be told
 };
 
 // Errors: those of reading; kInvalidArgument, or kMalformedRecord of a file, where two starts, or

@@ -64,7 +64,7 @@ class AircraftChoice {
   [[nodiscard]] Fix place_of(const AircraftReport& report) const;
 
   [[nodiscard]] HeightDatum datum() const;
-  // To be said aloud.
+  // To be told.
   [[nodiscard]] std::string note() const;
   // That of a format whose heights are in that unit.
   static std::vector<UnitTaken> units(Unit height_unit, std::string_view format);

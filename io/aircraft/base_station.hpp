@@ -28,7 +28,7 @@ class BaseStation {
   static constexpr double kVelocityLasts_s = 10.0;
   static constexpr std::size_t kMostAircraft = std::size_t{1} << 16;  // that are kept apart
 
-  // What is to be said aloud.
+  // What is to be told.
   static std::string_view note();
 
   // `line` has no line end. Sets `report` where the message completes a position, to nothing where

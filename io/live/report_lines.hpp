@@ -102,7 +102,7 @@ class ReportLines {
   [[nodiscard]] std::string description() const;  // "text, comma-separated", "readsb JSON", ...
   [[nodiscard]] HeightDatum heights() const;
   [[nodiscard]] std::vector<UnitTaken> units() const;
-  // What was decided, and how much was left out so far, to be said aloud.
+  // What was decided, and how much was left out so far, to be told.
   [[nodiscard]] std::vector<std::string> notes() const;
   // Of how many it is not known when they were where they say, as MissingRecords::untimed.
   [[nodiscard]] std::uint64_t untimed() const;

@@ -19,14 +19,6 @@ bool stands_by(const MavlinkPayload& heartbeat) {
          heartbeat.byte(7) == kStandby;
 }
 
-// What drives or swims is at a height of which nothing says where the ground is, and drives on
-// while it says so.
-bool is_no_aircraft(const MavlinkPayload& heartbeat) {
-  constexpr std::uint8_t kRover = 10;  // MAV_TYPE; behind it boats and submarines
-  constexpr std::uint8_t kSubmarine = 12;
-  return heartbeat.byte(4) >= kRover && heartbeat.byte(4) <= kSubmarine;
-}
-
 }  // namespace
 
 void VehicleLandings::take(const MavlinkFrame& frame, std::int64_t stamp) {
@@ -34,7 +26,7 @@ void VehicleLandings::take(const MavlinkFrame& frame, std::int64_t stamp) {
   Said& said = said_[{frame.system, frame.component}];
   const MavlinkPayload payload(frame.payload);
   if (frame.message == kHeartbeat) {
-    said.is_no_aircraft = said.is_no_aircraft || is_no_aircraft(payload);
+    said.never_lands = said.never_lands || never_lands(payload.byte(4));
     said.heartbeats.take(stamp, stands_by(payload));
     return;
   }
@@ -45,7 +37,7 @@ void VehicleLandings::take(const MavlinkFrame& frame, std::int64_t stamp) {
 
 const LandedReports* VehicleLandings::of(std::uint8_t system, std::uint8_t component) const {
   const auto found = said_.find({system, component});
-  if (found == said_.end() || found->second.is_no_aircraft) return nullptr;
+  if (found == said_.end() || found->second.never_lands) return nullptr;
   return found->second.has_state ? &found->second.state : &found->second.heartbeats;
 }
 

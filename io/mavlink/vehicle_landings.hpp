@@ -25,7 +25,7 @@ class VehicleLandings {
     LandedReports state;
     LandedReports heartbeats;
     bool has_state = false;
-    bool is_no_aircraft = false;
+    bool never_lands = false;
   };
 
   std::map<std::pair<std::uint8_t, std::uint8_t>, Said> said_;  // by system and component

@@ -29,7 +29,7 @@ struct FlightPlans {
   std::vector<double> max_accelerations_mps2;
   std::string format_description;  // "text, comma-separated"
   std::vector<UnitTaken> units;
-  std::vector<std::string> notes;  // what else was decided and must be said aloud
+  std::vector<std::string> notes;  // what else was decided and must be told
 };
 
 // What each bee can do, with `otherwise` for what the table does not tell; empty where it tells

@@ -30,7 +30,7 @@ struct LoadedPoints {
   std::vector<UnitTaken> units;    // of what was read; heights (or z) are always among them
   Unit height_unit = Unit::kMetre;  // of Record::height
   HeightDatum heights = HeightDatum::kUnstated;
-  std::vector<std::string> notes;  // what else was decided and must be said aloud
+  std::vector<std::string> notes;  // what else was decided and must be told
   std::vector<Error> skipped;      // with skip_bad: the first bad records
   std::uint64_t skipped_count = 0;
   std::uint64_t repeated_headers = 0;  // lines that are the header again, and passed over

@@ -1,5 +1,5 @@
 // Records that are no mistake but say too little, or not what was asked for: counted by reason, to
-// be said aloud. Whether they may hide a bee that flies is part of the reason.
+// be told. Whether they may hide a bee that flies is part of the reason.
 #pragma once
 
 #include <cstdint>

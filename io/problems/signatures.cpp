@@ -31,9 +31,8 @@ constexpr std::string_view kBag =
 constexpr std::string_view kDataFlash =
     ", which is not read; make a table of its positions: pip install pymavlink, then "
     "mavlogdump.py --format csv --types POS FILE > pos.csv, and read it with --columns "
-    "time=timestamp,lon=Lng,lat=Lat,height=Alt (without a time of GPS it counts from when each "
-    "drone "
-    "was switched on: then logs of several have no common clock)";
+    "time=timestamp,lon=Lng,lat=Lat,height=Alt (without a time of GPS it counts from when "
+    "each drone was switched on: then logs of several have no common clock)";
 constexpr std::string_view kMatlab =
     ", which is not read; see what it has: pip install scipy, then python3 -c \"import scipy.io; "
     "print(scipy.io.whosmat('FILE'))\"; docs/recipes/matlab.md has the lines that ask about it";

@@ -144,7 +144,7 @@ class Gathering {
     log.clock = clock_of(first_of(gps_, kGpsTopic, log));
     log.losses = walk_.losses();
     for (const auto& [micros, landed] : first_of(landed_, kLandTopic, log)) {
-      if (!is_rover_) log.landed.take(micros, landed);
+      if (!never_lands_) log.landed.take(micros, landed);
     }
     return log;
   }
@@ -198,16 +198,12 @@ class Gathering {
     reports.emplace_back(static_cast<std::int64_t>(micros), numbers.flag("landed"));
   }
 
-  // What drives or swims says that it has landed wherever it is not armed, or slow.
   void take_type() {
-    constexpr double kRover = 10.0;  // MAV_TYPE; behind it boats and submarines
-    constexpr double kSubmarine = 12.0;
     constexpr double kVehicleRover = 3.0;  // VEHICLE_TYPE_ROVER
     if (!walk_.topic().layout) return;
     const Numbers numbers(*walk_.topic().layout, walk_.message());
-    const double type = numbers.of("system_type");
-    is_rover_ = is_rover_ || (type >= kRover && type <= kSubmarine) ||
-                numbers.of("vehicle_type") == kVehicleRover;
+    never_lands_ = never_lands_ || never_lands(numbers.of("system_type")) ||
+                   numbers.of("vehicle_type") == kVehicleRover;
   }
 
   // A topic that should tell places, or the time, and cannot be understood.
@@ -237,7 +233,7 @@ class Gathering {
   std::map<std::uint8_t, std::vector<Px4Place>> local_;
   std::map<std::uint8_t, std::vector<std::int64_t>> gps_;
   std::map<std::uint8_t, std::vector<std::pair<std::int64_t, bool>>> landed_;
-  bool is_rover_ = false;
+  bool never_lands_ = false;
 };
 
 }  // namespace

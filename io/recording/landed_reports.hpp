@@ -23,6 +23,14 @@
 
 namespace beespace::io {
 
+// Of what a vehicle is by its own word (MAV_TYPE of MAVLink): whether it drives or swims. Nothing
+// says where the ground is beneath it, and it says that it has landed while it goes on.
+inline bool never_lands(double mav_type) {
+  constexpr double kRover = 10.0;  // behind it boats and submarines
+  constexpr double kSubmarine = 12.0;
+  return mav_type >= kRover && mav_type <= kSubmarine;
+}
+
 class LandedReports {
  public:
   struct Place {

@@ -121,7 +121,7 @@ struct Recording {
   bool of_aircraft = false;            // its format or its columns say so
   bool of_drones = false;              // all of it is what autopilots logged
   std::optional<ShowFacts> show = {};  // of drone shows: plans, not what was flown
-  std::vector<std::string> notes;      // what else was decided and must be said aloud
+  std::vector<std::string> notes;      // what else was decided and must be told
   std::vector<Error> skipped;          // with skip_bad: the first bad records
   std::uint64_t skipped_count = 0;
   MissingRecords missing;  // bad records that were skipped are among them

@@ -1,4 +1,4 @@
-// Several inputs -> one recording: what they must agree on, and what must be said aloud.
+// Several inputs -> one recording: what they must agree on, and what must be told.
 //
 // Used in this order: begin_source(), then agree(), bad(), note(), tracks() for what is in it, for
 // each input; finish() at the end.

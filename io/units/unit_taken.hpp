@@ -16,7 +16,7 @@ enum class UnitEvidence : std::uint8_t {
   kUsual,   // nothing: ours, where nothing speaks of another one
 };
 
-// The unit that some numbers of the input were taken for, and why: to be said aloud.
+// The unit that some numbers of the input were taken for, and why: to be told.
 struct UnitTaken {
   std::string of;  // "heights", "speeds", "climb rates", "x and y"
   Unit unit = Unit::kMetre;

@@ -56,7 +56,7 @@ std::string threshold_name(const SwarmFacts& swarm);
 void draw_listing(const Listing& listing, Spot corner, double width, double bottom,
                   Drawing& drawing);
 
-// What must be said aloud, below all; and sets the drawing's height.
+// What must be told, below all; and sets the drawing's height.
 void finish_sheet(const SwarmFacts& swarm, double bottom, Drawing& drawing);
 
 }  // namespace beespace::report
