@@ -33,6 +33,14 @@ TEST(SeveralVehicles, ASecondSetOfCoordinatesIsRefused) {
                 "'x', 'y' and 'x2', 'y2'; write a record for each vehicle and time"});
 }
 
+TEST(SeveralVehicles, ALineOfAwkMakesRecords) {
+  expect_error(load_with("time_s,r1_x [mm],r1_y [mm],r2_x [mm],r2_y [mm]"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "as by awk -F',' '{sub(/\\r$/,\"\")}function p(i,a,b){if($a!=\"\")print "
+                "$1\",\"i\",\"$a\",\"$b}NR==1{print \"time_s,id,x_mm,y_mm\"}NR>1{p(\"r1\",2,3);p("
+                "\"r2\",4,5)}' FILE > long.csv"});
+}
+
 TEST(SeveralVehicles, WhoSaysWhichColumnsIsBelieved) {
   EXPECT_TRUE(load_with("time_s,x,y,z,x2,y2,z2", columns_are("time=1,x=5,y=6,z=7")));
 }
