@@ -135,9 +135,12 @@ std::optional<std::size_t> take_faint(const TableLayout& table, std::vector<std:
   return taken;
 }
 
+// Not "1718000000.0", as pandas writes whole numbers beside ones that are missing.
 bool have_fractions(const FirstFields& times) {
-  return std::all_of(times.texts.begin(), times.texts.end(), [](std::string_view text) {
-    return text.find('.') != std::string_view::npos;
+  return std::any_of(times.texts.begin(), times.texts.end(), [](std::string_view text) {
+    const std::size_t point = text.find('.');
+    return point != std::string_view::npos &&
+           text.find_first_of("123456789", point) != std::string_view::npos;
   });
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace beespace::io {
@@ -46,9 +47,13 @@ std::string as_utf16(std::string_view text, bool little) {
 Result<Recording> both(const std::string& first, const std::string& second,
                        const RecordingOptions& options = {}) {
   const TemporaryFolder folder;
-  return load_recording({folder.write("Raw data-Subject 1.txt", first),
-                         folder.write("Raw data-Subject 2.txt", second)},
-                        options);
+  auto loaded = load_recording({folder.write("Raw data-Subject 1.txt", first),
+                                folder.write("Raw data-Subject 2.txt", second)},
+                               options);
+  if (loaded) return loaded;
+  Error error = std::move(loaded).error();
+  error.location.source.erase(0, error.location.source.find("Raw"));
+  return error;
 }
 
 TEST(EthovisionTable, TheUnitIsInTheRowBelowTheNames) {
@@ -79,7 +84,7 @@ TEST(EthovisionTable, FilesOfOneTrialHaveOneClock) {
 TEST(EthovisionTable, TrialsAreNotCompared) {
   const std::string other = raw_data("2.0", "Trial     2");
   expect_error(both(raw_data("1.0"), other),
-               {ErrorCode::kInvalidArgument, "Subject 2.txt",
+               {ErrorCode::kInvalidArgument, "Raw data-Subject 2.txt",
                 "count from the beginning of trial 'Trial     2' of '06/05/2024 10:00:00'"});
   RecordingOptions options;
   options.one_clock = true;
@@ -89,7 +94,7 @@ TEST(EthovisionTable, TrialsAreNotCompared) {
 TEST(EthovisionTable, ArenasMayHaveOriginsOfTheirOwn) {
   const std::string other = raw_data("2.0", "Trial     1", "Arena 2");
   expect_error(both(raw_data("1.0"), other),
-               {ErrorCode::kUnknownFrame, "Subject 2.txt", "say so with --crs metres"});
+               {ErrorCode::kUnknownFrame, "Raw data-Subject 2.txt", "say so with --crs metres"});
   RecordingOptions options;
   options.frame = Frame::kMetres;
   EXPECT_TRUE(both(raw_data("1.0"), other, options));
@@ -99,7 +104,7 @@ TEST(EthovisionTable, TheColumnsAloneAreKnown) {
   EXPECT_EQ(recording_of(record(columns("1.0"))).bees.size(), 1U);
   // Nothing says what clock they have, then.
   expect_error(both(columns("1.0"), columns("2.0")),
-               {ErrorCode::kInvalidArgument, "Subject 2.txt", "both begin at 0"});
+               {ErrorCode::kInvalidArgument, "Raw data-Subject 2.txt", "both begin at 0"});
 }
 
 TEST(EthovisionTable, AUnitThatNoRowSaysIsAskedFor) {

@@ -98,7 +98,8 @@ TEST(FormatsOfAnimals, PointsOfRAreSplit) {
     EXPECT_TRUE(has_note(recording, "places are points in one cell"));
   }
   // Whether they are degrees is asked of numbers, as of other tables with x and y.
-  expect_error(record("id,timestamp,geometry\na,2024-07-01T08:00:00Z,POINT (-6.5 37.25)\n"),
+  expect_error(record("id,timestamp,geometry\na,2024-07-01T08:00:00Z,POINT (-6.5 37.25)\n"
+                      "a,2024-07-01T08:20:00Z,POINT (-6.5 37.5)\n"),
                {ErrorCode::kUnknownFrame, "bees.csv", "--crs wgs84"});
 }
 
@@ -117,7 +118,7 @@ TEST(FormatsOfAnimals, OneOfSeveralPlacesOfABodyIsAskedFor) {
 TEST(FormatsOfAnimals, PlacesOfNinesStandForNone) {
   expect_error(
       record("id,time_s,lat,lon\na,0,37.0,-6.0\na,1,-9999,-9999\n"),
-      {ErrorCode::kInvalidLongitude, "bees.csv:3", "leave such records out with --skip-bad"});
+      {ErrorCode::kInvalidLongitude, "bees.csv:3:4", "leave such records out with --skip-bad"});
 }
 
 TEST(FormatsOfAnimals, WhatIsNotDeterminedIsNoHeader) {
@@ -131,22 +132,27 @@ TEST(FormatsOfAnimals, WhatIsNotDeterminedIsNoHeader) {
 TEST(FormatsOfAnimals, DaysOfMatlabAreAskedAbout) {
   const std::string days =
       "id,time,lat,lon\na,739433.333333,37.0,-6.0\na,739433.340278,37.0,-6.0\n";
-  expect_error(record(days), {ErrorCode::kInvalidArgument, "bees.csv:1", "datestr"});
+  expect_error(record(days), {ErrorCode::kInvalidArgument, "bees.csv:1:2", "datestr"});
   RecordingOptions options;
   options.time_unit = Unit::kSecond;
-  expect_error(record(days, options), {ErrorCode::kInvalidArgument, "bees.csv:1", "datestr"});
+  expect_error(record(days, options), {ErrorCode::kInvalidArgument, "bees.csv:1:2", "datestr"});
   EXPECT_TRUE(record("id,time,lat,lon\na,739433.25,37.0,-6.0\na,739433.5,37.0,-6.0\n", options));
 }
 
 TEST(FormatsOfAnimals, WhatExcelSpoiltIsSaid) {
   expect_error(record("id,time,x_mm,y_mm\na,00:00.0,1,2\n"),
-               {ErrorCode::kNotANumber, "bees.csv:1", "Excel shows times so"});
+               {ErrorCode::kNotANumber, "bees.csv:1:2", "Excel shows times so"});
 }
 
 TEST(FormatsOfAnimals, DifferencesOfPandasAreNamed) {
   expect_error(record("elapsed,robot,x [m],y [m]\n0 days 00:00:01.5,a,1,2\n"),
-               {ErrorCode::kMissingColumn, "bees.csv:1",
+               {ErrorCode::kMissingColumn, "bees.csv:1:1",
                 "pandas.to_timedelta(df['elapsed']).dt.total_seconds()"});
+}
+
+TEST(FormatsOfAnimals, WholeNumbersWithAPointTellNoUnit) {
+  expect_error(record("time,robot,x_m,y_m\n1718000000.0,r1,-6,0\n1718100000.0,r1,-5.9,0\n"),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:1", "in which unit?"});
 }
 
 TEST(FormatsOfAnimals, SecondsWithFractionsTellTheirUnit) {

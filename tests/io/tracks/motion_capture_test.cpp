@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace beespace::io {
@@ -40,7 +42,12 @@ Result<Recording> two(const std::string& text, const RecordingOptions& options =
   for (std::size_t at = 0; (at = other.find("robot", at)) != std::string::npos; ++at) {
     other.replace(at, 5, "drone");
   }
-  return load_recording({folder.write("a.csv", text), folder.write("b.csv", other)}, options);
+  auto loaded =
+      load_recording({folder.write("a.csv", text), folder.write("b.csv", other)}, options);
+  if (loaded) return loaded;
+  Error error = std::move(loaded).error();
+  error.location.source.erase(0, error.location.source.rfind('/') + 1);
+  return error;
 }
 
 TEST(ViconTable, TranslationsAreThePlacesOfObjects) {

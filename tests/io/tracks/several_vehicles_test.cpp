@@ -120,7 +120,8 @@ TEST(MotionCapture, IsToldWhatToWriteInstead) {
       "Frame,Time (Seconds),X\n0,0.0,1\n";
   const std::string qtm = "NO_OF_FRAMES\t1200\nNO_OF_CAMERAS\t12\nMARKER_NAMES\tuav0\n1\t0.0\t1\n";
   const std::string nexus =
-      "Trajectories\r\n20\r\n,,uav0:m1,,\r\nFrame,Sub Frame,X,Y,Z\r\n,,mm,mm,mm\r\n1,0,1,2,3\r\n";
+      "Model Outputs\r\n20\r\n,,uav0:LAnkleAngles,,\r\nFrame,Sub Frame,X,Y,Z\r\n,,deg,deg,deg\r\n"
+      "1,0,1,2,3\r\n";
   for (const std::string& text : {motive, qtm, nexus}) {
     expect_error(record(text), {ErrorCode::kUnsupportedFormat, "bees.csv",
                                 "with columns time_s, id, x_mm, y_mm"});
