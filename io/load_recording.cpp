@@ -4,6 +4,7 @@
 #include "io/aircraft/base_station_reading.hpp"
 #include "io/bytes/byte_source.hpp"
 #include "io/bytes/gzip.hpp"
+#include "io/bytes/utf16.hpp"
 #include "io/bytes/windows_1252.hpp"
 #include "io/bytes/zip_archive.hpp"
 #include "io/encounters/bluesky_scenario.hpp"
@@ -23,11 +24,15 @@
 #include "io/shows/show_documents.hpp"
 #include "io/shows/show_reading.hpp"
 #include "io/table/decimal_comma.hpp"
+#include "io/tracks/ethovision_table.hpp"
 #include "io/tracks/json_table.hpp"
 #include "io/tracks/motive_table.hpp"
+#include "io/tracks/point_cells.hpp"
 #include "io/tracks/pose_table.hpp"
+#include "io/tracks/qtm_table.hpp"
 #include "io/tracks/track_table.hpp"
 #include "io/tracks/trackmate_table.hpp"
+#include "io/tracks/vicon_table.hpp"
 #include "io/tracks/wide_table.hpp"
 
 #include <algorithm>
@@ -104,11 +109,20 @@ std::optional<Error> read_text_table(Bytes content, const std::string& path, boo
     content = *std::move(points);
     assembly.note("numbers have decimal commas");
   }
+  if (auto split = with_split_points(without_byte_order_mark(content.view))) {
+    content = *std::move(split);
+    assembly.note(std::string(kTakenFromPoints));
+  }
   if (assembly.options().format == RecordingFormat::kAuto) {
     const std::string_view text = without_byte_order_mark(content.view);
     const bool columns_are_named = !assembly.options().columns.empty();
     if (!columns_are_named && is_trackmate_table(text)) return read_trackmate_table(text, assembly);
     if (!columns_are_named && is_motive_table(text)) return read_motive_table(text, assembly);
+    if (!columns_are_named && is_vicon_table(text)) return read_vicon_table(text, assembly);
+    if (!columns_are_named && is_qtm_table(text)) return read_qtm_table(text, assembly);
+    if (!columns_are_named && is_ethovision_table(text)) {
+      return read_ethovision_table(text, stem_of(path), assembly);
+    }
     if (is_pose_table(text)) return read_pose_table(text, stem_of(path), assembly);
     if (!columns_are_named && is_wide_table(text)) return read_wide_table(text, assembly);
   }
@@ -119,8 +133,17 @@ Error stream_without_times() {
   return {ErrorCode::kUnsupportedFormat, "this is " + std::string(kStreamWithoutTimes), {}};
 }
 
+// What is UTF-16, as its mark says, in UTF-8.
+void take_utf16(Bytes& bytes, RecordingAssembly& assembly) {
+  auto utf8 = from_utf16(bytes.view);
+  if (!utf8) return;
+  bytes = *std::move(utf8);
+  assembly.note(std::string(kTakenForUtf16));
+}
+
 std::optional<Error> read_member(Bytes bytes, const std::string& name, bool bare_skybrush,
                                  RecordingAssembly& assembly) {
+  take_utf16(bytes, assembly);
   if (is_ulog(bytes.view)) return read_flight(bytes.view, name, assembly);
   if (is_stream_without_times(bytes.view)) return stream_without_times();
   if (is_telemetry_log(bytes.view)) return read_telemetry(bytes.view, name, assembly);
@@ -229,6 +252,7 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
   assembly.add_bytes(bytes.view.size());
   auto content = unpacked(std::move(bytes), source);
   if (!content) return content.error();
+  take_utf16(*content, assembly);
   if (is_zip(content->view)) {
     if (std::string words = words_of_zip(content->view); !words.empty()) {
       return Error{ErrorCode::kUnsupportedFormat, "this is " + words, {}};

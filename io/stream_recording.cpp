@@ -16,9 +16,13 @@
 #include "io/recording/recording_sources.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
+#include "io/tracks/ethovision_table.hpp"
+#include "io/tracks/motive_table.hpp"
 #include "io/tracks/pose_table.hpp"
+#include "io/tracks/qtm_table.hpp"
 #include "io/tracks/record_numbers.hpp"
 #include "io/tracks/trackmate_table.hpp"
+#include "io/tracks/vicon_table.hpp"
 #include "io/tracks/wide_table.hpp"
 
 #include <algorithm>
@@ -83,6 +87,13 @@ std::optional<Error> format_problem(std::string_view beginning, const RecordingO
     return not_as_it_comes("a table of spots of TrackMate");
   }
   if (is_pose_table(text)) return not_as_it_comes("a table of poses");
+  if (options.columns.empty() && is_ethovision_table(text)) {
+    return not_as_it_comes("raw data of EthoVision");
+  }
+  if (options.columns.empty() &&
+      (is_motive_table(text) || is_vicon_table(text) || is_qtm_table(text))) {
+    return not_as_it_comes("an export of motion capture");
+  }
   if (options.columns.empty() && is_wide_table(text)) {
     return not_as_it_comes("a table with columns for each animal");
   }

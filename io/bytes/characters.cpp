@@ -33,6 +33,27 @@ bool matches(std::string_view pattern, std::string_view word) {
 
 }  // namespace
 
+void append_utf8(std::string& text, std::uint32_t character) {
+  const auto follows = [&](unsigned int bits) {
+    text += static_cast<char>(0x80u | (character >> bits & 0x3Fu));
+  };
+  if (character < 0x80) {
+    text += static_cast<char>(character);
+  } else if (character < 0x800) {
+    text += static_cast<char>(0xC0u | character >> 6u);
+    follows(0);
+  } else if (character < 0x1'0000) {
+    text += static_cast<char>(0xE0u | character >> 12u);
+    follows(6);
+    follows(0);
+  } else {
+    text += static_cast<char>(0xF0u | character >> 18u);
+    follows(12);
+    follows(6);
+    follows(0);
+  }
+}
+
 std::size_t utf8_length(std::string_view text) {
   const unsigned char lead = byte_at(text, 0);
   if (lead < 0x80) return 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,9 @@ namespace beespace::io {
 // The length of the well-formed UTF-8 sequence at the start of `text` (Unicode 15, table 3-7);
 // 0 when there is none.
 std::size_t utf8_length(std::string_view text);
+
+// Writes a character behind `text`, in UTF-8.
+void append_utf8(std::string& text, std::uint32_t character);
 
 // In lower case: ASCII, the letters of western Europe, and Cyrillic, in UTF-8.
 std::string lower_case(std::string_view text);

@@ -35,19 +35,6 @@ bool is_utf8(std::string_view text) {
   }
 }
 
-void append(std::string& text, std::uint32_t character) {
-  if (character < 0x80) {
-    text += static_cast<char>(character);
-  } else if (character < 0x800) {
-    text += static_cast<char>(0xC0u | character >> 6u);
-    text += static_cast<char>(0x80u | (character & 0x3Fu));
-  } else {
-    text += static_cast<char>(0xE0u | character >> 12u);
-    text += static_cast<char>(0x80u | (character >> 6u & 0x3Fu));
-    text += static_cast<char>(0x80u | (character & 0x3Fu));
-  }
-}
-
 }  // namespace
 
 std::optional<Bytes> from_windows_1252(std::string_view text) {
@@ -56,7 +43,7 @@ std::optional<Bytes> from_windows_1252(std::string_view text) {
   converted.reserve(text.size() + text.size() / 8);
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    append(converted, byte >= 0x80 && byte < 0xA0 ? kCharacters[byte - 0x80u] : byte);
+    append_utf8(converted, byte >= 0x80 && byte < 0xA0 ? kCharacters[byte - 0x80u] : byte);
   }
   return copy_of(converted);
 }

@@ -33,6 +33,19 @@ std::optional<std::size_t> bad_axis(const Point& point, Frame frame, ErrorCode& 
   return std::nullopt;
 }
 
+constexpr std::string_view kUnknownAdvice =
+    ", and seems to stand for a place that is not known; leave such records out with --skip-bad, "
+    "or empty their fields";
+
+// 999, -9999.99: nines alone, as many tools write where they know nothing.
+bool stands_for_unknown(double value) {
+  const double magnitude = std::abs(value);
+  for (double nines = 999.0; nines < 1e10; nines = nines * 10.0 + 9.0) {
+    if (magnitude >= nines && magnitude < nines + 1.0) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool surely_in_range(const Extent& extent, Frame frame) {
@@ -60,13 +73,15 @@ Error range_error(const RangeProblem& problem, const Point& point, const std::st
   std::string message;
   switch (problem.code) {
     case ErrorCode::kInvalidLongitude:
-      message = "longitude " + shown +
-                " is beyond 360 degrees; correct it, or say --crs metres if "
-                "these are metres";
+      message = "longitude " + shown + " is beyond 360 degrees";
+      message += stands_for_unknown(point.x)
+                     ? std::string(kUnknownAdvice)
+                     : "; correct it, or say --crs metres if these are metres";
       break;
     case ErrorCode::kInvalidLatitude:
       message = "latitude " + shown + " is beyond 90 degrees";
-      message += std::abs(point.x) <= 90.0
+      message += stands_for_unknown(point.y) ? std::string(kUnknownAdvice)
+                 : std::abs(point.x) <= 90.0
                      ? "; are longitude and latitude swapped? Then say --columns lon=2,lat=1,..."
                      : "; correct it, or say --crs metres if these are metres";
       break;

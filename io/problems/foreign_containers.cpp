@@ -21,6 +21,10 @@ constexpr std::string_view kPandasHdf5 =
 constexpr std::string_view kSleap =
     "a file of SLEAP (HDF5), which is not read; make a table of it: sleap-convert --format "
     "analysis.csv FILE";
+constexpr std::string_view kSleapAnalysis =
+    "an analysis file of SLEAP (HDF5), which is not read; make a table of the project that it was "
+    "made of: sleap-convert --format analysis.csv PROJECT.slp, or, with its video beside it, of "
+    "this file: sleap-convert --format analysis.csv --video VIDEO FILE";
 constexpr std::string_view kIdtracker =
     "a file of idtracker.ai (HDF5), which is not read; make CSV of its trajectories: "
     "idtrackerai_csv FOLDER, with the folder of the session";
@@ -52,6 +56,13 @@ constexpr std::string_view kTrackMateTracks =
     "sep=',') for i, p in enumerate(E.parse('FILE').iter('particle')) for d in "
     "p.iter('detection')]\" > tracks.csv, which is read with --fps and --scale";
 
+constexpr std::string_view kGpx =
+    "a track of a GPS receiver (GPX), which is not read; make a table of it, and of all that are "
+    "of one recording: python3 -c \"import sys, xml.etree.ElementTree as E; "
+    "print('id,time,lon,lat'); [print(f, p.findtext('{*}time'), p.get('lon'), p.get('lat'), "
+    "sep=',') for f in sys.argv[1:] for p in E.parse(f).iterfind('.//{*}trkpt')]\" FILE > "
+    "tracks.csv, where FILE may be several";
+
 // Whether a name is there, near the beginning or the end: such files have their names there, and
 // their numbers between.
 bool has_name(std::string_view bytes, std::string_view name) {
@@ -78,7 +89,8 @@ std::string words_of_hdf5(std::string_view bytes) {
   const bool pandas = has_name(bytes, "pandas_type");
   if (pandas) return std::string(has_name(bytes, "bodyparts") ? kDeepLabCut : kPandasHdf5);
   const bool labels = has_name(bytes, "pred_points") && has_name(bytes, "instances");
-  if (labels || has_name(bytes, "track_occupancy")) return std::string(kSleap);
+  if (labels) return std::string(kSleap);
+  if (has_name(bytes, "track_occupancy")) return std::string(kSleapAnalysis);
   if (has_name(bytes, "id_probabilities")) return std::string(kIdtracker);
   return std::string(kUnknownHdf5);
 }
@@ -106,6 +118,7 @@ std::string words_of_xml(std::string_view bytes) {
   const std::string_view head = bytes.substr(0, kHead);
   if (head.find("<TrackMate") != std::string_view::npos) return std::string(kTrackMate);
   if (head.find("<Tracks ") != std::string_view::npos) return std::string(kTrackMateTracks);
+  if (head.find("<gpx") != std::string_view::npos) return std::string(kGpx);
   return {};
 }
 

@@ -19,6 +19,7 @@ struct Signature {
 };
 
 // What to type, with FILE for the name of the file.
+constexpr std::string_view kUtf16 = "; save it as UTF-8: iconv -f UTF-16 -t UTF-8 FILE > utf8.csv";
 constexpr std::string_view kBag =
     ", which is not read; make a table of its poses: pip install rosbags, then python3 -c \"import "
     "pathlib; from rosbags.highlevel import AnyReader; bag = AnyReader([pathlib.Path('FILE')]); "
@@ -55,8 +56,8 @@ constexpr std::string_view kObjects =
 constexpr std::array<Signature, 34> kSignatures = {{
     {std::string_view("\xFF\xFE\0\0", 4), "UTF-32 text; save it as UTF-8"},
     {std::string_view("\0\0\xFE\xFF", 4), "UTF-32 text; save it as UTF-8"},
-    {"\xFF\xFE", "UTF-16 text; save it as UTF-8"},
-    {"\xFE\xFF", "UTF-16 text; save it as UTF-8"},
+    {"\xFF\xFE", "UTF-16 text", kUtf16},
+    {"\xFE\xFF", "UTF-16 text", kUtf16},
     {"PK\x03\x04",
      "a zip archive: a drone show is for 'beespace replay'; unpack or export anything else as CSV"},
     {"\x1F\x8B", "gzip-compressed data, which is not unpacked here; pipe it in: zcat FILE |"},

@@ -118,6 +118,7 @@ class FlightReading {
     if (assembly_.options().frame == Frame::kMetres || !assembly_.has_several()) {
       return std::nullopt;
     }
+    if (!log_.clock) return std::nullopt;  // which is asked first, as no option helps there
     return Error{ErrorCode::kUnknownFrame,
                  "this PX4 log tells metres from the drone's own origin only, and not where on the "
                  "Earth that is; say --crs metres if all drones have the same origin, as with "

@@ -135,6 +135,16 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
 
 // Times that are counted from a zero of each file's own cannot be compared.
 std::optional<Error> RecordingAssembly::agree_on_zeros(const SourceFacts& facts) {
+  const bool both_say = !facts.trial.empty() && !facts_->trial.empty();
+  if (both_say && (facts.trial == facts_->trial || options_.one_clock)) return std::nullopt;
+  if (both_say) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "times here count from the beginning of " + facts.trial + ", but those of " +
+                     facts_source_ + " from that of " + facts_->trial +
+                     ": trials are not compared with each other; read the files of each trial for "
+                     "themselves, or, if both began at one moment, say so with --one-clock",
+                 {sources_.back()}};
+  }
   const bool both = facts.begins_at_zero && zero_source_;
   const bool small = facts.small_times && facts_->small_times;
   if (facts.since_start || facts_->since_start || both || small) {
@@ -170,6 +180,15 @@ std::optional<Error> RecordingAssembly::agree_on_origins(const SourceFacts& fact
             "its robot was switched on: if all have one origin and direction, say so with "
             "--crs metres; else bring all into one",
         {sources_.back()}};
+  }
+  const bool both_say = !facts.arena.empty() && !facts_->arena.empty();
+  if (both_say && facts.arena != facts_->arena && options_.frame == Frame::kAuto) {
+    return Error{ErrorCode::kUnknownFrame,
+                 "places here are of " + facts.arena + ", but those of " + facts_source_ + " of " +
+                     facts_->arena +
+                     ", which may have an origin of its own: read the files of each arena for "
+                     "themselves, or, if all were calibrated together, say so with --crs metres",
+                 {sources_.back()}};
   }
   facts_->own_origin = facts_->own_origin || facts.own_origin;
   if (!facts_->stamps_ahead_s) facts_->stamps_ahead_s = facts.stamps_ahead_s;

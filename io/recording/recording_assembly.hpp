@@ -72,6 +72,10 @@ struct SourceFacts {
   };
   Parts trials = {};
   Parts tags = {};
+  // From whose beginning times count, and in whose arena places are counted, as the file says:
+  // those of one trial have one clock, those of one arena one origin. Empty where it does not say.
+  std::string trial = {};
+  std::string arena = {};
 };
 
 class RecordingAssembly {

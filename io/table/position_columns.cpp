@@ -128,7 +128,7 @@ NamePattern mover() {
        "transmitter",
        Role::kId, "biology"},
       {Says::kNoun, "particle trajectory", Role::kId, "particle tracking"},
-      {Says::kNoun, "tier vogel ringnummer sendernummer", Role::kId, "German"},
+      {Says::kNoun, "tier vogel ringnummer sendernummer roboter drohne", Role::kId, "German"},
       {Says::kNoun, "abeja", Role::kId, "Spanish"},
       {Says::kNoun, "biene", Role::kId, "German"},
       {Says::kNoun, "abeille", Role::kId, "French"},

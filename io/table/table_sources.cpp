@@ -44,8 +44,11 @@ TableSource history_of_opensky(std::vector<KnownColumn> columns) {
 // PX4: vehicle_global_position, and vehicle_local_position, as ulog2csv of pyulog writes them.
 // Their times are those of each drone. QGroundControl: the table beside each .tlog, in the units of
 // its settings.
-const std::array<TableSource, 12>& known_sources() {
-  static const std::array<TableSource, 12> sources = {
+// Telonics: its Data Converter (TDC), complete or condensed reports; the position is that of the
+// acquisition time. Wildlife Computers: -Locations.csv of its data portal, whose times are UTC.
+// Axy-Trek of TechnoSmart: X, Y, Z are accelerations.
+const std::array<TableSource, 15>& known_sources() {
+  static const std::array<TableSource, 15> sources = {
       TableSource{"traffic",
                   kNotOfTraffic,
                   {{"icao24"},
@@ -165,6 +168,39 @@ const std::array<TableSource, 12>& known_sources() {
            perhaps("heading", Role::kTrack)},
           true,
           true},
+      TableSource{"Telonics",
+                  "",
+                  {{"acquisition_time", Role::kTime},
+                   {"acquisition_start_time"},
+                   {"gps_fix_attempt"},
+                   {"gps_latitude"},
+                   {"gps_longitude"}},
+                  false,
+                  true},
+      TableSource{"Wildlife Computers",
+                  "",
+                  {{"deployid", Role::kId},
+                   {"ptt", Role::kId},
+                   {"date", Role::kTime},
+                   {"type"},
+                   {"quality"},
+                   {"latitude"},
+                   {"longitude"}},
+                  true,
+                  true},
+      TableSource{
+          "Axy-Trek",
+          "",
+          {{"tagid", Role::kId},
+           {"timestamp"},
+           {"x"},
+           {"y"},
+           {"z"},
+           {"location_lat"},
+           {"location_lon"},
+           perhaps("height_above_msl", Role::kHeight, Unit::kMetre, HeightDatum::kMeanSeaLevel)},
+          false,
+          true},
       TableSource{"TRex",
                   "",
                   {{"frame"},
@@ -209,8 +245,9 @@ constexpr std::string_view kOtherQuantities =
     "score prob probability temperature temp humidity battery voltage satellites sats hdop vdop "
     "pdop dop accuracy area size width length count missing error mass ecc eccentricity signal ep "
     "intensity brightness year month julianday hour minute fixtime activity numsats 2d roll pitch "
-    "yaw rollrate pitchrate yawrate climbrate groundspeed airspeed vx vy vz varx vary varxy ptt "
-    "step dx dy dz satcount red green blue rx ry rz";
+    "yaw rollrate pitchrate yawrate climbrate groundspeed airspeed vx vy vz varx vary varxy covxy "
+    "nbs "
+    "ptt step dx dy dz dt dist r2n burst pkey satcount red green blue rx ry rz";
 
 // What ids are unique within: whole names. Movebank's individuals and tags are so within a study.
 constexpr std::string_view kSets =
@@ -245,7 +282,8 @@ const KnownColumn* TableSource::find(std::string_view column) const {
   const auto found =
       std::find_if(columns.begin(), columns.end(), [&plain](const KnownColumn& known) {
         const bool says_more = known.unit != Unit::kUnstated || known.role == Role::kTrack ||
-                               known.role == Role::kId || known.datum != HeightDatum::kUnstated;
+                               known.role == Role::kTime || known.role == Role::kId ||
+                               known.datum != HeightDatum::kUnstated;
         return says_more && known.name == plain;
       });
   return found == columns.end() ? nullptr : &*found;

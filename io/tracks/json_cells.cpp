@@ -90,6 +90,7 @@ void JsonCells::set(std::size_t place, JsonElement value) {
     row_[place].clear();
     return;
   }
+  has_objects_ = has_objects_ || value.is_object();
   if (const auto what = lost_in_cell(value); !what.empty()) shortened(place, what);
   fill(place, cell_of(value), value.is_number());
 }

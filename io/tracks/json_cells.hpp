@@ -45,6 +45,8 @@ class JsonCells {
   // What each column holds, as far as it was filled.
   [[nodiscard]] std::vector<ColumnContent> contents() const;
   [[nodiscard]] const std::string& text() const { return text_; }
+  // Whether a value is an object within its record, of which a cell keeps nothing.
+  [[nodiscard]] bool has_objects() const { return has_objects_; }
   // The place of learn_id().
   [[nodiscard]] std::optional<std::size_t> id_place() const { return id_place_; }
 
@@ -67,6 +69,7 @@ class JsonCells {
   std::vector<ColumnContent> contents_;
   std::vector<Shortened> shortened_;  // in the order of the rows
   std::optional<std::size_t> id_place_;
+  bool has_objects_ = false;
   std::string text_;
 };
 

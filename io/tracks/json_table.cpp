@@ -282,9 +282,26 @@ TableLayout layout_of(const JsonCells& cells) {
   return table;
 }
 
+// {"robot": "a", "pose": {"x": 1, "y": 2}}: whose places are in objects within each.
+std::optional<Error> nested_places(const JsonCells& cells, const RecordingOptions& options) {
+  const auto has = [&cells](std::string_view name) {
+    return std::find(cells.names().begin(), cells.names().end(), name) != cells.names().end();
+  };
+  const bool of_messages = has("msg") || has("meta");  // of rosbridge, of mavlogdump
+  const bool named = names_position(cells.names()) || !options.columns.empty();
+  if (named || of_messages || !cells.has_objects()) return std::nullopt;
+  return Error{ErrorCode::kMissingColumn,
+               "no key names a position, but there are objects within these objects; bring what is "
+               "in them up, with names as pose.x, and read that: jq -c '[paths(scalars) as $p | "
+               "{key: ($p | map(tostring) | join(\".\")), value: getpath($p)}] | from_entries' "
+               "FILE > flat.ndjson",
+               {}};
+}
+
 std::optional<Error> read_cells(JsonCells& cells, std::string description, const std::string& stem,
                                 RecordPlace place, RecordingAssembly& assembly) {
   const RecordingOptions& options = assembly.options();
+  if (auto problem = nested_places(cells, options)) return problem;
   if (options.progress != nullptr) options.progress->total += cells.text().size();
   auto layout = choose_track_layout(layout_of(cells), cells.text(), options, SeenRecords::kWhole);
   if (!layout) {

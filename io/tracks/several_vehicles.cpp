@@ -3,6 +3,7 @@
 #include "io/bytes/characters.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/table/column_names.hpp"
+#include "io/tracks/long_table_recipe.hpp"
 
 #include <algorithm>
 #include <array>
@@ -154,6 +155,18 @@ std::string columns_option(const Set& set, Axis first, Axis second) {
   return text;
 }
 
+// As awk makes a record for each vehicle of them.
+std::string recipe_of(const TableLayout& table, const std::vector<Set>& sets) {
+  std::vector<VehicleColumns> vehicles;
+  for (const Set& set : sets) {
+    if (!set.has(Axis::kX, Axis::kY)) continue;
+    std::string name = set.whose.empty() ? std::to_string(vehicles.size() + 1) : set.whose;
+    if (set.time > 0) name += "_" + std::to_string(set.time + 1);
+    vehicles.push_back({std::move(name), *set.at(Axis::kX), *set.at(Axis::kY), set.at(Axis::kZ)});
+  }
+  return long_table_recipe(table, vehicles);
+}
+
 }  // namespace
 
 std::optional<Error> several_vehicles(const TableLayout& table) {
@@ -170,14 +183,16 @@ std::optional<Error> several_vehicles(const TableLayout& table) {
       const auto shown = [&table, x = first, y = second](const Set& of) {
         return excerpt(table.names[*of.at(x)]) + ", " + excerpt(table.names[*of.at(y)]);
       };
+      const std::string recipe = first == Axis::kX ? recipe_of(table, sets) : std::string();
       Error error;
       error.code = ErrorCode::kMissingColumn;
       error.message =
           "there are places of several vehicles beside each other: " + shown(*one) + " and " +
           shown(set) +
           "; write a record for each vehicle and time, with its name in a column 'id' (time, id, " +
-          (first == Axis::kX ? "x, y, z" : "longitude, latitude, height") +
-          "); if the others are no vehicles, say which columns to take, as in " +
+          (first == Axis::kX ? "x, y, z" : "longitude, latitude, height") + ")" +
+          (recipe.empty() ? "" : ", as by " + recipe) +
+          "; if the others are no vehicles, say which columns to take, as in " +
           columns_option(*one, first, second);
       return error;
     }

@@ -80,7 +80,7 @@ bool is_unknown(std::string_view text) {
            is_one_of(". - -- #n/a", lower_case(text));
   }
   const std::string lower = lower_case(text);
-  return lower.empty() || is_one_of("nan nat none null na n/a <na>", lower);
+  return lower.empty() || is_one_of("nan nat none null na n/a <na> n.d. n/d", lower);
 }
 
 bool says_yes(std::string_view text) {

@@ -16,9 +16,11 @@
 #include "io/tracks/first_fields.hpp"
 #include "io/tracks/known_tables.hpp"
 #include "io/tracks/local_positions.hpp"
+#include "io/tracks/long_poses.hpp"
 #include "io/tracks/mavlogdump.hpp"
 #include "io/tracks/motion_capture.hpp"
 #include "io/tracks/offered_columns.hpp"
+#include "io/tracks/planar_poses.hpp"
 #include "io/tracks/record_numbers.hpp"
 #include "io/tracks/ros_table.hpp"
 #include "io/tracks/scaled_degrees.hpp"
@@ -30,6 +32,7 @@
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
 #include "io/tracks/unclear_id.hpp"
+#include "io/tracks/unread_times.hpp"
 #include "io/tracks/utm_zone.hpp"
 #include "io/tracks/wall_times.hpp"
 
@@ -79,7 +82,8 @@ std::optional<Error> nested_problem(const TableLayout& table) {
                "of them, and read that: jq -c 'select(.op == \"publish\" and .msg.pose) | "
                "(.msg.pose.pose // .msg.pose).position as $p | .msg.header as $h | {id: .topic, "
                "time_s: (($h.stamp.sec // $h.stamp.secs) + ($h.stamp.nanosec // $h.stamp.nsecs) * "
-               "1e-9), \"header.frame_id\": $h.frame_id, x: $p.x, y: $p.y, z: $p.z}' FILE",
+               "1e-9), \"header.frame_id\": $h.frame_id, x: $p.x, y: $p.y, z: $p.z}' FILE "
+               "> poses.ndjson",
                {}};
 }
 
@@ -265,6 +269,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
       if (auto problem = downward(layout.table)) return *std::move(problem);
     }
   }
+  if (auto problem = which_place_of_body(text, layout.table, options)) return *std::move(problem);
   auto time = choose_time(text, header, options);
   if (!time) return time.error();
   layout.time = time.value();
@@ -289,6 +294,9 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   const FrameDecision frame = frame_before_values(options.frame, {choice.evidence, choice.reason});
   layout.frame = frame.frame;
   layout.frame_reason = frame.reason;
+  if (choice.naming == Naming::kBareAxes && names_planar_poses(layout.table)) {
+    choice.naming = Naming::kSure;
+  }
   if (layout.frame == Frame::kMetres) {
     auto problem = scaled_degrees_as_metres(text, layout.table, choice);
     if (problem) return *std::move(problem);
@@ -310,7 +318,10 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
                                   layout.notes, layout.units);
   if (!velocity) return velocity.error();
   layout.velocity = *velocity;
-  if (!layout.time && !layout.velocity) return missing(no_time_text(text, header));
+  if (!layout.time && !layout.velocity) {
+    if (auto problem = pandas_timedeltas(text, layout.table)) return *std::move(problem);
+    return missing(no_time_text(text, header));
+  }
   if (layout.time) {
     if (auto error = frames_problem(layout.table, *layout.time, choice, options)) {
       return *std::move(error);

@@ -14,6 +14,7 @@
 #include "io/tracks/fine_time.hpp"
 #include "io/tracks/first_fields.hpp"
 #include "io/tracks/track_aircraft.hpp"
+#include "io/tracks/unread_times.hpp"
 #include "io/tracks/wall_times.hpp"
 
 #include <algorithm>
@@ -134,6 +135,15 @@ std::optional<std::size_t> take_faint(const TableLayout& table, std::vector<std:
   return taken;
 }
 
+// Not "1718000000.0", as pandas writes whole numbers beside ones that are missing.
+bool have_fractions(const FirstFields& times) {
+  return std::any_of(times.texts.begin(), times.texts.end(), [](std::string_view text) {
+    const std::size_t point = text.find('.');
+    return point != std::string_view::npos &&
+           text.find_first_of("123456789", point) != std::string_view::npos;
+  });
+}
+
 // A time of aircraft, or of ROS, that counts from 1970 tells its unit by its size, and so does one
 // that is `dated` by the others beside it; elsewhere microseconds since a boot may look the same,
 // but no nanoseconds since one do.
@@ -150,8 +160,10 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
   }
   const Unit by_size = common_unit_since_1970(times);
   const bool of_ros = std::any_of(table.names.begin(), table.names.end(), is_of_ros);
-  const bool tells =
-      dated || of_ros || by_size == Unit::kNanosecond || !words_of_aviation(table.names).empty();
+  // No counter of microseconds has fractions.
+  const bool fractions = by_size == Unit::kSecond && have_fractions(times);
+  const bool tells = dated || of_ros || fractions || by_size == Unit::kNanosecond ||
+                     !words_of_aviation(table.names).empty();
   if (time.unit == Unit::kUnstated && tells) {
     time.unit = by_size;
     time.by_size = by_size != Unit::kUnstated;
@@ -163,22 +175,11 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
   double number = 0.0;
   if (time.unit == Unit::kUnstated && !times.empty() && !is_unknown(times.front()) &&
       parse_number(times.front(), number) == NumberKind::kNotANumber) {
-    return at_column(ErrorCode::kNotANumber,
-                     column_text(table, time.column) + " holds the time, but " +
-                         excerpt(times.front()) +
-                         " is neither a number nor a date that is read; write it as "
-                         "2024-05-01T12:00:00Z, with the month as a number",
-                     time.column);
+    return unread_time(table, time.column, times);
   }
-  if (time.unit == Unit::kUnstated) {
-    return at_column(
-        ErrorCode::kInvalidArgument,
-        column_text(table, time.column) +
-            " holds the time, but in which unit? Say it with --time-unit s, ms, us "
-            "or ns (and, if times of several files count from one zero, --one-clock), or in "
-            "the header: time_s" +
-            std::string(may_be_excel_days(times) ? kExcelDaysAdvice : ""),
-        time.column);
+  if (time.unit == Unit::kUnstated) return which_unit(table, time.column, times);
+  if (time.unit_is_asked && may_be_datenums(times)) {
+    return unit_of_datenums(table, time.column, times);
   }
   return time;
 }

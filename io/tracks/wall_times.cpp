@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 7> kClockZones = {
     "_timezone_", "_time_zone_", "_tz_", "_tzone_", "_utc_offset_", "_gmt_offset_", "_zeitzone_"};
 
 bool looks_like_date(std::string_view text) {
-  return looks_like_iso_time(text) || looks_like_other_date(text);
+  return looks_like_iso_time(text) || looks_like_other_date(text) || looks_like_named_month(text);
 }
 
 // "UTC_datetime", "time (GMT)"; not "time (UTC+2)".
@@ -86,8 +86,7 @@ std::optional<Error> doubtful_day(std::string_view text, const Header& header,
     const bool named =
         i < header.size() && (header.meaning(i).role == Role::kDate || may_say_day(table.names[i]));
     const FirstFields fields = first_fields(text, table, i);
-    const bool day = !fields.empty() &&
-                     (looks_like_iso_time(fields.front()) || looks_like_other_date(fields.front()));
+    const bool day = !fields.empty() && looks_like_date(fields.front());
     if (!named && !day) continue;
     return missing_column(
         "times of day are read from " + column_text(table, time.column) + ", and " +

@@ -6,10 +6,8 @@
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/table/record_walk.hpp"
+#include "io/tracks/long_records.hpp"
 #include "io/tracks/track_columns.hpp"
-#include "io/tracks/track_layout.hpp"
-#include "io/tracks/track_table.hpp"
-#include "io/tracks/track_time.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -34,12 +32,24 @@ struct WideLayout {
   std::vector<AnimalColumns> animals;
 };
 
-// "12" of "x12", where the letter is that.
+// "12" of "x12", where the letter is that; of AnimalTA "Arena0_Ind1" of "X_Arena0_Ind1".
 std::string number_behind(char letter, std::string_view name) {
+  constexpr std::string_view kArena = "_arena";
   const std::string lower = lower_case(without_padding(name));
   if (lower.size() < 2 || lower.front() != letter) return {};
-  const std::string number = lower.substr(1);
-  return number.find_first_not_of("0123456789") == std::string::npos ? number : std::string();
+  const std::string behind = lower.substr(1);
+  const auto begins = [&behind](std::size_t at) {
+    return behind.find_first_not_of("0123456789", at);
+  };
+  if (begins(0) == std::string::npos) return behind;
+  if (!behind.starts_with(kArena)) return {};
+  const std::size_t individual = begins(kArena.size());
+  constexpr std::string_view kIndividual = "_ind";
+  const bool known = individual != kArena.size() && individual != std::string::npos &&
+                     behind.compare(individual, kIndividual.size(), kIndividual) == 0 &&
+                     behind.size() > individual + kIndividual.size() &&
+                     begins(individual + kIndividual.size()) == std::string::npos;
+  return known ? std::string(without_padding(name).substr(2)) : std::string();
 }
 
 std::optional<WideLayout> wide_layout(std::string_view text) {
@@ -47,12 +57,13 @@ std::optional<WideLayout> wide_layout(std::string_view text) {
   if (!table || table->names.size() < 4) return std::nullopt;
   WideLayout wide{*std::move(table), std::nullopt, {}};
   const std::vector<std::string>& names = wide.table.names;
+  // A time, or the number of the picture, or both.
   std::size_t first = 0;
-  if (number_behind('x', names.front()).empty()) {
-    const Role role = read_column_name(track_columns(), names.front()).role;
+  while (first < 2 && number_behind('x', names[first]).empty()) {
+    const Role role = read_column_name(track_columns(), names[first]).role;
     if (role != Role::kTime && role != Role::kFrame) return std::nullopt;
-    wide.time = 0;
-    first = 1;
+    if (!wide.time || role == Role::kTime) wide.time = first;
+    ++first;
   }
   if ((names.size() - first) % 2 != 0 || names.size() - first < 4) return std::nullopt;
   for (std::size_t i = first; i < names.size(); i += 2) {
@@ -108,36 +119,22 @@ std::optional<Error> read_wide_table(std::string_view text, RecordingAssembly& a
   const auto wide = wide_layout(text);
   if (!wide) return Error{ErrorCode::kUnsupportedFormat, "this is no table of animals", {}};
   if (auto error = no_record_problem(text, wide->table)) return error;
-  const RecordingOptions& options = assembly.options();
-  const std::string records = long_text(text, *wide);
-  if (options.progress != nullptr) options.progress->total += records.size();
-  TableLayout table;
-  table.delimiter = kUnitSeparator;
-  table.names = {wide->time ? wide->table.names[*wide->time] : "frame", "id", "x", "y"};
-  // idtracker.ai counts seconds.
-  const std::string time = lower_case(without_padding(table.names.front()));
-  if (time == "time" && options.time_unit == Unit::kUnstated) table.names.front() = "time_s";
-  table.columns = table.names.size();
-  table.contents = {ColumnContent::kNumber, ColumnContent::kText, ColumnContent::kNumber,
-                    ColumnContent::kNumber};
-  table.lines_before = wide->table.lines_before;
-  table.records_per_line = wide->animals.size();
-  auto layout = choose_track_layout(std::move(table), records, options, SeenRecords::kWhole);
-  if (!layout) {
-    Error error = std::move(layout).error();
-    error.location.column.reset();
-    return error;
-  }
-  if (auto error = lengths_problem(layout->table, options)) return error;
-  assembly.note("columns of " + std::to_string(wide->animals.size()) +
-                " animals stand beside each other, as idtracker.ai writes them" +
-                (wide->time ? "" : "; there is no time: rows are taken for frames"));
-  if (auto error = assembly.agree(facts_of(*layout, "text, columns for each animal"))) {
-    return error;
-  }
-  for (std::string& note : layout->notes) assembly.note(std::move(note));
-  RecordsBefore none;
-  return read_track_records(records, *layout, {}, RecordPlace::kLineAndName, none, assembly);
+  LongRecords records;
+  records.text = long_text(text, *wide);
+  records.names = {wide->time ? wide->table.names[*wide->time] : "frame", "id", "x", "y"};
+  // idtracker.ai and AnimalTA count seconds.
+  const std::string time = lower_case(without_padding(records.names.front()));
+  const bool unsaid = assembly.options().time_unit == Unit::kUnstated;
+  if (time == "time" && unsaid) records.names.front() = "time_s";
+  records.lines_before = wide->table.lines_before;
+  records.per_line = wide->animals.size();
+  const bool of_animalta = wide->animals.front().number.starts_with("Arena");
+  records.note = "columns of " + std::to_string(wide->animals.size()) +
+                 " animals stand beside each other, as " +
+                 (of_animalta ? "AnimalTA" : "idtracker.ai") + " writes them" +
+                 (wide->time ? "" : "; there is no time: rows are taken for frames");
+  records.description = "text, columns for each animal";
+  return read_long_records(records, {}, assembly);
 }
 
 }  // namespace beespace::io

@@ -1,6 +1,7 @@
 #include "io/units/iso_time.hpp"
 
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <chrono>
 #include <cstddef>
@@ -55,6 +56,10 @@ bool ends_with_year(const DateDigits& digits) {
   return is_short(digits[0]) && is_short(digits[1]) && (digits[2] == 2 || digits[2] == 4);
 }
 
+// The months as English has them, by their first letters.
+constexpr std::array<std::string_view, 12> kMonths = {"JAN", "FEB", "MAR", "APR", "MAY", "JUN",
+                                                      "JUL", "AUG", "SEP", "OCT", "NOV", "DEC"};
+
 // Takes things off the front of a text.
 class Front {
  public:
@@ -93,6 +98,19 @@ class Front {
     }
     text_.remove_prefix(wanted.size());
     return true;
+  }
+
+  // "Jan", and what may be left of "January".
+  bool month(int& value) {
+    for (std::size_t i = 0; i < kMonths.size(); ++i) {
+      if (!word(kMonths[i])) continue;
+      value = static_cast<int>(i) + 1;
+      while (!text_.empty() && std::isalpha(static_cast<unsigned char>(text_.front())) != 0) {
+        text_.remove_prefix(1);
+      }
+      return true;
+    }
+    return false;
   }
 
   // All digits that are there, as billionths; false when there is none.
@@ -180,6 +198,25 @@ std::string_view days_of(int year, int month, int day, std::int64_t& days) {
   return {};
 }
 
+// "15-Jan-2024", which leaves no doubt. Whether it is that is the first answer; `problem` says what
+// is wrong with it then.
+bool takes_named_month(Front& front, std::int64_t& days, std::string_view& problem) {
+  Front ahead = front;
+  int day = 0;
+  int month = 0;
+  int year = 0;
+  if (!ahead.short_number(day)) return false;
+  const std::string_view between = ahead.rest().substr(0, 1);
+  if (!ahead.any_of("-/ ") || !ahead.month(month) || !ahead.any_of(between)) return false;
+  if (!ahead.number(4, year)) {
+    problem = kShortYear;
+    return true;
+  }
+  front = ahead;
+  problem = days_of(year, month, day, days);
+  return true;
+}
+
 // "27/10/2024".
 std::string_view parse_year_last(Front& front, DateOrder order, std::int64_t& days) {
   int first = 0;
@@ -202,9 +239,11 @@ std::string_view parse_date(Front& front, DateOrder order, std::int64_t& days) {
   int year = 0;
   int month = 0;
   int day = 0;
+  std::string_view problem;
+  if (takes_named_month(front, days, problem)) return problem;
   if (!front.number(4, year)) return parse_year_last(front, order, days);
   const std::string_view between = front.rest().substr(0, 1);
-  if (!front.any_of("-/") || !front.number(2, month) || !front.any_of(between) ||
+  if (!front.any_of("-/.") || !front.number(2, month) || !front.any_of(between) ||
       !front.number(2, day)) {
     return kForm;
   }
@@ -240,8 +279,22 @@ double nearest_double(std::int64_t whole, std::int64_t nanos) {
 
 bool looks_like_iso_time(std::string_view text) {
   Front front(text);
-  int year = 0;
-  return front.number(4, year) && front.any_of("-/");
+  int number = 0;
+  if (!front.number(4, number)) return false;
+  if (front.any_of("-/")) return true;
+  // "2024.08.01"; not the number 2024.08
+  return front.any_of(".") && front.number(2, number) && front.any_of(".");
+}
+
+bool looks_like_named_month(std::string_view text) {
+  Front front(text);
+  std::int64_t days = 0;
+  std::string_view problem;
+  if (takes_named_month(front, days, problem)) return true;
+  Clock clock;
+  front = Front(text);
+  return parse_clock(front, clock).empty() && front.any_of(" ") &&
+         takes_named_month(front, days, problem);
 }
 
 bool looks_like_other_date(std::string_view text) {
@@ -283,13 +336,26 @@ std::optional<DateOrder> order_told_by(std::string_view text) {
 std::string_view parse_wall_time(std::string_view text, WallTime& time, DateOrder order) {
   Front front(text);
   std::int64_t days = 0;
+  Clock clock;
+  // "00:00:00 15-Jan-2024"
+  if (Front ahead = front; parse_clock(ahead, clock).empty() && ahead.any_of(" ")) {
+    std::string_view problem;
+    if (takes_named_month(ahead, days, problem)) {
+      if (problem.empty() && !ahead.rest().empty()) problem = kForm;
+      if (!problem.empty()) return problem;
+      time.seconds = days * kSecondsPerDay + seconds_of(clock);
+      time.nanos = clock.nanos;
+      time.offset_s.reset();
+      return {};
+    }
+  }
+  clock = {};
   if (const auto problem = parse_date(front, order, days); !problem.empty()) return problem;
   if (front.rest().empty()) return "it is a day without a time; write it as 2024-05-01T12:00:00Z";
   front.any_of(",");
   if (!front.any_of("Tt ")) return kForm;
   while (front.any_of(" ")) {
   }
-  Clock clock;
   if (const auto problem = parse_clock(front, clock); !problem.empty()) return problem;
   std::optional<int> minutes;
   if (const auto problem = parse_zone(front, minutes); !problem.empty()) return problem;

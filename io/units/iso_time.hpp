@@ -1,5 +1,6 @@
 // Times as ISO 8601 writes them: "2024-05-01T12:00:00.25Z", "2024-05-01 14:00:00,25+02:00"; dates
-// also with slashes, "2024/05/01", or with the year last, "27.10.2024", where their order is known.
+// also with slashes or points, "2024/05/01", or with the year last, "27.10.2024", where their order
+// is known, or with the month by its name, "15-Jan-2024", perhaps behind the time.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +21,10 @@ bool looks_like_iso_time(std::string_view text);
 
 // Whether it begins with a date, written so or not: "10.09.2015 07:00", "9/10/15", "2015.9.10".
 bool looks_like_other_date(std::string_view text);
+
+// Whether it begins with a date whose month is named, perhaps behind the time of day:
+// "15-Jan-2024 07:00:00", "07:00:00 15-Jan-2024".
+bool looks_like_named_month(std::string_view text);
 
 // Whether it begins as a time of day does, alone: "07:00:00", "7:00:00.5".
 bool looks_like_clock(std::string_view text);

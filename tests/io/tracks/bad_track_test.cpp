@@ -59,9 +59,9 @@ TEST(BadTrack, MissingColumnsAreNamedWithThoseThatAreThere) {
                {ErrorCode::kMissingColumn, "bees.csv:1",
                 "the time is in several columns, of days, hours and minutes, which are not read; "
                 "write it in one, as 2024-05-01T12:00:00Z"});
-  expect_error(record("id,time,lon,lat\na,10-Jan-2023 00:01:07,8,47\n"),
+  expect_error(record("id,time,lon,lat\na,10-Okt-2023 00:01:07,8,47\n"),
                {ErrorCode::kNotANumber, "bees.csv:1:2",
-                "'10-Jan-2023 00:01:07' is neither a number nor a date that is read"});
+                "'10-Okt-2023 00:01:07' is neither a number nor a date that is read"});
 }
 
 TEST(BadTrack, WithoutAHeaderTheColumnsMustBeGiven) {

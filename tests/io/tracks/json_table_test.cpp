@@ -215,5 +215,11 @@ TEST(JsonTable, TwoPlacesAtOneTimeAreNamedByTheirRecords) {
                 "bee 'a' is at another place at the same time, 0 s, in bees.csv, record 0"});
 }
 
+TEST(JsonTable, PlacesInObjectsWithinObjectsAreNamed) {
+  expect_error(record("{\"robot\":\"a\",\"time_s\":0,\"pose\":{\"x\":1,\"y\":2}}\n"
+                      "{\"robot\":\"a\",\"time_s\":1,\"pose\":{\"x\":1,\"y\":2}}\n"),
+               {ErrorCode::kMissingColumn, "bees.csv", "| from_entries' FILE > flat.ndjson"});
+}
+
 }  // namespace
 }  // namespace beespace::io

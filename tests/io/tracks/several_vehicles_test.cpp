@@ -33,6 +33,14 @@ TEST(SeveralVehicles, ASecondSetOfCoordinatesIsRefused) {
                 "'x', 'y' and 'x2', 'y2'; write a record for each vehicle and time"});
 }
 
+TEST(SeveralVehicles, ALineOfAwkMakesRecords) {
+  expect_error(load_with("time_s,r1_x [mm],r1_y [mm],r2_x [mm],r2_y [mm]"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "as by awk -F',' '{sub(/\\r$/,\"\")}function p(i,a,b){if($a!=\"\")print "
+                "$1\",\"i\",\"$a\",\"$b}NR==1{print \"time_s,id,x_mm,y_mm\"}NR>1{p(\"r1\",2,3);p("
+                "\"r2\",4,5)}' FILE > long.csv"});
+}
+
 TEST(SeveralVehicles, WhoSaysWhichColumnsIsBelieved) {
   EXPECT_TRUE(load_with("time_s,x,y,z,x2,y2,z2", columns_are("time=1,x=5,y=6,z=7")));
 }
@@ -112,7 +120,8 @@ TEST(MotionCapture, IsToldWhatToWriteInstead) {
       "Frame,Time (Seconds),X\n0,0.0,1\n";
   const std::string qtm = "NO_OF_FRAMES\t1200\nNO_OF_CAMERAS\t12\nMARKER_NAMES\tuav0\n1\t0.0\t1\n";
   const std::string nexus =
-      "Trajectories\r\n20\r\n,,uav0:m1,,\r\nFrame,Sub Frame,X,Y,Z\r\n,,mm,mm,mm\r\n1,0,1,2,3\r\n";
+      "Model Outputs\r\n20\r\n,,uav0:LAnkleAngles,,\r\nFrame,Sub Frame,X,Y,Z\r\n,,deg,deg,deg\r\n"
+      "1,0,1,2,3\r\n";
   for (const std::string& text : {motive, qtm, nexus}) {
     expect_error(record(text), {ErrorCode::kUnsupportedFormat, "bees.csv",
                                 "with columns time_s, id, x_mm, y_mm"});

@@ -1,0 +1,79 @@
+#include "io/tracks/long_table_recipe.hpp"
+
+#include "io/bytes/characters.hpp"
+#include "io/table/column_names.hpp"
+#include "io/tracks/track_columns.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+namespace beespace::io {
+namespace {
+
+// Whether it means itself within quotes of awk, and in a table with any delimiter.
+bool means_itself(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == ' ';
+  });
+}
+
+// The column of the time, or else that of the pictures.
+std::optional<std::size_t> time_column(const TableLayout& table) {
+  for (const Role role : {Role::kTime, Role::kFrame}) {
+    for (std::size_t i = 0; i < table.names.size(); ++i) {
+      if (read_column_name(track_columns(), table.names[i]).role == role) return i;
+    }
+  }
+  return std::nullopt;
+}
+
+// "mm" of "r1_x [mm]"; "" where it names no unit.
+std::string unit_named(std::string_view name) {
+  for (const std::string& word : split_words(name)) {
+    if (is_one_of("m cm mm km ft", word)) return word;
+  }
+  return {};
+}
+
+// "p("r1",2,3,4)", with columns counted from 1.
+std::string call_of(const VehicleColumns& vehicle) {
+  std::string call = "p(\"" + vehicle.name + "\"," + std::to_string(vehicle.x + 1) + "," +
+                     std::to_string(vehicle.y + 1);
+  if (vehicle.z) call += "," + std::to_string(*vehicle.z + 1);
+  return call + ")";
+}
+
+}  // namespace
+
+std::string long_table_recipe(const TableLayout& table,
+                              const std::vector<VehicleColumns>& vehicles) {
+  constexpr std::size_t kMostVehicles = 40;
+  const auto time = time_column(table);
+  const bool splits = table.delimiter == ',' || table.delimiter == ';' || table.delimiter == '\t';
+  if (!time || !splits || vehicles.size() > kMostVehicles) return {};
+  const bool high = vehicles.front().z.has_value();
+  const std::string unit = unit_named(table.names[vehicles.front().x]);
+  for (const VehicleColumns& vehicle : vehicles) {
+    const bool fits = vehicle.z.has_value() == high && means_itself(vehicle.name) &&
+                      unit_named(table.names[vehicle.x]) == unit;
+    if (!fits) return {};
+  }
+  const std::string end = unit.empty() ? "" : "_" + unit;
+  const std::string& named = table.names[*time];
+  std::string text = "awk -F'";
+  text += table.delimiter == '\t' ? std::string("\\t") : std::string(1, table.delimiter);
+  // Carriage returns would be part of the last column.
+  text += "' '{sub(/\\r$/,\"\")}";
+  text += std::string("function p(i,a,b") + (high ? ",c" : "") + "){if($a!=\"\")print $" +
+          std::to_string(*time + 1) + "\",\"i\",\"$a\",\"$b" + (high ? "\",\"$c" : "") + "}";
+  text += "NR==" + std::to_string(table.lines_before) + "{print \"" +
+          (means_itself(named) ? named : "time") + ",id,x" + end + ",y" + end +
+          (high ? ",z" + end : "") + "\"}NR>" + std::to_string(table.lines_before) + "{";
+  for (std::size_t i = 0; i < vehicles.size(); ++i) {
+    text += (i == 0 ? "" : ";") + call_of(vehicles[i]);
+  }
+  return text + "}' FILE > long.csv";
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,169 @@
+// Tables of animals under the headers of their tools: collars, tags of seals, videos, R.
+#include "tests/io/tracks/recording_loading.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace beespace::io {
+namespace {
+
+using Ids = std::vector<std::string>;
+
+const std::string kTelonics =
+    "Telonics Data Report\n\nConverter,Telonics Data Converter\nCTN,712345A\nHeaders Row,8\n\n\n"
+    "Acquisition Time,Acquisition Start Time,Iridium CEP Radius,GPS Fix Time,GPS Fix Attempt,GPS "
+    "Latitude,GPS Longitude,GPS UTM Zone,GPS UTM Northing,GPS UTM Easting,GPS Altitude,GPS "
+    "Horizontal Error,Activity Count,Error\n"
+    "2024.08.01 00:00:40,2024.08.01 00:00:00,,2024.08.01 00:00:40,Succeeded,65.1,-148.2,6W,7212345,"
+    "452345,240,8,34,\n"
+    "2024.08.01 01:00:30,2024.08.01 01:00:00,,,Failed,,,,,,,,34,\n"
+    "2024.08.01 02:00:40,2024.08.01 02:00:00,,2024.08.01 02:00:40,Succeeded,65.2,-148.2,6W,7212345,"
+    "452345,240,8,34,\n";
+
+TEST(FormatsOfAnimals, TelonicsIsRead) {
+  const auto recording = recording_of(record(kTelonics));
+  ASSERT_EQ(recording.bees.size(), 1U);
+  EXPECT_EQ(recording.frame, Frame::kWgs84);
+  EXPECT_EQ(recording.bees[0].fixes.size(), 2U);
+  EXPECT_TRUE(has_note(recording, "column 1 'Acquisition Time'"));
+}
+
+const std::string kSeals =
+    "DeployID,Ptt,Instr,Date,Type,Quality,Latitude,Longitude,Error radius,Error Semi-major axis,"
+    "Error Semi-minor axis,Error Ellipse orientation,Offset,Offset orientation,GPE MSD,GPE "
+    "U,Count,Comment\n"
+    "seal0,170001,Mk10,00:00:00 15-Jan-2024,FastGPS,8,-54.0,-36.045,,,,,,,,,,\n"
+    "seal0,170001,Mk10,00:30:00 15-Jan-2024,Argos,B,-54.0,-36.042,,,,,,,,,,\n"
+    "seal1,170002,Mk10,00:00:00 15-Jan-2024,FastGPS,8,-54.1,-36.045,,,,,,,,,,\n";
+
+TEST(FormatsOfAnimals, LocationsOfWildlifeComputersAreRead) {
+  const auto recording = recording_of(record(kSeals));
+  EXPECT_EQ(ids_of(recording), (Ids{"seal0", "seal1"}));
+  constexpr double kMidnight_s = 1705276800.0;
+  EXPECT_EQ(times_of(recording.bees[0]), (std::vector<double>{kMidnight_s, kMidnight_s + 1800.0}));
+  // By Doppler shifts it may be off by kilometres.
+  EXPECT_TRUE(has_note(recording, "Argos"));
+}
+
+TEST(FormatsOfAnimals, MonthsMayHaveNames) {
+  for (const std::string date :
+       {"15-Jan-2024 07:00:00", "15 January 2024 07:00", "15/JAN/2024 07:00",
+        "07:00:00 15-Jan-2024", "2024.01.15 07:00:00"}) {
+    RecordingOptions options;
+    options.time_zone = TimeZone::utc();
+    const auto recording = recording_of(record("id,time,x_m,y_m\na," + date + ",1,2\n", options));
+    ASSERT_EQ(recording.bees.size(), 1U) << date;
+    EXPECT_EQ(times_of(recording.bees[0]), (std::vector<double>{1705302000.0})) << date;
+  }
+}
+
+TEST(FormatsOfAnimals, AccelerationsOfAxyTrekAreNoPlaces) {
+  const auto recording = recording_of(record(
+      "TagID,Timestamp,X,Y,Z,Activity,location-lat,location-lon,height-above-msl,ground-speed\n"
+      "S1,2024-07-13 04:00:00.000,0.012,-0.031,0.98,Active,42.7,10.38,3,12.1\n"
+      "S1,2024-07-13 04:00:01.000,0.112,-0.031,0.98,Active,,,,\n"
+      "S1,2024-07-13 04:00:02.000,0.112,-0.031,0.98,Active,42.7,10.39,3,12.1\n"));
+  EXPECT_EQ(recording.frame, Frame::kWgs84);
+  ASSERT_EQ(recording.bees.size(), 1U);
+  EXPECT_EQ(recording.bees[0].fixes.size(), 2U);
+}
+
+TEST(FormatsOfAnimals, AnimalTaHasColumnsForEach) {
+  RecordingOptions options;
+  options.pixel = StatedLength{0.001, 1.0, Unit::kMillimetre};
+  const auto recording = recording_of(record(
+      "Frame;Time;X_Arena0_Ind0;Y_Arena0_Ind0;X_Arena0_Ind1;Y_Arena0_Ind1\n"
+      "0;0.00;100.0;100.0;300.0;110.0\n1;0.04;102.0;100.0;NA;NA\n2;0.08;104.0;100.0;296.0;110.0\n",
+      options));
+  ASSERT_EQ(ids_of(recording), (Ids{"Arena0_Ind0", "Arena0_Ind1"}));
+  EXPECT_EQ(recording.bees[0].fixes[1].time_s, 0.04);
+  EXPECT_DOUBLE_EQ(recording.bees[0].fixes[1].position.x, 0.102);
+  EXPECT_EQ(recording.bees[1].fixes.size(), 2U);
+  EXPECT_TRUE(has_note(recording, "as AnimalTA writes them"));
+}
+
+TEST(FormatsOfAnimals, PointsOfRAreSplit) {
+  RecordingOptions options;
+  options.frame = Frame::kWgs84;
+  for (const std::string points :
+       {"a,2024-07-01T08:00:00Z,POINT (-6.5 37.25)\na,2024-07-01T08:10:00Z,POINT EMPTY\n"
+        "a,2024-07-01T08:20:00Z,POINT (-6.5 37.5)\n",
+        "a,2024-07-01T08:00:00Z,\"c(-6.5, 37.25)\"\na,2024-07-01T08:10:00Z,\"c(NA, NA)\"\n"
+        "a,2024-07-01T08:20:00Z,\"c(-6.5, 37.5)\"\n"}) {
+    const auto recording = recording_of(record("id,timestamp,geometry\n" + points, options));
+    ASSERT_EQ(recording.bees.size(), 1U);
+    EXPECT_EQ(recording.bees[0].fixes.size(), 2U);
+    EXPECT_TRUE(has_note(recording, "places are points in one cell"));
+  }
+  // Whether they are degrees is asked of numbers, as of other tables with x and y.
+  expect_error(record("id,timestamp,geometry\na,2024-07-01T08:00:00Z,POINT (-6.5 37.25)\n"
+                      "a,2024-07-01T08:20:00Z,POINT (-6.5 37.5)\n"),
+               {ErrorCode::kUnknownFrame, "bees.csv", "--crs wgs84"});
+}
+
+TEST(FormatsOfAnimals, OneOfSeveralPlacesOfABodyIsAskedFor) {
+  const std::string poses =
+      "frame,individual,bodypart,x,y\n0,fish0,head,100,100\n0,fish0,tail,-100,100\n";
+  expect_error(record(poses), {ErrorCode::kInvalidArgument, "bees.csv",
+                               "awk -F',' 'NR==1||$3==\"head\"' FILE > one.csv"});
+  RecordingOptions options;
+  options.frames_per_second = 25.0;
+  options.pixel = StatedLength{0.001, 1.0, Unit::kMillimetre};
+  EXPECT_TRUE(record("frame,individual,bodypart,x,y\n0,fish0,head,100,100\n1,fish0,head,101,100\n",
+                     options));
+}
+
+TEST(FormatsOfAnimals, PlacesOfNinesStandForNone) {
+  expect_error(
+      record("id,time_s,lat,lon\na,0,37.0,-6.0\na,1,-9999,-9999\n"),
+      {ErrorCode::kInvalidLongitude, "bees.csv:3:4", "leave such records out with --skip-bad"});
+}
+
+TEST(FormatsOfAnimals, WhatIsNotDeterminedIsNoHeader) {
+  const auto recording = recording_of(record(
+      "id,datetime,lat,lon\nv0,2024-07-01 08:00:00,37.0,-6.0\nv0,2024-07-01 08:10:00,n.d.,n.d.\n"
+      "v0,2024-07-01 08:20:00,37.0,-6.1\n"));
+  ASSERT_EQ(recording.bees.size(), 1U);
+  EXPECT_EQ(recording.bees[0].fixes.size(), 2U);
+}
+
+TEST(FormatsOfAnimals, DaysOfMatlabAreAskedAbout) {
+  const std::string days =
+      "id,time,lat,lon\na,739433.333333,37.0,-6.0\na,739433.340278,37.0,-6.0\n";
+  expect_error(record(days), {ErrorCode::kInvalidArgument, "bees.csv:1:2", "datestr"});
+  RecordingOptions options;
+  options.time_unit = Unit::kSecond;
+  expect_error(record(days, options), {ErrorCode::kInvalidArgument, "bees.csv:1:2", "datestr"});
+  EXPECT_TRUE(record("id,time,lat,lon\na,739433.25,37.0,-6.0\na,739433.5,37.0,-6.0\n", options));
+}
+
+TEST(FormatsOfAnimals, WhatExcelSpoiltIsSaid) {
+  expect_error(record("id,time,x_mm,y_mm\na,00:00.0,1,2\n"),
+               {ErrorCode::kNotANumber, "bees.csv:1:2", "Excel shows times so"});
+}
+
+TEST(FormatsOfAnimals, DifferencesOfPandasAreNamed) {
+  expect_error(record("elapsed,robot,x [m],y [m]\n0 days 00:00:01.5,a,1,2\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1:1",
+                "pandas.to_timedelta(df['elapsed']).dt.total_seconds()"});
+}
+
+TEST(FormatsOfAnimals, WholeNumbersWithAPointTellNoUnit) {
+  expect_error(record("time,robot,x_m,y_m\n1718000000.0,r1,-6,0\n1718100000.0,r1,-5.9,0\n"),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:1", "in which unit?"});
+}
+
+TEST(FormatsOfAnimals, SecondsWithFractionsTellTheirUnit) {
+  const auto recording = recording_of(
+      record(",stamp,robot,x,y,theta\n0,1718000000.000,r1,-6.0,0.0,0.0\n1,1718000000.100,r1,-5.9,"
+             "0.0,0.0\n"));
+  // Poses of robots are in metres, though the numbers may be degrees.
+  EXPECT_EQ(recording.frame, Frame::kMetres);
+  ASSERT_EQ(recording.bees.size(), 1U);
+  EXPECT_EQ(times_of(recording.bees[0]), (std::vector<double>{1718000000.0, 1718000000.1}));
+}
+
+}  // namespace
+}  // namespace beespace::io
