@@ -198,6 +198,18 @@ double lowest_of(const Trajectory& trajectory, const Ground& ground) {
   return ground.land_at ? std::min(lowest_m, ground.land_at->z) : lowest_m;
 }
 
+bool starts_and_lands_at(const Trajectory& trajectory, const Ground& ground, double ground_m) {
+  constexpr double kAtHome_m = 1.0;
+  const BezierPath& path = trajectory.path;
+  const Point& last = path.pieces.empty() ? path.begin : path.pieces.back().end;
+  const auto is_at = [ground_m](const Point& place, const std::optional<Point>& said) {
+    return said && std::abs(said->z - ground_m) <= kGroundTolerance_m &&
+           std::abs(place.z - ground_m) <= kGroundTolerance_m &&
+           std::hypot(place.x - said->x, place.y - said->y) <= kAtHome_m;
+  };
+  return is_at(path.begin, ground.home) && is_at(last, ground.land_at);
+}
+
 bool on_ground(double height_m, double ground_m) {
   return height_m - ground_m <= kGroundTolerance_m;
 }
