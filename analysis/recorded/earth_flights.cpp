@@ -98,7 +98,7 @@ std::optional<Error> add_check(const Flight& flight, const PathLimits& limits,
 
 }  // namespace
 
-bool has_velocities(const io::Recording& recording) {
+bool logs_velocities(const io::Recording& recording) {
   return std::any_of(recording.bees.begin(), recording.bees.end(), says_velocities);
 }
 

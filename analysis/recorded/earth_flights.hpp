@@ -25,7 +25,7 @@ Result<EarthFlight> earth_flight_of(const io::Recording& recording, std::size_t 
                                     bool with_velocities, double max_gap_s);
 
 // Whether any bee has velocities.
-bool has_velocities(const io::Recording& recording);
+bool logs_velocities(const io::Recording& recording);
 
 // What limits find of it: speeds by both, whatever is faster; heights by places; accelerations by
 // velocities, which are measured, where there are some, and otherwise by how places turn. Errors:

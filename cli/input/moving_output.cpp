@@ -211,8 +211,14 @@ std::string low_text(const analysis::LowConflicts& low) {
 }
 
 void append_low(std::string& out, const analysis::LowConflicts& low, const io::Recording& recording,
-                const Distances& distances) {
-  if (!(low.below_m > 0.0)) return;
+                const MovingRequest& request, const Distances& distances, std::size_t standing) {
+  if (!request.ignore_below_m) {
+    if (standing == 0) return;
+    return append_summary_line(out, "",
+                               "--ignore-below " + io::exact(distances.threshold_m) +
+                                   " leaves out conflicts of two that are both lower than that "
+                                   "above where they took off");
+  }
   const auto closest = low.closest();
   std::string text = low_text(low) + " (--ignore-below)";
   if (closest) text = red(text) + ", the closest " + encounter_text(*closest, recording, distances);
@@ -221,12 +227,6 @@ void append_low(std::string& out, const analysis::LowConflicts& low, const io::R
   append_summary_line(out, "",
                       "of " + io::counted(low.bees_not_known, "bee", "bees") +
                           " it is not known where they took off: none of theirs is left out");
-}
-
-std::string low_hint(const MovingRequest& request, std::size_t standing, double threshold_m) {
-  if (request.ignore_below_m || standing == 0) return "";
-  return " (--ignore-below " + io::exact(threshold_m) +
-         " leaves out those of two lower than that above their take-off)";
 }
 
 void write_low(io::JsonWriter& json, const analysis::LowConflicts& low,

@@ -69,11 +69,10 @@ std::string encounter_text(const Conflict& conflict, const io::Recording& record
 // Of conflicts that --ignore-below leaves out: "72 conflicts of two lower than 3 m above where they
 // took off".
 std::string low_text(const analysis::LowConflicts& low);
-// The line about them, where the option is given.
+// The line about them, where the option is given; where it is not, and `standing` conflicts are
+// with drones on the ground, what to type.
 void append_low(std::string& out, const analysis::LowConflicts& low, const io::Recording& recording,
-                const Distances& distances);
-// Where it is not, and `standing` conflicts are with drones on the ground: what to type.
-std::string low_hint(const MovingRequest& request, std::size_t standing, double threshold_m);
+                const MovingRequest& request, const Distances& distances, std::size_t standing);
 // Members in JSON, where the option is given.
 void write_low(io::JsonWriter& json, const analysis::LowConflicts& low,
                const MovingRequest& request);

@@ -141,8 +141,7 @@ std::string possible_text(const Conflict& loss, const PathFindings& findings) {
   return along_curves ? ", possible, on curves with the given velocities" : "";
 }
 
-void append_losses(std::string& out, const PathFindings& findings, const Distances& distances,
-                   const std::string& hint) {
+void append_losses(std::string& out, const PathFindings& findings, const Distances& distances) {
   constexpr std::size_t kMost = 5;
   std::vector<Conflict> standing = findings.verdict.with_standing;
   std::vector<Conflict> losses = analysis::without(findings.verdict.losses, standing);
@@ -158,8 +157,7 @@ void append_losses(std::string& out, const PathFindings& findings, const Distanc
                       red(io::counted(losses.size(), "conflict", "conflicts")) +
                           (standing.empty() ? ""
                                             : ", " + io::grouped(std::uint64_t{standing.size()}) +
-                                                  " " + kWithStanding) +
-                          hint);
+                                                  " " + kWithStanding));
   for (std::size_t i = 0; i < std::min(kMost, losses.size()); ++i) {
     append_summary_line(out, "",
                         encounter_text(losses[i], findings.recording, distances) +
@@ -404,9 +402,8 @@ std::string verify_summary(const PathFindings& findings, const MovingRequest& re
   const Distances distances = distances_in(findings, request);
   append_closest(out, findings, distances);
   append_peaks(out, findings);
-  append_losses(out, findings, distances,
-                low_hint(request, verdict.with_standing.size(), findings.question.threshold_m));
-  append_low(out, verdict.low, recording, distances);
+  append_losses(out, findings, distances);
+  append_low(out, verdict.low, recording, request, distances, verdict.with_standing.size());
   if (findings.question.obstacles != nullptr) {
     const auto count = verdict.clearance_losses.size();
     append_summary_line(

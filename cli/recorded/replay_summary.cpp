@@ -56,7 +56,7 @@ const char* known_words(const analysis::Findings& findings) {
 }
 
 std::string verdict(const analysis::Findings& findings,
-                    const std::vector<analysis::PairInConflict>& pairs, const std::string& hint) {
+                    const std::vector<analysis::PairInConflict>& pairs) {
   if (!findings.has_encounters)
     return red("nothing to compare") + ": no two bees are there at the same time" +
            (findings.coverage.may_hide_conflicts()
@@ -76,7 +76,7 @@ std::string verdict(const analysis::Findings& findings,
                                    [](const Conflict& conflict) { return conflict.certain; });
   return red(certain ? "does not keep its distance" : "may not keep its distance") + ": " +
          plural(conflicts.size(), "conflict", "conflicts") + " of " +
-         plural(pairs.size(), "pair", "pairs") + kinds_text(findings) + hint + but;
+         plural(pairs.size(), "pair", "pairs") + kinds_text(findings) + but;
 }
 
 // How far given velocities lead away from straight lines, where that can be seen.
@@ -274,13 +274,10 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
       separation_summary(request, figures.threshold_m, recording, distances.aviation));
   append_wide_threshold(out, findings, request);
   const auto pairs = analysis::pairs_in_conflict(findings.recorded.conflicts);
-  append_summary_line(
-      out, "verdict",
-      verdict(findings, pairs,
-              low_hint(request, findings.with_standing.size(), figures.threshold_m)));
-  append_low(out, findings.low, recording, distances);
+  append_summary_line(out, "verdict", verdict(findings, pairs));
   append_closest(out, findings, distances);
   append_worst(out, findings, in_the_air_first(findings, pairs), distances);
+  append_low(out, findings.low, recording, request, distances, findings.with_standing.size());
   const std::string bars = findings.has_encounters && !figures.memory_bytes
                                ? bars_over_time(findings, figures.threshold_m)
                                : std::string();

@@ -125,7 +125,7 @@ Status check_curves(const io::Recording& recording, const VerifyRequest& request
 // Of flights in degrees; sets `check.straight` where there is no other way.
 std::string motion_on_earth(const io::Recording& recording, VerifyOptions& check) {
   if (check.straight) return "straight lines from fix to fix (--straight)";
-  check.straight = !analysis::has_velocities(recording);
+  check.straight = !analysis::logs_velocities(recording);
   return check.straight
              ? "straight lines from fix to fix: there are no velocities; accelerations are those "
                "of the turns at fixes"
