@@ -133,6 +133,8 @@ void append_closest(std::string& out, const analysis::Findings& findings,
   if (stands(findings.closest->first) && stands(findings.closest->second)) {
     text += ", both on the ground";
   }
+  const auto& low = findings.low.left_out;
+  if (std::find(low.begin(), low.end(), *findings.closest) != low.end()) text += ", left out";
   if (!std::count(findings.with_standing.begin(), findings.with_standing.end(),
                   *findings.closest)) {
     return append_summary_line(out, "closest", text);
