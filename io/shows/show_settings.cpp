@@ -148,7 +148,7 @@ std::optional<Error> read_place(ShowDocuments& documents, RecordingAssembly& ass
   if (!heading) return not_taken("its orientation, where the x axis points, is not given");
   if (!read_heading(*heading, read.heading_deg)) {
     return not_taken("its orientation, where the x axis points, is " +
-                     std::string(json_kind(*heading)) + " that is no number of degrees");
+                     std::string(json_kind(*heading)) + ", and no number of degrees");
   }
   if (std::abs(read.heading_deg) > kFullTurn_deg) {
     return not_taken("its orientation of " + exact(read.heading_deg) +

@@ -123,7 +123,7 @@ TEST(Show, AnOrientationOfMoreThanATurnIsNoneInDegrees) {
   const Recording text = at(R"("59")");
   ASSERT_TRUE(text.show->place);
   EXPECT_EQ(text.show->place->heading_deg, 59.0);
-  EXPECT_TRUE(has_note(at(R"("north")"), "is text that is no number of degrees"));
+  EXPECT_TRUE(has_note(at(R"("north")"), "is a string, and no number of degrees"));
 }
 
 TEST(Show, ReferencesLeadThroughTheArchive) {
