@@ -332,6 +332,16 @@ TEST(Show, ItsGroundIsHighWhereAllDronesAreSaidToStartAndLandThere) {
   EXPECT_EQ(of(R"(, "home": [0, 0, 12])").show->ground_m, 0.0);
   EXPECT_EQ(of(R"(, "home": [0, 0, 12], "landAt": [5, 0, 12])").show->ground_m, 0.0);
   EXPECT_EQ(of(R"(, "home": [0, 0, 12], "landAt": [0, 0, 14])").show->ground_m, 0.0);
+  // Who hovers there, or moves sideways, is in the air, whatever the show calls the place.
+  const auto ground_of = [](const std::string& points) {
+    return recording_of(load_show(show(drone("a", R"({"version": 1, "points": [)" + points + "]}",
+                                             R"(, "home": [0, 0, 12], "landAt": [0, 0, 12])"))))
+        .show->ground_m;
+  };
+  EXPECT_EQ(ground_of("[0, [0, 0, 12], []], [9, [0, 0, 12], []], [20, [0, 0, 12], []]"), 0.0);
+  EXPECT_EQ(ground_of("[0, [0, 0, 12], []], [9, [5, 0, 12], []], [15, [0, 0, 30], []], "
+                      "[20, [0, 0, 12], []]"),
+            0.0);
 }
 
 // As programs export it in which y points up: no drone ever takes off.
