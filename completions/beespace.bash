@@ -62,8 +62,8 @@ _beespace() {
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --report) values='conflicts bees separation events' ;;
         -o | --output) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --max-results | --every | --horizon | --leave-factor | --look-every | --memory | --temporary) return ;;
-        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --straight --threshold --vertical --separation --inclusive --threads --max-results --report --every --horizon --leave-factor --look-every --memory --temporary --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --max-results | --ignore-below | --every | --horizon | --leave-factor | --look-every | --memory | --temporary) return ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --straight --threshold --vertical --separation --inclusive --threads --max-results --ignore-below --report --every --horizon --leave-factor --look-every --memory --temporary --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     watch)
@@ -124,10 +124,11 @@ _beespace() {
         --time-unit) values='auto s ms us ns' ;;
         --dates) values='auto day-first month-first' ;;
         --heights) values='auto geometric pressure' ;;
+        --separation) values='enroute terminal well-clear-suas nmac' ;;
         --max-gap) values='never' ;;
         --obstacles | -o | --output) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --threshold | --max-speed | --max-acceleration | --max-horizontal | --max-climb | --max-descent | --max-height | --skip-limits | --clearance | --threads) return ;;
-        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --threshold --max-speed --max-acceleration --max-horizontal --max-climb --max-descent --max-height --skip-limits --obstacles --clearance --max-gap --straight --threads --output --csv --json --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --threshold | --vertical | --ignore-below | --max-speed | --max-acceleration | --max-horizontal | --max-climb | --max-descent | --max-height | --skip-limits | --clearance | --threads) return ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --threshold --vertical --separation --ignore-below --max-speed --max-acceleration --max-horizontal --max-climb --max-descent --max-height --skip-limits --obstacles --clearance --max-gap --straight --threads --output --csv --json --quiet --help --version' files=yes ;;
       esac
       ;;
     fleet)

@@ -578,7 +578,9 @@ enum {
   BEESPACE_IO_HORIZONTAL = 1,    ///< The speed in x and y, in metres per second.
   BEESPACE_IO_CLIMB = 2,         ///< The speed upwards, in metres per second.
   BEESPACE_IO_DESCENT = 3,       ///< The speed downwards, in metres per second.
-  BEESPACE_IO_ACCELERATION = 4,  ///< The acceleration, in metres per second squared.
+  BEESPACE_IO_ACCELERATION = 4,  ///< The acceleration, in metres per second squared. Where a path
+                                 ///< turns at a point: what turns within half of the pieces beside
+                                 ///< it, and within 0.5 m of the path.
   BEESPACE_IO_HEIGHT = 5,        ///< z, in metres.
   BEESPACE_IO_LOSS = 6,          ///< Two agents closer than the threshold. No limit.
   BEESPACE_IO_CLEARANCE = 7      ///< An agent closer to an obstacle than the clearance. No limit.

@@ -72,4 +72,13 @@ bool has_encounters(const AllConflicts& found, const io::Recording& recording,
   return any && any->has_value();
 }
 
+ApartOf apart_along(const std::vector<Track>& lines, const VelocityCurves& curves,
+                    double height_unit_m) {
+  if (curves.tracks.empty()) return apart_of(lines, height_unit_m);
+  return [of_lines = apart_of(lines, height_unit_m),
+          of_curves = apart_of(curves.tracks, height_unit_m)](const Conflict& conflict) {
+    return conflict.certain ? of_lines(conflict) : of_curves(conflict);
+  };
+}
+
 }  // namespace beespace::analysis

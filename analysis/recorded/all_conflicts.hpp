@@ -4,6 +4,7 @@
 #pragma once
 
 #include "analysis/geometry/geometry.hpp"
+#include "analysis/recorded/apart.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "io/recording/recording.hpp"
 
@@ -38,5 +39,10 @@ Result<AllConflicts> all_conflicts(const io::Recording& recording, const std::ve
 // the tracks in space, and `found` is what was found.
 bool has_encounters(const AllConflicts& found, const io::Recording& recording,
                     const std::vector<Track>& in_space, const ConflictOptions& options);
+
+// How far apart the two of a conflict are on what they were found in conflict along, with a
+// vertical threshold: these lines, or the curves. Both must outlive the answer.
+ApartOf apart_along(const std::vector<Track>& lines, const VelocityCurves& curves,
+                    double height_unit_m);
 
 }  // namespace beespace::analysis

@@ -28,7 +28,9 @@ double ground_of(const io::Recording& recording) {
     const auto ends = ends_of(bee);
     if (ends) lowest_m = std::min({lowest_m, ends->first.position.z, ends->last.position.z});
   }
-  return recording.show && lowest_m > io::kHighestShowGround_m ? 0.0 : lowest_m;
+  if (!recording.show || lowest_m <= io::kHighestShowGround_m) return lowest_m;
+  const bool said = recording.show->ground_m.value_or(0.0) > io::kHighestShowGround_m;
+  return said ? lowest_m : 0.0;
 }
 
 }  // namespace beespace::analysis

@@ -26,7 +26,7 @@ std::optional<Ends> ends_of(const io::RecordedBee& bee);
 inline constexpr double kStandsWithin_m = 0.1;
 
 // The height of the ground: where a show says it is, or the lowest place at which a bee begins or
-// ends; 0 of a show of which all is higher than io::kHighestShowGround_m.
+// ends; 0 of a show of which all is higher than io::kHighestShowGround_m and that does not say so.
 double ground_of(const io::Recording& recording);
 
 }  // namespace beespace::analysis

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/low_conflicts.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "io/recording/recording.hpp"
 
@@ -30,6 +31,9 @@ struct Findings {
   std::vector<Conflict> with_standing = {};  // of the conflicts: with a drone on the ground
   // Where `closest` is with a drone on the ground: of two in the air, conflict or not.
   std::optional<Conflict> closest_in_the_air = {};
+
+  // Conflicts that are left out, as is asked for.
+  LowConflicts low = {};
 
   // Of given velocities; `recorded` has the conflicts along them too. Null where these were not
   // looked at.

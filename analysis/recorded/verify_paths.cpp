@@ -1,6 +1,8 @@
 #include "analysis/recorded/verify_paths.hpp"
 
 #include "analysis/geometry/geometry.hpp"
+#include "analysis/recorded/all_conflicts.hpp"
+#include "analysis/recorded/earth_flights.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/flights.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
@@ -25,15 +27,23 @@ class PathVerification {
   PathVerification(const io::Recording& recording, const PathQuestion& question)
       : recording_(recording),
         question_(question),
-        flights_(flights_of(recording, question.with_velocities, question.max_gap_s)) {}
+        on_earth_(recording.frame == io::Frame::kWgs84),
+        flights_(on_earth_ ? std::vector<Flight>(recording.bees.size())
+                           : flights_of(recording, question.with_velocities, question.max_gap_s)) {}
 
   Result<PathVerdict> operator()(const std::function<void(double)>& progress) {
-    if (auto error = check_pairs()) return *std::move(error);
+    const bool as_replayed = on_earth_ || question_.vertical;
+    if (auto error = as_replayed ? replay_pairs() : check_pairs()) return *std::move(error);
+    if (question_.ignore_below_m) {
+      verdict_.low = leave_out_low(recording_, *question_.ignore_below_m, verdict_.losses);
+      leave_out_too(verdict_.low, verdict_.with_standing);
+    }
     for (PointId bee = 0; bee < flights_.size(); ++bee) {
       if (question_.stop.stop_requested()) {
         return Error{ErrorCode::kStopped, "a stop was requested", {}};
       }
-      if (auto error = check_bee(bee)) return of_bee(*std::move(error), recording_.bees[bee]);
+      if (auto error = on_earth_ ? check_bee_on_earth(bee) : check_bee(bee))
+        return of_bee(*std::move(error), recording_.bees[bee]);
       if (progress) progress(static_cast<double>(bee + 1) / static_cast<double>(flights_.size()));
     }
     std::stable_sort(
@@ -46,6 +56,37 @@ class PathVerification {
   }
 
  private:
+  // As `beespace replay` decides them.
+  std::optional<Error> replay_pairs() {
+    const Geometry geometry = geometry_for(recording_, question_.vertical);
+    auto tracks = analysis::tracks_of(recording_, geometry, kTolerance_m);
+    if (!tracks) return std::move(tracks).error();
+    keep_paths_whole(recording_, question_.max_gap_s, *tracks);
+    ConflictOptions options{
+        .threshold_m = question_.threshold_m,
+        .vertical_m = vertical_in(geometry, question_.vertical, recording_.height_unit),
+        .max_gap_s = question_.max_gap_s,
+        .threads = question_.threads,
+        .stop = question_.stop};
+    options.height_unit_m = height_unit_m(geometry, recording_.height_unit);
+    auto found = all_conflicts(recording_, *tracks, geometry, options, !question_.with_velocities);
+    if (!found) return std::move(found).error();
+    const auto in_space = analysis::tracks_of(recording_, Geometry::kSpace, kTolerance_m);
+    if (!in_space) return in_space.error();
+    verdict_.encounters = has_encounters(*found, recording_, *in_space, options);
+    verdict_.gaps = std::move(found->recorded.gaps);
+    verdict_.losses = std::move(found->recorded.conflicts);
+    verdict_.with_standing = std::move(found->with_standing);
+    verdict_.closest = found->closest;
+    const auto& standing = verdict_.with_standing;
+    const bool stands = found->closest && std::find(standing.begin(), standing.end(),
+                                                    *found->closest) != standing.end();
+    verdict_.closest_in_the_air = stands ? found->closest_in_the_air : found->closest;
+    verdict_.lines = *std::move(tracks);
+    verdict_.curves = std::move(found->curves);
+    return std::nullopt;
+  }
+
   std::optional<Error> check_pairs() {
     const auto tracks = tracks_of(flights_, recording_, kTolerance_m);
     if (!tracks) return tracks.error();
@@ -80,6 +121,7 @@ class PathVerification {
     }
     take_closer(without(verdict_.losses, verdict_.with_standing));
     verdict_.closest_in_the_air = verdict_.closest;
+    verdict_.encounters = verdict_.closest.has_value();
     take_closer(verdict_.with_standing);
     return std::nullopt;
   }
@@ -104,18 +146,34 @@ class PathVerification {
     return (*found)->closer;
   }
 
+  void take_check(PointId bee, const PathCheck& checked) {
+    for (const PathExcess& excess : checked.excesses) {
+      verdict_.breaches.push_back({bee, excess, {}});
+    }
+    for (std::size_t k = 0; k < kPathLimits; ++k) {
+      auto& peak = verdict_.peaks[k];
+      if (!peak || checked.peaks[k].value > peak->peak.value) {
+        peak = BeePeak{bee, checked.peaks[k]};
+      }
+    }
+  }
+
+  std::optional<Error> check_bee_on_earth(PointId bee) {
+    if (recording_.bees[bee].fixes.empty()) return std::nullopt;
+    const auto flight =
+        earth_flight_of(recording_, bee, question_.with_velocities, question_.max_gap_s);
+    if (!flight) return flight.error();
+    const auto checked = check_earth_flight(*flight, question_.limits);
+    if (!checked) return checked.error();
+    take_check(bee, *checked);
+    return std::nullopt;
+  }
+
   std::optional<Error> check_bee(PointId bee) {
     for (const BezierPath& path : flights_[bee]) {
       const auto checked = check_path(path, question_.limits);
       if (!checked) return checked.error();
-      for (const PathExcess& excess : checked->excesses)
-        verdict_.breaches.push_back({bee, excess, {}});
-      for (std::size_t k = 0; k < kPathLimits; ++k) {
-        auto& peak = verdict_.peaks[k];
-        if (!peak || checked->peaks[k].value > peak->peak.value) {
-          peak = BeePeak{bee, checked->peaks[k]};
-        }
-      }
+      take_check(bee, *checked);
       if (question_.obstacles == nullptr) continue;
       if (auto error = check_clearance(bee, path)) return error;
     }
@@ -185,7 +243,8 @@ class PathVerification {
 
   const io::Recording& recording_;
   const PathQuestion& question_;
-  std::vector<Flight> flights_;
+  bool on_earth_;
+  std::vector<Flight> flights_;  // of those in metres
   PathVerdict verdict_;
 };
 
@@ -216,7 +275,7 @@ bool PathQuestion::has_limits() const {
 bool compares(const io::Recording& recording, const PathVerdict& verdict,
               const PathQuestion& question) {
   if (recording.bees.size() < 2) return question.has_limits() || question.obstacles != nullptr;
-  return verdict.closest || recording.show;
+  return verdict.encounters || recording.show;
 }
 
 Result<PathVerdict> verify_paths(const io::Recording& recording, const PathQuestion& question,

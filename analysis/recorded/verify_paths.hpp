@@ -1,12 +1,17 @@
 // Whether a recording kept its distance and its limits along curves: of shows, and of flights whose
-// bees have fixes at times of their own.
+// bees have fixes at times of their own, in metres or in degrees.
 #pragma once
 
+#include "analysis/geometry/geometry.hpp"
 #include "analysis/recorded/limits_beside.hpp"
+#include "analysis/recorded/low_conflicts.hpp"
+#include "analysis/recorded/velocity_curves.hpp"
 #include "io/recording/recording.hpp"
 #include "io/recording/show_facts.hpp"
+#include "io/units/stated_length.hpp"
 
 #include <beespace/find_conflicts.hpp>
+#include <beespace/track.hpp>
 #include <beespace/verify.hpp>
 #include <beespace/verify_path.hpp>
 
@@ -41,6 +46,11 @@ struct PathVerdict {
   std::optional<Conflict> closest;  // of all; nothing where no two are there at the same time
   // The same of two in the air; it differs where `closest` is with a drone on the ground.
   std::optional<Conflict> closest_in_the_air;
+  LowConflicts low;         // that are left out of the losses, as the question asks
+  bool encounters = false;  // some two are there at the same time
+  // Distances that were decided as `beespace replay` does: the lines and the curves along which.
+  std::vector<Track> lines = {};
+  VelocityCurves curves = {};
   std::vector<Gap> gaps;
   // Of the accelerations that a show declares: those that are looked at in their direction. Their
   // excesses are in `breaches`.
@@ -51,12 +61,20 @@ struct PathVerdict {
   [[nodiscard]] bool found_nothing() const {
     return losses.empty() && clearance_losses.empty() && breaches.empty();
   }
-  [[nodiscard]] bool holds() const { return found_nothing() && undecided.empty(); }
+  // Velocities that lead too far away from straight lines may hide a loss.
+  [[nodiscard]] bool holds() const {
+    return found_nothing() && undecided.empty() && curves.followed;
+  }
 };
 
+// In degrees, and with a vertical threshold, distances are decided as `beespace replay` does: along
+// straight lines, and as possible along the curves with the given velocities.
 struct PathQuestion {
+  // In metres all fixes then have one.
   bool with_velocities = false;
   double threshold_m = 0.0;
+  std::optional<io::StatedLength> vertical = {};
+  std::optional<double> ignore_below_m = {};  // see leave_out_low()
   double max_gap_s = 0.0;
   const ObstacleMap* obstacles = nullptr;
   double clearance_m = 0.0;

@@ -124,6 +124,13 @@ void add_threshold_options(Command& command, MovingRequest& request) {
                  "How many threads work (default: 0, all)");
 }
 
+void add_low_option(Command& command, MovingRequest& request) {
+  command.option(
+      "--ignore-below", "LENGTH", request.ignore_below_m, amount("metres", kAboveZero),
+      "Leave out, and count, conflicts of two that are both\nlower than this above where "
+      "they took off, as in a\ntake-off grid (default: none is left out)");
+}
+
 void add_separation_options(Command& command, MovingRequest& request) {
   add_threshold_options(command, request);
   command.option("--max-results", "N", request.max_results, read_max_results,

@@ -33,6 +33,7 @@ struct MovingRequest {
   std::optional<io::StatedLength> vertical = {};  // the same, as typed
   const UsualSeparation* separation = nullptr;    // that stands for both
   bool inclusive = false;
+  std::optional<double> ignore_below_m = {};  // see analysis/recorded/low_conflicts.hpp
   std::uint64_t max_results = std::numeric_limits<std::uint64_t>::max();
   unsigned threads = 0;
   std::string output = "-";
@@ -61,6 +62,8 @@ void add_input_options(Command& command, MovingRequest& request);
 void add_max_gap_option(Command& command, std::optional<double>& max_gap_s);
 void add_gap_options(Command& command, std::optional<double>& max_gap_s, double& tolerance_m);
 void add_threshold_options(Command& command, MovingRequest& request);
+// --ignore-below, of commands that know where bees took off.
+void add_low_option(Command& command, MovingRequest& request);
 // The same, and how many conflicts there may be.
 void add_separation_options(Command& command, MovingRequest& request);
 // Where the answer goes, and in which form.

@@ -205,6 +205,37 @@ std::string encounter_text(const Conflict& conflict, const io::Recording& record
          io::moment_text(conflict.closest_s, recording);
 }
 
+std::string low_text(const analysis::LowConflicts& low) {
+  return io::counted(low.left_out.size(), "conflict", "conflicts") + " of two lower than " +
+         io::exact(low.below_m) + " m above where they took off";
+}
+
+void append_low(std::string& out, const analysis::LowConflicts& low, const io::Recording& recording,
+                const MovingRequest& request, const Distances& distances, std::size_t standing) {
+  if (!request.ignore_below_m) {
+    if (standing == 0) return;
+    return append_summary_line(out, "",
+                               "--ignore-below " + io::exact(distances.threshold_m) +
+                                   " leaves out conflicts of two that are both lower than that "
+                                   "above where they took off");
+  }
+  const auto closest = low.closest();
+  std::string text = low_text(low) + " (--ignore-below)";
+  if (closest) text = red(text) + ", the closest " + encounter_text(*closest, recording, distances);
+  append_summary_line(out, "left out", text);
+  if (low.bees_not_known == 0) return;
+  append_summary_line(out, "",
+                      "of " + io::counted(low.bees_not_known, "bee", "bees") +
+                          " it is not known where they took off: none of theirs is left out");
+}
+
+void write_low(io::JsonWriter& json, const analysis::LowConflicts& low,
+               const MovingRequest& request) {
+  if (!request.ignore_below_m) return;
+  json.member("ignore_below_m", low.below_m).member("ignored_count", low.left_out.size());
+  json.member("take_off_not_known_count", low.bees_not_known);
+}
+
 void add_apart_columns(std::vector<RowColumn>& columns, const Distances& distances) {
   if (!distances.apart) return;
   columns.push_back({"horizontal_m"});

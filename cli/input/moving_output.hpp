@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analysis/recorded/apart.hpp"
+#include "analysis/recorded/low_conflicts.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/input/moving_options.hpp"
 #include "cli/output/rows.hpp"
@@ -64,6 +65,17 @@ inline constexpr const char* kWithStanding = "with a drone on the ground";
 std::string pair_text(const Conflict& conflict, const io::Recording& recording);
 std::string encounter_text(const Conflict& conflict, const io::Recording& recording,
                            const Distances& distances);
+
+// Of conflicts that --ignore-below leaves out: "72 conflicts of two lower than 3 m above where they
+// took off".
+std::string low_text(const analysis::LowConflicts& low);
+// The line about them, where the option is given; where it is not, and `standing` conflicts are
+// with drones on the ground, what to type.
+void append_low(std::string& out, const analysis::LowConflicts& low, const io::Recording& recording,
+                const MovingRequest& request, const Distances& distances, std::size_t standing);
+// Members in JSON, where the option is given.
+void write_low(io::JsonWriter& json, const analysis::LowConflicts& low,
+               const MovingRequest& request);
 
 // With a vertical threshold the columns of how far two are apart, and their values, which are empty
 // where that is not known.

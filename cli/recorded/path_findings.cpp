@@ -1,6 +1,8 @@
 #include "cli/recorded/path_findings.hpp"
 
+#include "analysis/recorded/all_conflicts.hpp"
 #include "analysis/recorded/findings.hpp"
+#include "analysis/recorded/landed_times.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/console/terminal.hpp"
@@ -38,11 +40,18 @@ double shown_value(const PathPeak& peak, PathLimit limit) {
   return signed_one ? std::max(0.0, peak.value) : peak.value;
 }
 
+// Of the acceleration of a corner: what it is of.
+std::string corner_text(const PathPeak& peak) {
+  if (!peak.at_corner) return "";
+  return ", where it turns at a point (within " + io::exact(kCornerDeviation_m) + " m of its path)";
+}
+
 std::string peak_text(PathLimit limit, const analysis::BeePeak& peak,
                       const io::Recording& recording) {
   const PathLimitWords& words = words_of(limit);
   return std::string(words.noun) + " " + io::grouped(shown_value(peak.peak, limit), 3) + " " +
-         words.unit + ", " + shown_bee(peak.bee, recording) + when(peak.peak.at_s, recording);
+         words.unit + ", " + shown_bee(peak.bee, recording) + when(peak.peak.at_s, recording) +
+         corner_text(peak.peak);
 }
 
 void append_peaks(std::string& out, const PathFindings& findings) {
@@ -77,7 +86,7 @@ std::string breaches_text(const Breaches& breaches, const std::string& limit,
   return red(io::counted(breaches.size(), "stretch", "stretches") + " above the " + limit) +
          ", the worst " + io::grouped(worst.excess.peak.value, 3) + " " +
          words_of(worst.excess.limit).unit + ": " + shown_bee(worst.bee, findings.recording) +
-         when(worst.excess.peak.at_s, findings.recording);
+         when(worst.excess.peak.at_s, findings.recording) + corner_text(worst.excess.peak);
 }
 
 std::string acceleration_text(const io::ShowAcceleration& declared) {
@@ -115,6 +124,23 @@ std::string accelerations_text(const PathFindings& findings) {
   return text.empty() ? text : text + " (as the show declares)";
 }
 
+// With a vertical threshold, how far apart two are horizontally and vertically.
+Distances distances_in(const PathFindings& findings, const MovingRequest& request) {
+  const io::Recording& recording = findings.recording;
+  const analysis::PathVerdict& verdict = findings.verdict;
+  Distances distances = distances_of(request, recording, findings.question.threshold_m);
+  if (!request.vertical) return distances;
+  const analysis::Geometry geometry = analysis::geometry_for(recording, request.vertical);
+  distances.apart = analysis::apart_along(verdict.lines, verdict.curves,
+                                          height_unit_m(geometry, recording.height_unit));
+  return distances;
+}
+
+std::string possible_text(const Conflict& loss, const PathFindings& findings) {
+  const bool along_curves = findings.verdict.curves.given && !loss.certain;
+  return along_curves ? ", possible, on curves with the given velocities" : "";
+}
+
 void append_losses(std::string& out, const PathFindings& findings, const Distances& distances) {
   constexpr std::size_t kMost = 5;
   std::vector<Conflict> standing = findings.verdict.with_standing;
@@ -135,6 +161,7 @@ void append_losses(std::string& out, const PathFindings& findings, const Distanc
   for (std::size_t i = 0; i < std::min(kMost, losses.size()); ++i) {
     append_summary_line(out, "",
                         encounter_text(losses[i], findings.recording, distances) +
+                            possible_text(losses[i], findings) +
                             (i < in_the_air ? "" : ", " + std::string(kWithStanding)));
   }
 }
@@ -143,11 +170,19 @@ void append_losses(std::string& out, const PathFindings& findings, const Distanc
 void append_closest(std::string& out, const PathFindings& findings, const Distances& distances) {
   const analysis::PathVerdict& verdict = findings.verdict;
   if (!verdict.closest) {
+    // Of those that keep a vertical threshold a straight line says little.
+    if (verdict.encounters) return;
     const bool alone = findings.recording.bees.size() == 1;
     return append_summary_line(out, "closest",
                                alone ? kNoPair : "no two are there at the same time");
   }
-  const std::string text = encounter_text(*verdict.closest, findings.recording, distances);
+  std::string text = encounter_text(*verdict.closest, findings.recording, distances);
+  const auto stands = [&](PointId bee) {
+    return analysis::has_landed(findings.recording, bee, verdict.closest->closest_s);
+  };
+  if (stands(verdict.closest->first) && stands(verdict.closest->second)) {
+    text += ", both on the ground";
+  }
   if (verdict.closest == verdict.closest_in_the_air) {
     return append_summary_line(out, "closest", text);
   }
@@ -170,6 +205,15 @@ std::string verdict_text(const PathFindings& findings) {
   const analysis::PathQuestion& question = findings.question;
   const HoldingWords holding(findings.recording.bees.size(), question.obstacles != nullptr,
                              question.has_limits());
+  if (verdict.found_nothing() && !verdict.curves.followed) {
+    return red("not looked at as a whole") +
+           ": nothing else was found, but velocities lead too far away from straight lines to be "
+           "followed (are they in another unit, or of another direction?); --straight leaves them "
+           "out" +
+           (findings.coverage.may_hide_conflicts()
+                ? "; " + analysis::unknown_text(findings.coverage)
+                : "");
+  }
   if (verdict.found_nothing() && !verdict.undecided.empty()) {
     return red("not looked at as a whole") + ": nothing else was found, but whether " +
            listed(verdict.undecided) + (verdict.undecided.size() == 1 ? " is kept" : " are kept") +
@@ -185,6 +229,9 @@ std::string verdict_text(const PathFindings& findings) {
   if (findings.holds() && !verdict.not_looked_at.empty()) {
     return holding.text() + " in what was looked at, which " + listed(verdict.not_looked_at) +
            (verdict.not_looked_at.size() == 1 ? " is" : " are") + " not (--skip-limits)";
+  }
+  if (findings.holds() && !verdict.low.left_out.empty()) {
+    return holding.text() + ", but for " + low_text(verdict.low);
   }
   if (findings.holds()) return holding.text();
   if (verdict.holds() && !findings.compares() && findings.recording.bees.size() == 1) {
@@ -301,10 +348,16 @@ void write_verdict(io::JsonWriter& json, const PathFindings& findings,
     json.begin_object(words.finding).member("value", shown_value(peak->peak, words.limit));
     json.member("unit", words.unit);
     json.member("id", analysis::name_of(peak->bee, recording).id);
-    json.member("at_s", peak->peak.at_s).end();
+    json.member("at_s", peak->peak.at_s);
+    if (words.limit == PathLimit::kAcceleration) {
+      json.member("at_corner", peak->peak.at_corner);
+      if (peak->peak.at_corner) json.member("corner_deviation_m", kCornerDeviation_m);
+    }
+    json.end();
   }
   json.end();
   json.member("loss_count", verdict.losses.size());
+  write_low(json, verdict.low, request);
   if (findings.question.obstacles != nullptr) {
     json.member("obstacles", findings.question.obstacles->obstacles().size());
     json.member("clearance_m", findings.question.clearance_m);
@@ -346,10 +399,11 @@ std::string verify_summary(const PathFindings& findings, const MovingRequest& re
   if (const auto& names = findings.verdict.not_looked_at; !names.empty()) {
     append_summary_line(out, "", red("declared, but not looked at") + ": " + listed(names));
   }
-  const Distances distances = distances_of(request, recording, findings.question.threshold_m);
+  const Distances distances = distances_in(findings, request);
   append_closest(out, findings, distances);
   append_peaks(out, findings);
   append_losses(out, findings, distances);
+  append_low(out, verdict.low, recording, request, distances, verdict.with_standing.size());
   if (findings.question.obstacles != nullptr) {
     const auto count = verdict.clearance_losses.size();
     append_summary_line(

@@ -66,6 +66,7 @@ void write_findings(io::JsonWriter& json, const analysis::Findings& findings,
   write_head(json, findings.recording, request.moving, threshold_m);
   json.member("conflict_count", conflicts.size());
   json.member("pair_count", analysis::pairs_in_conflict(conflicts).size());
+  write_low(json, findings.low, request.moving);
   json.member("gap_count", findings.coverage.gaps);
   write_coverage(json.key("known"), findings.coverage, findings.recording);
   write_velocities(json, findings);

@@ -7,6 +7,7 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
+#include "analysis/recorded/low_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "analysis/text/bee_name.hpp"
@@ -80,16 +81,6 @@ Status write_events(const ReplayRequest& request, const analysis::Findings& find
   return std::monostate{};
 }
 
-// How far apart two are on what they were found in conflict along.
-analysis::ApartOf apart_along(const std::vector<Track>& lines,
-                              const analysis::VelocityCurves& curves, double unit_m) {
-  if (curves.tracks.empty()) return analysis::apart_of(lines, unit_m);
-  return [of_lines = analysis::apart_of(lines, unit_m),
-          of_curves = analysis::apart_of(curves.tracks, unit_m)](const Conflict& conflict) {
-    return conflict.certain ? of_lines(conflict) : of_curves(conflict);
-  };
-}
-
 // Rows of --report separation are kept until all are there.
 Status check_every(const ReplayRequest& request, const std::vector<Track>& tracks) {
   constexpr double kMostRows = 10'000'000;
@@ -141,6 +132,11 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
       .height_unit_m = height_unit_m(geometry, recording->height_unit)};
   auto found = analysis::all_conflicts(*recording, *tracks, geometry, options, request.straight);
   if (!found) return in_words_of_the_command(found.error(), moving);
+  analysis::LowConflicts low;
+  if (moving.ignore_below_m) {
+    low = analysis::leave_out_low(*recording, *moving.ignore_below_m, found->recorded.conflicts);
+    analysis::leave_out_too(low, found->with_standing);
+  }
   const double search_s = watch.lap();
 
   const bool apart = heights_apart(geometry);
@@ -157,6 +153,7 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
                               coverage,
                               analysis::has_encounters(*found, *recording, *in_space, options)};
   findings.with_standing = std::move(found->with_standing);
+  findings.low = std::move(low);
   findings.closest_in_the_air = found->closest_in_the_air;
   findings.curves = &found->curves;
   if (request.report == "bees" && recording->show && !moving.vertical) {
@@ -166,8 +163,8 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   }
   Distances distances = distances_of(moving, *recording, threshold_m);
   if (moving.vertical) {
-    distances.apart =
-        apart_along(*tracks, found->curves, height_unit_m(geometry, recording->height_unit));
+    distances.apart = analysis::apart_along(*tracks, found->curves,
+                                            height_unit_m(geometry, recording->height_unit));
   }
   progress.enter_stage("writing");
   const JsonHead head = [&](io::JsonWriter& json) {

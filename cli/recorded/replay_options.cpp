@@ -87,6 +87,9 @@ Status check_fit(const Command& command, const ReplayRequest& request) {
                        "--inclusive does not apply to --report events, in which exactly the "
                        "threshold is never too close; leave it out");
   }
+  if (request.moving.ignore_below_m && request.report == "events") {
+    return usage_error("replay", "--ignore-below does not apply to --report events; leave it out");
+  }
   return std::monostate{};
 }
 
@@ -94,6 +97,9 @@ Status check_memory(const ReplayRequest& request) {
   if (!request.memory_bytes) {
     return request.temporary.empty() ? Status(std::monostate{})
                                      : usage_error("replay", "--temporary goes with --memory");
+  }
+  if (request.moving.ignore_below_m) {
+    return usage_error("replay", "--memory does not take --ignore-below; leave one of them out");
   }
   if (request.report == "conflicts" || request.report == "bees") return std::monostate{};
   return usage_error("replay", "--memory does not take --report " + request.report +
@@ -128,6 +134,7 @@ Command replay_command() {
   add_gap_options(replay, request->max_gap_s, request->tolerance_m);
   replay.flag("--straight", request->straight, "Straight lines, whatever the velocities");
   add_separation_options(replay, moving);
+  add_low_option(replay, moving);
   replay.choice("--report", request->report, {"conflicts", "bees", "separation", "events"},
                 "What to find, see below (default: conflicts)", "WHAT");
   replay.option("--every", "SECONDS", request->every_s, amount("seconds", kAboveZero),

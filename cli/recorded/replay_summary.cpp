@@ -63,6 +63,9 @@ std::string verdict(const analysis::Findings& findings,
                 ? "; " + analysis::unknown_text(findings.coverage)
                 : "");
   const std::string open = open_text(findings);
+  if (pairs.empty() && open.empty() && !findings.low.left_out.empty()) {
+    return bold("keeps its distance") + ", but for " + low_text(findings.low);
+  }
   const std::string but = open.empty() ? "" : "; " + open;
   if (pairs.empty() && open.empty()) return bold("keeps its distance");
   if (pairs.empty()) {
@@ -130,6 +133,8 @@ void append_closest(std::string& out, const analysis::Findings& findings,
   if (stands(findings.closest->first) && stands(findings.closest->second)) {
     text += ", both on the ground";
   }
+  const auto& low = findings.low.left_out;
+  if (std::find(low.begin(), low.end(), *findings.closest) != low.end()) text += ", left out";
   if (!std::count(findings.with_standing.begin(), findings.with_standing.end(),
                   *findings.closest)) {
     return append_summary_line(out, "closest", text);
@@ -274,6 +279,7 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
   append_summary_line(out, "verdict", verdict(findings, pairs));
   append_closest(out, findings, distances);
   append_worst(out, findings, in_the_air_first(findings, pairs), distances);
+  append_low(out, findings.low, recording, request, distances, findings.with_standing.size());
   const std::string bars = findings.has_encounters && !figures.memory_bytes
                                ? bars_over_time(findings, figures.threshold_m)
                                : std::string();

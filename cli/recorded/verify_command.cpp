@@ -3,6 +3,7 @@
 #include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/common_times.hpp"
 #include "analysis/recorded/default_threshold.hpp"
+#include "analysis/recorded/earth_flights.hpp"
 #include "analysis/recorded/gaps.hpp"
 #include "analysis/recorded/verify_paths.hpp"
 #include "cli/command_line/option_values.hpp"
@@ -88,11 +89,12 @@ bool has_curves(const io::Recording& recording) {
                      [](const io::RecordedBee& bee) { return bee.path.has_value(); });
 }
 
-// Bees with fixes at times of their own, of which each has more than one.
+// Bees with fixes at times of their own, of which each has more than one; in degrees, some has.
 bool goes_along_curves(const io::Recording& recording) {
-  return recording.frame == io::Frame::kMetres &&
-         std::all_of(recording.bees.begin(), recording.bees.end(),
-                     [](const io::RecordedBee& bee) { return bee.fixes.size() > 1; });
+  const auto flies = [](const io::RecordedBee& bee) { return bee.fixes.size() > 1; };
+  const auto& bees = recording.bees;
+  return recording.frame == io::Frame::kMetres ? std::all_of(bees.begin(), bees.end(), flies)
+                                               : std::any_of(bees.begin(), bees.end(), flies);
 }
 
 // Of what only curves can be checked for.
@@ -103,19 +105,32 @@ bool asks_of_curves(const AskedLimits& limits) {
   });
 }
 
-Status check_curves(const io::Recording& recording, const VerifyOptions& check) {
-  if (recording.frame != io::Frame::kMetres) {
-    return Error{ErrorCode::kUnknownFrame,
-                 "limits of horizontal speed, climb, descent and height are of flights in metres "
-                 "with z upwards, and this one is in degrees; leave them out",
-                 {}};
-  }
-  if (check.straight && has_curves(recording)) {
+Status check_curves(const io::Recording& recording, const VerifyRequest& request) {
+  if (request.check.straight && has_curves(recording)) {
     return Error{ErrorCode::kInvalidArgument,
                  "drones of a show fly along their curves; leave --straight out",
                  {}};
   }
+  for (const PathLimit limit : {PathLimit::kClimb, PathLimit::kDescent, PathLimit::kHeight}) {
+    const auto which = static_cast<std::size_t>(limit);
+    if (!recording.flat || !request.limits[which]) continue;
+    return Error{ErrorCode::kMissingColumn,
+                 std::string("the input has no heights, and so nothing is known of what ") +
+                     kPathLimitWords[which].option + " limits; leave it out",
+                 {}};
+  }
   return std::monostate{};
+}
+
+// Of flights in degrees; sets `check.straight` where there is no other way.
+std::string motion_on_earth(const io::Recording& recording, VerifyOptions& check) {
+  if (check.straight) return "straight lines from fix to fix (--straight)";
+  check.straight = !analysis::logs_velocities(recording);
+  return check.straight
+             ? "straight lines from fix to fix: there are no velocities; accelerations are those "
+               "of the turns at fixes"
+             : "straight lines from fix to fix, and curves with the velocities; accelerations are "
+               "those of the velocities";
 }
 
 // Of limits that need not be looked at: they must be those of this show, so that a mistyped one is
@@ -143,10 +158,12 @@ Result<ExitCode> verify_along_curves(const VerifyRequest& request, const io::Rec
                                      ProgressBar& progress, Stopwatch& watch) {
   const MovingRequest& moving = request.moving;
   VerifyOptions check = request.check;
-  if (Status good = check_curves(recording, check); !good) return good.error();
+  if (Status good = check_curves(recording, request); !good) return good.error();
   const bool curves = has_curves(recording);
-  auto motion = curves
-                    ? Result<std::string>("along the curves of the show")
+  const bool on_earth = recording.frame == io::Frame::kWgs84;
+  auto motion = curves ? Result<std::string>("along the curves of the show")
+                : on_earth
+                    ? Result<std::string>(motion_on_earth(recording, check))
                     : settle_motion(recording, !recording.show && needs_velocities(request), check);
   if (!motion) return motion.error();
   const analysis::MaxGap max_gap = analysis::max_gap_of(recording, request.max_gap_s);
@@ -155,6 +172,8 @@ Result<ExitCode> verify_along_curves(const VerifyRequest& request, const io::Rec
   question.with_velocities = !curves && !check.straight;
   question.threshold_m = moving.threshold_m.value_or(
       analysis::default_threshold(recording, kDefaultVerified_m).metres);
+  question.vertical = moving.vertical;
+  question.ignore_below_m = moving.ignore_below_m;
   question.max_gap_s = max_gap.seconds;
   if (!request.obstacles.empty()) question.obstacles = &obstacles;
   question.clearance_m = check.clearance_m;
@@ -194,7 +213,7 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
   if (auto doubt = analysis::doubt_of_scale(*recording, moving.threshold)) return *std::move(doubt);
-  if (auto needed = analysis::threshold_needed(*recording, moving.threshold, false)) {
+  if (auto needed = analysis::threshold_needed(*recording, moving.threshold)) {
     return *std::move(needed);
   }
   if (Status flight = check_flight(*recording, moving.inputs.front()); !flight) {
@@ -202,7 +221,8 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
   }
   if (Status good = check_frame(*recording, request.obstacles); !good) return good.error();
   if (Status good = check_skipped(*recording, request.skipped_limits); !good) return good.error();
-  const bool asked = has_curves(*recording) || recording->show || asks_of_curves(request.limits);
+  const bool asked = has_curves(*recording) || recording->show || moving.vertical ||
+                     moving.ignore_below_m || asks_of_curves(request.limits);
   const auto times_s = asked ? Result<std::vector<double>>(std::vector<double>())
                              : analysis::common_times(*recording);
   if (asked || (!times_s && goes_along_curves(*recording))) {

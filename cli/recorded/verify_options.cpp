@@ -22,7 +22,13 @@ constexpr const char* kVerifyDetails =
     "where it\n"
     "was. Without them, or with --straight, it flies straight lines. All of the time in between is "
     "looked\n"
-    "at, not samples of it. Flights in degrees need fixes of all bees at the same times.\n"
+    "at, not samples of it. Flights in degrees whose bees have fixes at times of their own, as "
+    "logs of "
+    "drones\n"
+    "have, are looked at as by 'beespace replay': straight lines, and possible losses along curves "
+    "with the\n"
+    "velocities; accelerations are those of the velocities, or without these of the turns at "
+    "fixes.\n"
     "Writes a line for each finding, the first 1000 of each kind:\n"
     "  loss          id, id: closer than the threshold within one step; when that step begins and "
     "ends,\n"
@@ -33,10 +39,14 @@ constexpr const char* kVerifyDetails =
     "  speed         id: faster than --max-speed within one step; when it begins and ends, and how "
     "fast\n"
     "  acceleration  id: the same of --max-acceleration\n"
-    "Along curves, and of flights in metres with fixes at times of their own, a line is a stretch "
-    "of time,\n"
+    "Along curves, with --vertical, and of flights with fixes at times of their own, a line is a "
+    "stretch of time,\n"
     "and says the limit and when the worst is; there are also:\n"
     "  horizontal, climb, descent, height   id: the same of --max-horizontal, ...\n"
+    "Where such a line turns at a point, the acceleration is that which takes the turn within half "
+    "of what\n"
+    "is before and behind it, and within 0.5 m of the point: as little as a flight along it "
+    "needs.\n"
     "A step longer than --max-gap was not seen: nothing is found in it, and the flight does not "
     "hold.\n"
     "\n"
@@ -46,11 +56,12 @@ constexpr const char* kVerifyDetails =
     "  beespace verify log.csv --threshold 2 --straight --output findings.csv\n"
     "  beespace verify show.skyc --max-acceleration 4\n"
     "  beespace verify flight.csv --threshold 2 --obstacles city.json --clearance 3\n"
+    "  beespace verify north.ulg south.ulg --threshold 5 --max-speed 12\n"
     "  beespace verify log.csv --quiet --output /dev/null && echo safe\n"
     "\n"
     "Exit status: 0 it holds, 1 there is a loss, a breach, a gap, or a limit of a show that is not "
     "looked\n"
-    "at, 2 wrong usage, 3 bad input, or fixes at different times, 4 cannot open, read or write, "
+    "at, 2 wrong usage, 3 bad input, 4 cannot open, read or write, "
     "130\n"
     "interrupted, 143 terminated, 141 closed pipe.";
 
@@ -71,6 +82,9 @@ void add_check_options(Command& verify, VerifyRequest& request) {
   verify.option("--threshold", "LENGTH", request.moving.threshold, read_stated_threshold_in_motion,
                 "Closer than this is too close (default: what the\ninput declares, or 2 for shows, "
                 "otherwise 5)");
+  verify.option("--vertical", "LENGTH", request.moving.vertical, read_vertical, kVerticalHelp);
+  add_usual_separation_option(verify, request.moving.separation);
+  add_low_option(verify, request.moving);
   verify.option("--max-speed", "SPEED", request.check.max_speed_mps,
                 amount("metres per second", kFromZero), "In m/s (default: not checked)");
   verify.option("--max-acceleration", "A", request.check.max_acceleration_mps2,
@@ -88,7 +102,7 @@ void add_check_options(Command& verify, VerifyRequest& request) {
                 amount("metres per second", kFromZero),
                 "Of the speed downwards (default: as above)");
   verify.option("--max-height", "LENGTH", limit(PathLimit::kHeight), amount("metres", kFromZero),
-                "Of z (default: as above)");
+                "Of z; of degrees, of the height as the input counts it\n(default: as above)");
   verify.option("--skip-limits", "NAMES", request.skipped_limits, read_names,
                 "Limits that the show declares and that need not be\nlooked at, where that is not "
                 "done: minNavAltitude");
@@ -110,6 +124,11 @@ Status settle(const Command& command, VerifyRequest& request) {
   };
   take("--max-speed", PathLimit::kSpeed, request.check.max_speed_mps);
   take("--max-acceleration", PathLimit::kAcceleration, request.check.max_acceleration_mps2);
+  if (request.moving.vertical && !request.obstacles.empty()) {
+    return usage_error("verify",
+                       "--vertical is of two bees, and --obstacles are checked in space; check one "
+                       "after the other");
+  }
   if (request.check.straight && command.is_given("--max-acceleration")) {
     return usage_error("verify",
                        "--max-acceleration needs the velocities, and --straight ignores them; "

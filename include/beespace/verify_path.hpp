@@ -84,11 +84,19 @@ struct PathLimits {
   double operator[](PathLimit limit) const { return most[static_cast<std::size_t>(limit)]; }
 };
 
+/// @brief How far a corner may be cut, in metres: what is taken as being flown on a path.
+///
+/// Drones of a show hold their places to about so much, and paths that were simplified leave the
+/// curves that were meant by less; distances between drones are planned with more room than this.
+inline constexpr double kCornerDeviation_m = 0.5;
+
 /// @brief The greatest value of something along a path.
 struct PathPeak {
   double value = 0.0;  ///< Never less than it is, and a billionth more at most (beside the rounding
                        ///< of positions and times).
   double at_s = 0.0;   ///< When it is reached, in seconds.
+  bool at_corner =
+      false;  ///< Of an acceleration: whether it is that of a corner; see check_path().
 };
 
 /// @brief A stretch of pieces of a path in each of which a limit is exceeded.
@@ -112,8 +120,10 @@ struct PathCheck {
 /// A value may be above its limit by a billionth, and by what the rounding of positions and times
 /// to doubles may have made of it; more is always found. Where one piece goes over into the next
 /// with another velocity, no drone can follow exactly: the acceleration there is that which takes
-/// the corner within the nearer half of both pieces, the jump of the velocity divided by half of
-/// their common length. Through the points of straight lines no flight can do with less.
+/// the corner within the nearer half of both pieces and within kCornerDeviation_m of the path. Of a
+/// jump v of the velocity that is the greater of v / t, with half of their common length t, and of
+/// v^2 / (8 kCornerDeviation_m), since evenly accelerated for a time t a drone cuts the corner by
+/// v t / 8. So it does not depend on how many points a path was simplified to.
 ///
 /// Complexity: linear in the pieces. Thread safety: no state is kept.
 ///

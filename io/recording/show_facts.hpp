@@ -49,15 +49,18 @@ struct ShowCue {
   std::string name = {};
 };
 
-// Shows count heights from the ground: one of which all is higher than this is no whole show. Its
-// ground is at 0, and who hovers still at its lowest height flies.
+// Shows count heights from the ground: one of which all is higher than this is no whole show,
+// unless it says that all drones start and land there. Its ground is at 0, and who hovers still at
+// its lowest height flies.
 inline constexpr double kHighestShowGround_m = 1.0;
 
 struct ShowFacts {
   ShowLimits limits = {};
   std::optional<ShowPlace> place = {};
-  std::vector<ShowCue> cues = {};       // in the order of the show
-  std::optional<double> ground_m = {};  // the height of the lowest place of the show
+  std::vector<ShowCue> cues = {};  // in the order of the show
+  // The height of the lowest place of the show; higher than kHighestShowGround_m where all drones
+  // are said to start and to land there.
+  std::optional<double> ground_m = {};
 };
 
 }  // namespace beespace::io

@@ -1,5 +1,6 @@
 #include "io/shows/show_reading.hpp"
 
+#include "io/bytes/number_text.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/recording/show_ground.hpp"
 #include "io/shows/show_settings.hpp"
@@ -127,7 +128,18 @@ class ShowReading {
     for (const Drone& drone : drones_) {
       ground_m = std::min(ground_m, lowest_of(drone.trajectory, drone.ground));
     }
-    if (ground_m > kHighestShowGround_m) ground_m = 0.0;
+    // As high as a roof only where all of them say so, and do so: otherwise a part of a show would
+    // look like the whole.
+    if (ground_m > kHighestShowGround_m) {
+      raised_ = std::all_of(drones_.begin(), drones_.end(), [ground_m](const Drone& drone) {
+        return starts_and_lands_at(drone.trajectory, drone.ground, ground_m);
+      });
+      if (raised_) {
+        raised_m_ = ground_m;
+      } else {
+        ground_m = 0.0;
+      }
+    }
     if (!drones_.empty()) assembly_.declare_ground(ground_m);
     const bool all = assembly_.options().grounded;
     for (Drone& drone : drones_) {
@@ -250,6 +262,10 @@ class ShowReading {
                      (first_takeoff_s_ < last_takeoff_s_ ? " and not the same for all" : "") +
                      ", as Skybrush plays them");
     }
+    if (raised_) {
+      assembly_.note("the ground is at z = " + exact(raised_m_) +
+                     " m, where all drones start and land, as their home and landAt say");
+    }
     if (stood_ > 0) assembly_.note(standing_note(stood_));
     if (grounded_ > 0) assembly_.note(grounded_note(grounded_));
   }
@@ -257,6 +273,8 @@ class ShowReading {
   ShowDocuments& documents_;
   RecordingAssembly& assembly_;
   std::vector<Drone> drones_;
+  bool raised_ = false;    // the ground is higher than kHighestShowGround_m:
+  double raised_m_ = 0.0;  // so high
   std::uint64_t stood_ = 0;
   std::uint64_t grounded_ = 0;
   std::uint64_t shifted_ = 0;  // by takeoffTime

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -75,6 +76,17 @@ bool read_origin(JsonElement element, ShowPlace& place) {
   return true;
 }
 
+// Also a number that is written as text: "59".
+bool read_heading(JsonElement element, double& heading_deg) {
+  if (read_json(element, heading_deg)) return true;
+  std::string_view text;
+  if (!element.get(text)) return false;
+  const std::optional<double> number = parse_number(text);
+  if (!number || !std::isfinite(*number)) return false;
+  heading_deg = *number;
+  return true;
+}
+
 // Of an origin in degrees: how to say which is the longitude; nothing where it is none.
 std::string degrees_question(JsonElement origin, JsonElement location) {
   JsonArray list;
@@ -88,7 +100,7 @@ std::string degrees_question(JsonElement origin, JsonElement location) {
   if (numbers.size() < 2 || std::abs(numbers[0]) > 180.0 || std::abs(numbers[1]) > 180.0) return {};
   const auto heading = json_member(location, "orientation");
   double heading_deg = 0.0;
-  if (!heading || !read_json(*heading, heading_deg)) heading_deg = 0.0;
+  if (!heading || !read_heading(*heading, heading_deg)) heading_deg = 0.0;
   const std::string one = exact(numbers[0]);
   const std::string other = exact(numbers[1]);
   const std::string rest =
@@ -133,8 +145,10 @@ std::optional<Error> read_place(ShowDocuments& documents, RecordingAssembly& ass
         "millimetres above mean sea level");
   }
   const auto heading = json_member(element, "orientation");
-  if (!heading || !read_json(*heading, read.heading_deg)) {
-    return not_taken("its orientation, where the x axis points, is not given");
+  if (!heading) return not_taken("its orientation, where the x axis points, is not given");
+  if (!read_heading(*heading, read.heading_deg)) {
+    return not_taken("its orientation, where the x axis points, is " +
+                     std::string(json_kind(*heading)) + ", and no number of degrees");
   }
   if (std::abs(read.heading_deg) > kFullTurn_deg) {
     return not_taken("its orientation of " + exact(read.heading_deg) +

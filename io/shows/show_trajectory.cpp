@@ -198,6 +198,29 @@ double lowest_of(const Trajectory& trajectory, const Ground& ground) {
   return ground.land_at ? std::min(lowest_m, ground.land_at->z) : lowest_m;
 }
 
+bool starts_and_lands_at(const Trajectory& trajectory, const Ground& ground, double ground_m) {
+  constexpr double kAtHome_m = 1.0;
+  const BezierPath& path = trajectory.path;
+  const Point& last = path.pieces.empty() ? path.begin : path.pieces.back().end;
+  const auto is_at = [ground_m](const Point& place, const std::optional<Point>& said) {
+    return said && std::abs(said->z - ground_m) <= kGroundTolerance_m &&
+           std::abs(place.z - ground_m) <= kGroundTolerance_m &&
+           std::hypot(place.x - said->x, place.y - said->y) <= kAtHome_m;
+  };
+  if (!is_at(path.begin, ground.home) || !is_at(last, ground.land_at)) return false;
+  // Who stays at that height, or moves sideways at it, hovers there.
+  constexpr double kTakesOff_m = 1.0;
+  bool takes_off = false;
+  Point from = path.begin;
+  for (const BezierPiece& piece : path.pieces) {
+    const bool low = std::max(from.z, piece.end.z) <= ground_m + kGroundTolerance_m;
+    if (low && (from.x != piece.end.x || from.y != piece.end.y)) return false;
+    takes_off = takes_off || piece.end.z >= ground_m + kTakesOff_m;
+    from = piece.end;
+  }
+  return takes_off;
+}
+
 bool on_ground(double height_m, double ground_m) {
   return height_m - ground_m <= kGroundTolerance_m;
 }

@@ -33,6 +33,10 @@ struct Ground {
 // drones.
 double lowest_of(const Trajectory& trajectory, const Ground& ground);
 
+// Whether the drone is said to start and to land at that height, and does so, there: it takes off
+// from it, and does not move sideways at it.
+bool starts_and_lands_at(const Trajectory& trajectory, const Ground& ground, double ground_m);
+
 // Within 0.1 m.
 bool on_ground(double height_m, double ground_m);
 

@@ -87,6 +87,28 @@ std::optional<Error> nested_problem(const TableLayout& table) {
                {}};
 }
 
+// Whether the columns behind a position are the colours that a drone has there: red, green, blue.
+bool names_colours(const TableLayout& table) {
+  const auto has = [&table](std::string_view word) {
+    return std::any_of(table.names.begin(), table.names.end(), [word](const std::string& name) {
+      const std::string lower = lower_case(name);
+      return lower == word || lower == word.substr(0, 1) ||
+             (lower.starts_with(word) && lower.find_first_of(" _[(") == word.size());
+    });
+  };
+  return has("red") && has("green") && has("blue");
+}
+
+// Lights of a drone, as programs for shows write them beside its path: a time, and its colours.
+std::optional<Error> lights_problem(const TableLayout& table) {
+  constexpr std::size_t kTimeAndColours = 4;
+  if (table.names.size() > kTimeAndColours || !names_colours(table)) return std::nullopt;
+  return missing(
+      "these are the colours of lights only, and no position; leave this file out, as by moving it "
+      "to another folder (" +
+      list_columns(table) + ")");
+}
+
 // A position must have names: it is not taken from the order of the columns.
 std::optional<Error> nameless_position(const Header& header) {
   const bool overridden = header.override_of(Role::kX) || header.override_of(Role::kLongitude);
@@ -105,6 +127,7 @@ std::optional<Error> nameless_position(const Header& header) {
                    "--units aviation");
   }
   if (auto problem = nested_problem(table)) return problem;
+  if (auto problem = lights_problem(table)) return problem;
   if (!table.names.empty()) {
     const std::string metric = offered_columns(header, false);
     return missing("the header names no position (x and y, or longitude and latitude)" +
@@ -174,18 +197,6 @@ ColumnsByRole columns_read(const TrackLayout& layout) {
     columns[index_of(part_of(Role::kVelocityX, i))] = layout.velocity->columns[i];
   }
   return columns;
-}
-
-// Whether the columns behind a position are the colours that a drone has there: red, green, blue.
-bool names_colours(const TableLayout& table) {
-  const auto has = [&table](std::string_view word) {
-    return std::any_of(table.names.begin(), table.names.end(), [word](const std::string& name) {
-      const std::string lower = lower_case(name);
-      return lower == word || lower == word.substr(0, 1) ||
-             (lower.starts_with(word) && lower.find_first_of(" _[(") == word.size());
-    });
-  };
-  return has("red") && has("green") && has("blue");
 }
 
 // The same in one column, as "#ff8000": paths of a show have one clock.

@@ -270,7 +270,8 @@ class FileRecording(Facts):
         max_speed, max_horizontal, max_climb, max_descent : float, optional
             The limits of each agent, in metres per second; max_climb and max_descent up and down.
         max_acceleration : float, optional
-            In metres per second squared.
+            In metres per second squared. Where a path turns at a point, the acceleration is that which
+            turns within half of the pieces beside it, and within 0.5 m of the path.
         max_height : float, optional
             Of z, in metres. Of limits that are not given those count that the show declares; infinity
             for none.

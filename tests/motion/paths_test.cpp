@@ -143,17 +143,55 @@ TEST(CheckPath, StretchesThatTouchAreOne) {
   EXPECT_EQ(check.excesses[1].peak.value, 6.0);
 }
 
-// 4 m/s one second, and -2 m/s for three: 6 m/s in the two seconds between their middles.
+BezierPath turned(double first_mps, double first_s, double second_mps, double second_s) {
+  const double there_m = first_mps * first_s;
+  return {0.0,
+          {0, 0, 0},
+          {{first_s, {there_m, 0, 0}, {}, 0},
+           {first_s + second_s, {there_m + second_mps * second_s, 0, 0}, {}, 0}}};
+}
+
+// 1 m/s one second, and -0.5 m/s for three: 1.5 m/s in the two seconds between their middles, in
+// which the corner is cut by less than half a metre.
 TEST(CheckPath, ACornerNeedsTheAccelerationThatTakesItWithinHalfOfBothPieces) {
-  const BezierPath corner{0.0, {0, 0, 0}, {{1.0, {4, 0, 0}, {}, 0}, {4.0, {-2, 0, 0}, {}, 0}}};
   PathLimits limits;
-  limits[PathLimit::kAcceleration] = 2.9;
-  const PathCheck check = checked(corner, limits);
-  EXPECT_EQ(peak(check, PathLimit::kAcceleration).value, 3.0);
+  limits[PathLimit::kAcceleration] = 0.7;
+  const PathCheck check = checked(turned(1.0, 1.0, -0.5, 3.0), limits);
+  EXPECT_EQ(peak(check, PathLimit::kAcceleration).value, 0.75);
+  EXPECT_TRUE(peak(check, PathLimit::kAcceleration).at_corner);
   ASSERT_EQ(check.excesses.size(), 1u);
   EXPECT_EQ(check.excesses[0].begins_s, 0.5);
   EXPECT_EQ(check.excesses[0].ends_s, 2.5);
   EXPECT_EQ(check.excesses[0].peak.at_s, 1.0);
+}
+
+// From 7 m/s to -7 m/s: in the 10 s between the middles a drone would leave its path by 17 m.
+TEST(CheckPath, ACornerOfLongPiecesIsTakenNearThePath) {
+  PathLimits limits;
+  limits[PathLimit::kAcceleration] = 4.0;
+  const PathCheck check = checked(turned(7.0, 10.0, -7.0, 10.0), limits);
+  const double least_mps2 = 14.0 * 14.0 / (8.0 * kCornerDeviation_m);
+  EXPECT_NEAR(peak(check, PathLimit::kAcceleration).value, least_mps2, 1e-9);
+  ASSERT_EQ(check.excesses.size(), 1u);
+  const double takes_s = 14.0 / least_mps2;
+  EXPECT_NEAR(check.excesses[0].begins_s, 10.0 - 0.5 * takes_s, 1e-9);
+  EXPECT_NEAR(check.excesses[0].ends_s, 10.0 + 0.5 * takes_s, 1e-9);
+  EXPECT_TRUE(check.excesses[0].peak.at_corner);
+}
+
+// A circle of 20 m at 5 m/s accelerates by 1.25 m/s^2: chords that leave it by less than half a
+// metre say so, as long as they are.
+TEST(CheckPath, ASimplifiedCurveKeepsItsAcceleration) {
+  for (const int chords : {12, 16, 48, 200}) {
+    BezierPath circle{0.0, {20, 0, 0}, {}};
+    for (int i = 1; i <= chords; ++i) {
+      const double turn = 2.0 * 3.14159265358979 * i / chords;
+      circle.pieces.push_back({20.0 / 5.0 * turn, {20 * std::cos(turn), 20 * std::sin(turn), 0}});
+    }
+    const double sagitta_m = 20.0 * (1.0 - std::cos(3.14159265358979 / chords));
+    const double found = peak(checked(circle), PathLimit::kAcceleration).value;
+    EXPECT_NEAR(found, 1.25, sagitta_m < kCornerDeviation_m ? 0.03 : 0.4) << chords;
+  }
 }
 
 TEST(CheckPath, RefusesALimitBelowZeroAndNone) {

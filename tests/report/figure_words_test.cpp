@@ -160,7 +160,7 @@ TEST(FigureWords, TheClosestInTheAirComesFirst) {
   facts.closest_in_the_air = facts.closest;
   facts.closest_in_the_air->closest_m = 7'000.0;
   facts.swarm.threshold_m = 6'500.0;
-  EXPECT_TRUE(says(texts_of(figure_of(facts)), "closest, not too close: 7,000 m"));
+  EXPECT_TRUE(says(texts_of(figure_of(facts)), "closest in the air, not too close: 7,000 m"));
 }
 
 // The slanted lines of what is hatched.

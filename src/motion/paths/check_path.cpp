@@ -200,9 +200,21 @@ class PathChecking {
     const double jump = speed_of({to.x - from.x, to.y - from.y, to.z - from.z});
     const TimeSpan turn{0.5 * (before_.begins_s + before_.ends_s),
                         0.5 * (now.begins_s + now.ends_s)};
-    const double lasts_s = 0.5 * (now.ends_s - before_.begins_s);
-    const double rounded = (before_.rounded_mps + now.rounded_mps) / lasts_s;
-    note(PathLimit::kAcceleration, turn, {jump / lasts_s, now.begins_s}, rounded);
+    const double rounded_mps = before_.rounded_mps + now.rounded_mps;
+    // Evenly accelerated in a time t, a drone is jump * t / 8 beside the corner when it is closest
+    // to it.
+    const double within_halves_s = 0.5 * (now.ends_s - before_.begins_s);
+    const double near_path_s =
+        jump > 0.0 ? 8.0 * kCornerDeviation_m / jump : std::numeric_limits<double>::infinity();
+    if (!(near_path_s < within_halves_s)) {
+      note(PathLimit::kAcceleration, turn, {jump / within_halves_s, now.begins_s, true},
+           rounded_mps / within_halves_s);
+      return;
+    }
+    const TimeSpan sharp{std::max(turn.begins_s, now.begins_s - 0.5 * near_path_s),
+                         std::min(turn.ends_s, now.begins_s + 0.5 * near_path_s)};
+    const double rounded = (2.0 * jump + rounded_mps) * rounded_mps / (8.0 * kCornerDeviation_m);
+    note(PathLimit::kAcceleration, sharp, {jump / near_path_s, now.begins_s, true}, rounded);
   }
 
   void note(PathLimit limit, const TimeSpan& span, const PathPeak& found, double rounded) {

@@ -120,6 +120,10 @@ TEST(Show, AnOrientationOfMoreThanATurnIsNoneInDegrees) {
   const Recording tenths = at("2700");
   EXPECT_FALSE(tenths.show->place);
   EXPECT_TRUE(has_note(tenths, "its orientation of 2700 is more than a full turn in degrees"));
+  const Recording text = at(R"("59")");
+  ASSERT_TRUE(text.show->place);
+  EXPECT_EQ(text.show->place->heading_deg, 59.0);
+  EXPECT_TRUE(has_note(at(R"("north")"), "is a string, and no number of degrees"));
 }
 
 TEST(Show, ReferencesLeadThroughTheArchive) {
@@ -312,6 +316,32 @@ TEST(Show, ItsGroundIsItsLowestPlace) {
   };
   EXPECT_EQ(ground_of(""), 0.0);
   EXPECT_EQ(ground_of(R"(, "home": [0, 0, -2])"), -2.0);
+}
+
+// A show from a roof; and one that may be a part of a show, of drones that fly on at 12 m.
+TEST(Show, ItsGroundIsHighWhereAllDronesAreSaidToStartAndLandThere) {
+  constexpr const char* kUp =
+      R"({"version": 1, "points": [[0, [0, 0, 12], []], [9, [0, 0, 30], []], [20, [0, 0, 12], []]]})";
+  const auto of = [](const std::string& more) {
+    return recording_of(load_show(show(drone("a", kUp, more))));
+  };
+  const Recording roof = of(R"(, "home": [0, 0, 12], "landAt": [0, 0, 12])");
+  EXPECT_EQ(roof.show->ground_m, 12.0);
+  EXPECT_TRUE(has_note(roof, "the ground is at z = 12 m, where all drones start and land"));
+  EXPECT_EQ(of("").show->ground_m, 0.0);
+  EXPECT_EQ(of(R"(, "home": [0, 0, 12])").show->ground_m, 0.0);
+  EXPECT_EQ(of(R"(, "home": [0, 0, 12], "landAt": [5, 0, 12])").show->ground_m, 0.0);
+  EXPECT_EQ(of(R"(, "home": [0, 0, 12], "landAt": [0, 0, 14])").show->ground_m, 0.0);
+  // Who hovers there, or moves sideways, is in the air, whatever the show calls the place.
+  const auto ground_of = [](const std::string& points) {
+    return recording_of(load_show(show(drone("a", R"({"version": 1, "points": [)" + points + "]}",
+                                             R"(, "home": [0, 0, 12], "landAt": [0, 0, 12])"))))
+        .show->ground_m;
+  };
+  EXPECT_EQ(ground_of("[0, [0, 0, 12], []], [9, [0, 0, 12], []], [20, [0, 0, 12], []]"), 0.0);
+  EXPECT_EQ(ground_of("[0, [0, 0, 12], []], [9, [5, 0, 12], []], [15, [0, 0, 30], []], "
+                      "[20, [0, 0, 12], []]"),
+            0.0);
 }
 
 // As programs export it in which y points up: no drone ever takes off.

@@ -1,0 +1,116 @@
+#include "analysis/recorded/low_conflicts.hpp"
+
+#include "analysis/recorded/ends.hpp"
+#include "analysis/recorded/landed_times.hpp"
+
+#include <beespace/bezier_path.hpp>
+#include <beespace/track.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace beespace::analysis {
+namespace {
+
+// Curves are followed so closely.
+constexpr double kHeightTolerance_m = 0.001;
+
+// Where a bee is how high above its take-off.
+class Heights {
+ public:
+  Heights(const io::Recording& recording, PointId bee, double ground_m) {
+    const io::RecordedBee& of = recording.bees[bee];
+    if (of.stands) {
+      from_m_ = of.stands->z;
+      fixes_ = {{0.0, *of.stands}};
+      return;
+    }
+    if (of.path) {
+      auto track = to_track(*of.path, kHeightTolerance_m);
+      if (track) {
+        tolerance_m_ = track->tolerance_m;
+        fixes_ = std::move(track->fixes);
+      }
+    } else {
+      fixes_ = of.fixes;
+    }
+    if (fixes_.empty()) return;
+    const Fix& first = fixes_.front();
+    const bool on_ground = recording.show ? first.position.z - ground_m <= kStandsWithin_m
+                                          : has_landed(recording, bee, first.time_s);
+    if (on_ground) from_m_ = first.position.z;
+  }
+
+  [[nodiscard]] bool is_known() const { return from_m_.has_value(); }
+
+  // All the time from then to then; before its first fix and after its last one it is there.
+  [[nodiscard]] bool stays_below(double begins_s, double ends_s, double below_m) const {
+    if (!from_m_) return false;
+    const auto is_low = [&](double height_m) {
+      return std::abs(height_m - *from_m_) + tolerance_m_ < below_m;
+    };
+    if (!is_low(height_at(begins_s)) || !is_low(height_at(ends_s))) return false;
+    auto fix = std::lower_bound(fixes_.begin(), fixes_.end(), begins_s,
+                                [](const Fix& of, double time_s) { return of.time_s < time_s; });
+    for (; fix != fixes_.end() && fix->time_s <= ends_s; ++fix) {
+      if (!is_low(fix->position.z)) return false;
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] double height_at(double time_s) const {
+    if (time_s <= fixes_.front().time_s) return fixes_.front().position.z;
+    if (time_s >= fixes_.back().time_s) return fixes_.back().position.z;
+    const auto to = std::upper_bound(fixes_.begin(), fixes_.end(), time_s,
+                                     [](double time, const Fix& of) { return time < of.time_s; });
+    const Fix& from = *(to - 1);
+    const double share = (time_s - from.time_s) / (to->time_s - from.time_s);
+    return from.position.z + share * (to->position.z - from.position.z);
+  }
+
+  std::optional<double> from_m_;
+  std::vector<Fix> fixes_;
+  double tolerance_m_ = 0.0;
+};
+
+}  // namespace
+
+std::optional<Conflict> LowConflicts::closest() const {
+  const auto least = std::min_element(
+      left_out.begin(), left_out.end(),
+      [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });
+  return least == left_out.end() ? std::nullopt : std::optional<Conflict>(*least);
+}
+
+LowConflicts leave_out_low(const io::Recording& recording, double below_m,
+                           std::vector<Conflict>& conflicts) {
+  LowConflicts low{below_m};
+  const double ground_m = ground_of(recording);
+  std::vector<Heights> heights;
+  heights.reserve(recording.bees.size());
+  for (PointId bee = 0; bee < recording.bees.size(); ++bee) {
+    heights.emplace_back(recording, bee, ground_m);
+    if (!heights.back().is_known()) ++low.bees_not_known;
+  }
+  std::vector<Conflict> kept;
+  for (const Conflict& conflict : conflicts) {
+    const auto is_low = [&](PointId bee) {
+      return heights[bee].stays_below(conflict.begins_s, conflict.ends_s, below_m);
+    };
+    const bool curved = !recording.show && !conflict.certain;
+    const bool both = !curved && is_low(conflict.first) && is_low(conflict.second);
+    (both ? low.left_out : kept).push_back(conflict);
+  }
+  conflicts = std::move(kept);
+  return low;
+}
+
+void leave_out_too(const LowConflicts& low, std::vector<Conflict>& some) {
+  std::erase_if(some, [&](const Conflict& conflict) {
+    return std::find(low.left_out.begin(), low.left_out.end(), conflict) != low.left_out.end();
+  });
+}
+
+}  // namespace beespace::analysis

@@ -1,0 +1,35 @@
+// Conflicts of two that are both low above the places from which they took off, as the neighbours
+// of a take-off grid are: they are left out where that is asked for, and counted.
+#pragma once
+
+#include "io/recording/recording.hpp"
+
+#include <beespace/conflict.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace beespace::analysis {
+
+struct LowConflicts {
+  double below_m = 0.0;
+  std::vector<Conflict> left_out = {};
+  // Of so many it is not known where they took off: none of their conflicts is left out.
+  std::size_t bees_not_known = 0;
+
+  // The closest of them.
+  [[nodiscard]] std::optional<Conflict> closest() const;
+};
+
+// Takes out of `conflicts` those in which both are all the time less than `below_m` above, or
+// below, the place from which they took off. That is known of drones of a show that begin on its
+// ground, and of those whose log begins while they say that they have landed. Conflicts that are
+// only possible stay.
+LowConflicts leave_out_low(const io::Recording& recording, double below_m,
+                           std::vector<Conflict>& conflicts);
+
+// Takes those that were left out away from some of the same.
+void leave_out_too(const LowConflicts& low, std::vector<Conflict>& some);
+
+}  // namespace beespace::analysis
