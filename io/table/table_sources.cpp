@@ -33,6 +33,21 @@ TableSource history_of_opensky(std::vector<KnownColumn> columns) {
   return source;
 }
 
+// A flight as Flightradar24 exports it (CSV), whose headers say no units: they are feet and knots.
+TableSource flightradar24() {
+  TableSource source{kFlightradar24,
+                     "",
+                     {{"timestamp", Role::kTime, Unit::kSecond},
+                      {"utc"},
+                      {"callsign", Role::kId},
+                      {"position"},
+                      {"altitude", Role::kHeight, Unit::kFoot, HeightDatum::kPressure},
+                      {"speed", Role::kGroundSpeed, Unit::kKnot},
+                      {"direction", Role::kTrack}}};
+  source.since_1970 = true;
+  return source;
+}
+
 // traffic: https://traffic-viz.github.io (columns of its Flight and Traffic tables). State vectors
 // of OpenSky come from pyopensky and from traffic under the same names, in other units.
 // OpenSky: the history tables state_vectors_data4, as its documentation lists them.
@@ -44,8 +59,8 @@ TableSource history_of_opensky(std::vector<KnownColumn> columns) {
 // PX4: vehicle_global_position, and vehicle_local_position, as ulog2csv of pyulog writes them.
 // Their times are those of each drone. QGroundControl: the table beside each .tlog, in the units of
 // its settings.
-const std::array<TableSource, 12>& known_sources() {
-  static const std::array<TableSource, 12> sources = {
+const std::array<TableSource, 13>& known_sources() {
+  static const std::array<TableSource, 13> sources = {
       TableSource{"traffic",
                   kNotOfTraffic,
                   {{"icao24"},
@@ -176,7 +191,8 @@ const std::array<TableSource, 12>& known_sources() {
                    perhaps("y_cm", Role::kY, Unit::kCentimetre)},
                   false,
                   true,
-                  true}};
+                  true},
+      flightradar24()};
   return sources;
 }
 
