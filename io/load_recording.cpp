@@ -2,6 +2,8 @@
 
 #include "io/aircraft/aircraft_reading.hpp"
 #include "io/aircraft/base_station_reading.hpp"
+#include "io/aircraft/flightradar24_feed.hpp"
+#include "io/aircraft/igc_log.hpp"
 #include "io/bytes/byte_source.hpp"
 #include "io/bytes/gzip.hpp"
 #include "io/bytes/utf16.hpp"
@@ -9,6 +11,7 @@
 #include "io/bytes/zip_archive.hpp"
 #include "io/encounters/bluesky_scenario.hpp"
 #include "io/encounters/daidalus_encounter.hpp"
+#include "io/encounters/so6_segments.hpp"
 #include "io/json/json_document.hpp"
 #include "io/mavlink/telemetry_log.hpp"
 #include "io/mavlink/telemetry_reading.hpp"
@@ -104,6 +107,11 @@ std::optional<Error> read_text_table(Bytes content, const std::string& path, boo
   if (auto utf8 = text_problem(content.view) ? std::nullopt : from_windows_1252(content.view)) {
     content = *std::move(utf8);
     assembly.note(std::string(kTakenForWindows1252));
+  }
+  const std::string_view whole = without_byte_order_mark(content.view);
+  if (assembly.options().format == RecordingFormat::kAuto) {
+    if (is_igc_log(whole)) return read_igc_log(whole, stem_of(path), assembly);
+    if (assembly.options().columns.empty() && is_so6(whole)) return read_so6(whole, assembly);
   }
   if (auto points = with_decimal_points(without_byte_order_mark(content.view))) {
     content = *std::move(points);
@@ -220,6 +228,7 @@ std::optional<Error> read_json_file(const Bytes& bytes, const std::string& sourc
   const bool any = assembly.options().format == RecordingFormat::kAuto;
   const JsonElement root = documents->root().element;
   if (any && is_aircraft_document(root)) return read_aircraft_document(root, assembly);
+  if (any && is_flightradar24_feed(root)) return read_flightradar24_feed(root, assembly);
   if (any && is_json_table(root)) return read_json_table(root, stem_of(path), assembly);
   const std::string what = json_words(without_byte_order_mark(bytes.view));
   // What it is to be for this reader, but is not.

@@ -19,6 +19,10 @@ constexpr double kLongInMillimetres_m = 10.0;
 std::string in_unit(double metres, double limit_m, const AxisUnit& unit, int decimals) {
   constexpr int kMostDecimals = 9;
   const double value = metres / unit.metres;
+  constexpr double kNothing = 1e-9;  // of the limit: a rounding
+  if (metres < limit_m && metres > limit_m - kNothing * limit_m) {
+    return "just under " + decimal_label(limit_m / unit.metres, decimals) + " " + unit.name;
+  }
   if (metres < limit_m) {
     const auto rounded = [value](int places) {
       const double power = std::pow(10.0, places);

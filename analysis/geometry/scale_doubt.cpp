@@ -1,7 +1,6 @@
 #include "analysis/geometry/scale_doubt.hpp"
 
 #include "io/bytes/number_text.hpp"
-#include "io/frames/frame_decision.hpp"
 #include "io/recording/unit_doubts.hpp"
 
 #include <algorithm>
@@ -72,7 +71,7 @@ double Spread::metres() const {
   return std::hypot(greatest_.x - least_.x, greatest_.y - least_.y, greatest_.z - least_.z);
 }
 
-std::optional<Error> doubt_of_scale(const io::Recording& recording,
+std::optional<Error> doubt_of_scale(const io::Recording& recording, io::Frame asked,
                                     const std::optional<io::StatedLength>& threshold) {
   if (!are_without_unit(recording.units, recording.frame)) return std::nullopt;
   if (may_be_pixels(recording.units, recording.frame, threshold)) {
@@ -80,21 +79,21 @@ std::optional<Error> doubt_of_scale(const io::Recording& recording,
     for (const io::RecordedBee& bee : recording.bees) {
       for (const Fix& fix : bee.fixes) spread.add(fix.position);
     }
-    const bool asked = recording.frame_reason == io::kAskedForMetres;
-    return doubt_of_scale({recording.units, recording.frame, asked}, spread, threshold, kWithScale);
+    return doubt_of_scale({recording.units, recording.frame, asked == io::Frame::kMetres}, spread,
+                          threshold, kWithScale);
   }
   // Two of one id are not fast.
   if (recording.missing.shared > 0) return std::nullopt;
   return io::doubt_of_metres(recording, fastest_in_metres(threshold));
 }
 
-std::optional<Error> doubt_of_scale(const io::LoadedPoints& points,
+std::optional<Error> doubt_of_scale(const io::LoadedPoints& points, io::Frame asked,
                                     const std::optional<io::StatedLength>& threshold) {
   if (!may_be_pixels(points.units, points.frame, threshold)) return std::nullopt;
   Spread spread;
   for (const Point& place : points.points) spread.add(place);
-  const bool asked = points.frame_reason == io::kAskedForMetres;
-  return doubt_of_scale({points.units, points.frame, asked}, spread, threshold, kWithoutScale);
+  return doubt_of_scale({points.units, points.frame, asked == io::Frame::kMetres}, spread,
+                        threshold, kWithoutScale);
 }
 
 std::optional<Error> doubt_of_scale(const PlacesTaken& taken, const Spread& spread,

@@ -53,12 +53,13 @@ struct PlacesTaken {
 // A threshold in centimetres or less beside places whose unit nothing names: millimetres or pixels
 // of a picture, perhaps, of which none would come close. Who says metres is believed, unless they
 // are spread so much farther. Of recordings also places that would move too fast in metres. Errors:
-// kInvalidArgument, with what to type; `if_pixels` is what to do then.
+// kInvalidArgument, with what to type; `asked` is the frame that the caller
+// asked for, `if_pixels` what to do then.
 inline constexpr std::string_view kWithScale = "say how long one is, as in --scale 0.1mm";
 inline constexpr std::string_view kWithoutScale = "make lengths of them first";
-std::optional<Error> doubt_of_scale(const io::Recording& recording,
+std::optional<Error> doubt_of_scale(const io::Recording& recording, io::Frame asked,
                                     const std::optional<io::StatedLength>& threshold);
-std::optional<Error> doubt_of_scale(const io::LoadedPoints& points,
+std::optional<Error> doubt_of_scale(const io::LoadedPoints& points, io::Frame asked,
                                     const std::optional<io::StatedLength>& threshold);
 std::optional<Error> doubt_of_scale(const PlacesTaken& taken, const Spread& spread,
                                     const std::optional<io::StatedLength>& threshold,

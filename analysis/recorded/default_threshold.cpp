@@ -87,17 +87,16 @@ DefaultThreshold default_threshold(const io::Recording& recording, double otherw
 }
 
 std::optional<Error> threshold_needed(const io::Recording& recording,
-                                      const std::optional<io::StatedLength>& typed,
-                                      bool apart_in_height) {
+                                      const std::optional<io::StatedLength>& typed) {
   if (says_enough(typed) || recording.show) return std::nullopt;
   if (!typed && recording.declared_threshold_m) return std::nullopt;
   const std::string_view by =
       known_by_heights(recording.frame, recording.height_unit, recording.heights);
-  if (!by.empty()) return aircraft_question(by, typed, apart_in_height);
-  if (recording.of_aircraft) return aircraft_question({}, typed, apart_in_height);
+  if (!by.empty()) return aircraft_question(by, typed, true);
+  if (recording.of_aircraft) return aircraft_question({}, typed, true);
   // Who typed a number there knows what flies.
   if (typed || !cruises(recording)) return std::nullopt;
-  return aircraft_question(", higher and faster than drones fly", typed, apart_in_height);
+  return aircraft_question(", higher and faster than drones fly", typed, true);
 }
 
 std::optional<Error> threshold_needed(const io::LoadedPoints& points, bool names_aircraft,

@@ -31,11 +31,9 @@ DefaultThreshold default_threshold(const io::Recording& recording, double otherw
 // what to type where nothing was, or a bare number that is less than any of them, as one of miles
 // that would be taken for metres. Nothing for what is no air traffic, as far as is known: by its
 // format, by what columns are called, by units, or as nothing else is so high and so fast.
-// `apart_in_height`: the command has --separation and --vertical. Of points the caller looks at
-// what columns are called.
+// Of points the caller looks at what columns are called.
 std::optional<Error> threshold_needed(const io::Recording& recording,
-                                      const std::optional<io::StatedLength>& typed,
-                                      bool apart_in_height = true);
+                                      const std::optional<io::StatedLength>& typed);
 std::optional<Error> threshold_needed(const io::LoadedPoints& points, bool names_aircraft,
                                       const std::optional<io::StatedLength>& typed);
 

@@ -72,6 +72,11 @@ Result<LastState> two_fix_state(const io::Recording& recording, const io::Record
       true};
 }
 
+// Whether its last velocity is how it flies from there, however long ago that was.
+bool flies_on(const io::Recording& recording, const io::RecordedBee& bee) {
+  return recording.flies_on && !bee.velocities.empty() && is_known(bee.velocities.back());
+}
+
 bool known_over_ground(const Velocity& velocity) {
   return std::isfinite(velocity.x) && std::isfinite(velocity.y);
 }
@@ -193,9 +198,8 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
     const io::RecordedBee& bee = recording.bees[i];
     if (bee.fixes.empty()) continue;
     const double age = *now - bee.fixes.back().time_s;
-    if (age > max_age_s) {
+    if (age > max_age_s && !flies_on(recording, bee)) {
       ++snapshot.stale;
-      snapshot.stalest_s = std::max(snapshot.stalest_s, age);
       continue;
     }
     auto state = wanted == Wanted::kPlaces && age == 0.0

@@ -16,7 +16,7 @@ namespace beespace::analysis {
 
 // All bees at one instant, that in which the input was written, or the last that it knows of. A bee
 // that was last heard of before is brought there in a straight line; or left out when that is more
-// than max_age_s ago.
+// than max_age_s ago, but for one of which the input says how it flies on.
 struct Snapshot {
   std::vector<Mover> movers;
   std::vector<double> heights_m;  // empty, or of each mover, kept apart from its position: in the
@@ -27,7 +27,6 @@ struct Snapshot {
   std::uint64_t brought_forward = 0;
   double oldest_s = 0.0;    // of those: how far
   std::uint64_t stale = 0;  // left out
-  double stalest_s = 0.0;   // of those: how old
   // Of these neither a velocity nor two fixes, max_age_s apart at most, tell how fast they go, or
   // nothing tells how fast they climb: they are no movers, and known only where they were last
   // heard of.

@@ -190,7 +190,9 @@ void take_tracks(std::vector<Track> tracks, io::Frame frame, report::RecordingFa
 Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
                                                const std::string& title,
                                                const SceneRequest& request) {
-  if (auto doubt = doubt_of_scale(recording, typed_threshold(request))) return *std::move(doubt);
+  if (auto doubt = doubt_of_scale(recording, request.load.frame, typed_threshold(request))) {
+    return *std::move(doubt);
+  }
   const Geometry geometry = geometry_for(recording, request.vertical);
   const MaxGap max_gap = max_gap_of(recording, request.max_gap_s);
   auto in_space = tracks_of(recording, Geometry::kSpace, request.tolerance_m);

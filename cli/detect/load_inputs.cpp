@@ -163,7 +163,9 @@ Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) 
   options.progress = &progress.reading();
   auto ours = load_snapshot(request.input(), options);
   if (!ours) return std::move(ours).error();
-  if (auto doubt = analysis::doubt_of_scale(*ours, request.threshold)) return *std::move(doubt);
+  if (auto doubt = analysis::doubt_of_scale(*ours, options.frame, request.threshold)) {
+    return *std::move(doubt);
+  }
   if (request.form.form == Form::kGeoJson && ours->frame != io::Frame::kWgs84) {
     return usage_error(
         "detect", "--geojson needs longitude and latitude, but the input was taken for metres: " +
@@ -176,7 +178,9 @@ Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) 
   if (!request.others) return inputs;
   auto others = load_snapshot(*request.others, options);
   if (!others) return std::move(others).error();
-  if (auto doubt = analysis::doubt_of_scale(*others, request.threshold)) return *std::move(doubt);
+  if (auto doubt = analysis::doubt_of_scale(*others, options.frame, request.threshold)) {
+    return *std::move(doubt);
+  }
   if (others->frame != inputs.ours.frame) {
     return usage_error("detect", "the two swarms are not in the same frame: " +
                                      taken_for(inputs.ours, request.input()) + ", and " +

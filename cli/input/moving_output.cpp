@@ -13,6 +13,8 @@
 
 #include <beespace/version.hpp>
 
+#include <cmath>
+
 namespace beespace::cli {
 namespace {
 
@@ -137,17 +139,26 @@ bool in_feet(const MovingRequest& request, double threshold_m) {
          io::from_metric(threshold_m, io::Unit::kNauticalMile) < kLeastInMiles;
 }
 
+// Below a limit by what says nothing: a rounding, in units in which both are rounded.
+bool is_just_under(double metres, double limit_m) {
+  constexpr double kNothing = 1e-9;
+  return metres < limit_m && metres > limit_m - kNothing * limit_m;
+}
+
 std::string in_unit(double metres, double limit_m, io::Unit unit, int decimals) {
   const double value = io::from_metric(metres, unit);
   const double limit = io::from_metric(limit_m, unit);
   const std::string name = " " + std::string(io::symbol_of(unit));
-  // Both are rounded: then the limit may look reached.
-  if (metres < limit_m && !(value < limit)) return "just under " + io::grouped(limit, 0) + name;
+  if (is_just_under(metres, limit_m)) {
+    const int needed = limit == std::round(limit) ? 0 : limit < 10.0 ? 3 : 1;
+    return "just under " + io::grouped(limit, needed) + name;
+  }
   return io::grouped_below(limit, value, decimals) + name;
 }
 
 // A rounding of what would be 0 has many digits that say nothing.
 std::string length_text(double metres, double limit_m) {
+  if (is_just_under(metres, limit_m)) return "just under " + io::length(limit_m);
   return metres > 0.0 && metres < 0.001 ? std::string("under 1 mm")
                                         : io::length_below(limit_m, metres);
 }
@@ -187,6 +198,7 @@ Distances distances_of(const MovingRequest& request, const io::Recording& record
   distances.feet = in_feet(request, threshold_m);
   distances.threshold_m = threshold_m;
   distances.vertical_m = request.vertical_m;
+  distances.inclusive = request.inclusive;
   return distances;
 }
 
@@ -194,15 +206,50 @@ std::string distance_text(double metres, const Distances& distances) {
   return horizontal_text(metres, distances);
 }
 
+namespace {
+
+// What it is at the end of a conflict at a limit that is not reached within.
+double within(double metres, double limit_m, const Distances& distances, Told told) {
+  const bool at_limit = told == Told::kConflict && !distances.inclusive && metres >= limit_m;
+  return at_limit ? std::nextafter(limit_m, 0.0) : metres;
+}
+
+// Of a conflict that begins or ends by heights where they are closest horizontally: how close they
+// come in height, as what they are apart then is the limit.
+std::string least_height_text(const Conflict& conflict, const analysis::Apart& apart,
+                              const io::Recording& recording, const Distances& distances) {
+  constexpr double kAtLimit = 0.99;  // of it
+  if (!distances.least_height || !distances.vertical_m ||
+      !(apart.vertical_m >= kAtLimit * *distances.vertical_m)) {
+    return {};
+  }
+  const auto least = distances.least_height(conflict);
+  if (!least || !(least->apart.vertical_m < kAtLimit * *distances.vertical_m)) return {};
+  return "; least height apart " + vertical_text(least->apart.vertical_m, distances) + ", at " +
+         io::moment_text(least->time_s, recording);
+}
+
+}  // namespace
+
 std::string encounter_text(const Conflict& conflict, const io::Recording& recording,
-                           const Distances& distances) {
+                           const Distances& distances, Told told) {
   const auto apart = distances.of(conflict);
-  const std::string how_far =
-      apart ? horizontal_text(apart->horizontal_m, distances) + " horizontally and " +
-                  vertical_text(apart->vertical_m, distances) + " vertically apart"
-            : horizontal_text(conflict.closest_m, distances) + " apart";
-  return pair_text(conflict, recording) + ", " + how_far + " at " +
-         io::moment_text(conflict.closest_s, recording);
+  const auto horizontal = [&](double metres) {
+    return horizontal_text(within(metres, distances.threshold_m, distances, told), distances);
+  };
+  const auto vertical = [&](double metres) {
+    return vertical_text(within(metres, distances.vertical_m.value_or(0.0), distances, told),
+                         distances);
+  };
+  std::string text = pair_text(conflict, recording) + ", ";
+  text += apart ? horizontal(apart->horizontal_m) + " horizontally and " +
+                      vertical(apart->vertical_m) + " vertically apart"
+                : horizontal(conflict.closest_m) + " apart";
+  text += " at " + io::moment_text(conflict.closest_s, recording);
+  if (apart && told == Told::kConflict) {
+    text += least_height_text(conflict, *apart, recording, distances);
+  }
+  return text;
 }
 
 std::string low_text(const analysis::LowConflicts& low) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analysis/recorded/apart.hpp"
+#include "analysis/recorded/least_height.hpp"
 #include "analysis/recorded/low_conflicts.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/input/moving_options.hpp"
@@ -39,13 +40,15 @@ bool in_aviation(const MovingRequest& request, const io::Recording& recording);
 // How distances are told: with a vertical threshold horizontally and vertically, and perhaps in
 // nautical miles and feet too.
 struct Distances {
-  analysis::ApartOf apart = {};  // where there is a vertical threshold
+  analysis::ApartOf apart = {};               // where there is a vertical threshold
+  analysis::LeastHeightOf least_height = {};  // or nothing
   bool aviation = false;
   bool feet = false;  // and what is too close is stated in feet, not in nautical miles
   io::Unit small = io::Unit::kUnstated;  // or in mm or cm, where the threshold or positions are
   // What they are shown beside: what is below one of these is never rounded up to it.
   double threshold_m = 0.0;
   std::optional<double> vertical_m = {};
+  bool inclusive = false;  // who is just as far apart is in conflict, too
 
   [[nodiscard]] std::optional<analysis::Apart> of(const Conflict& conflict) const {
     return apart ? apart(conflict) : std::nullopt;
@@ -61,10 +64,15 @@ std::string distance_text(double metres, const Distances& distances);
 // What is said of conflicts of a show in which one flies and the other stands.
 inline constexpr const char* kWithStanding = "with a drone on the ground";
 
-// "drone_01 and drone_02"; "drone_01 and drone_02, 4.31 m apart at 63.2 s".
+// Whether what is told is a conflict: who is at a limit then was closer than it just before or
+// after.
+enum class Told : bool { kDistance, kConflict };
+
+// "drone_01 and drone_02"; "drone_01 and drone_02, 4.31 m apart at 63.2 s". Of a conflict that
+// begins or ends by heights where they are closest also how close they come in height.
 std::string pair_text(const Conflict& conflict, const io::Recording& recording);
 std::string encounter_text(const Conflict& conflict, const io::Recording& recording,
-                           const Distances& distances);
+                           const Distances& distances, Told told = Told::kDistance);
 
 // Of conflicts that --ignore-below leaves out: "72 conflicts of two lower than 3 m above where they
 // took off".

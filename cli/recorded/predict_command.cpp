@@ -19,7 +19,6 @@
 #include <beespace/predict_conflicts.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -150,12 +149,27 @@ void append_estimates(std::string& out, const analysis::Snapshot& snapshot) {
   say_of(snapshot.climbs.two_fixes, "climb rate: it is that of the last two fixes");
 }
 
-// Aircraft of a scenario fly on as they were created: they are never out of reach.
-std::string stale_advice(const Prediction& prediction) {
-  if (!prediction.recording.format_description.starts_with("BlueSky scenario")) return {};
-  const auto whole_s = std::ceil(prediction.snapshot.stalest_s);
-  return "; they were created before that: --max-age " + io::exact(whole_s) +
-         " lets them fly on until now";
+// Who was last heard of before now. Aircraft of a scenario are not heard of but created.
+void append_ages(std::string& out, const Prediction& prediction, const PredictRequest& request) {
+  const analysis::Snapshot& snapshot = prediction.snapshot;
+  const bool created = prediction.recording.flies_on;
+  if (snapshot.brought_forward > 0) {
+    std::string text = io::grouped(snapshot.brought_forward);
+    text += created ? " created before now" : " last heard of before now";
+    text += snapshot.brought_forward == 1 ? " was" : " were";
+    text += created ? " let fly on as created, for up to " : " brought forward, by up to ";
+    text += io::grouped(snapshot.oldest_s, 2) + " s";
+    if (created) text += "; conflicts before now are not looked for";
+    append_summary_line(out, "note", text);
+  }
+  if (snapshot.stale == 0) return;
+  const std::string age = io::exact(request.max_age_s) + " s";
+  append_summary_line(out, "stale",
+                      red(io::grouped(snapshot.stale) + " left out") +
+                          (created ? ", created more than " + age +
+                                         " before now (--max-age), of which it is not known how "
+                                         "they fly from there"
+                                   : ", not heard of for " + age + " (--max-age)"));
 }
 
 std::string summary(const Prediction& prediction, const PredictRequest& request, double search_s) {
@@ -166,19 +180,7 @@ std::string summary(const Prediction& prediction, const PredictRequest& request,
                       io::grouped(snapshot.movers.size()) +
                           (snapshot.movers.size() < all ? " of " + io::grouped(all) : ""));
   append_summary_line(out, "now", io::moment_text(snapshot.time_s, prediction.recording));
-  if (snapshot.brought_forward > 0) {
-    append_summary_line(out, "note",
-                        io::grouped(snapshot.brought_forward) + " last heard of before now " +
-                            (snapshot.brought_forward == 1 ? "was" : "were") +
-                            " brought forward, by up to " + io::grouped(snapshot.oldest_s, 2) +
-                            " s");
-  }
-  if (snapshot.stale > 0) {
-    append_summary_line(out, "stale",
-                        red(io::grouped(snapshot.stale) + " left out") + ", not heard of for " +
-                            io::exact(request.max_age_s) + " s (--max-age)" +
-                            stale_advice(prediction));
-  }
+  append_ages(out, prediction, request);
   append_unmoving(out, snapshot, request.max_age_s);
   append_missing(out, prediction.recording.missing);
   append_estimates(out, snapshot);
@@ -198,8 +200,9 @@ std::string summary(const Prediction& prediction, const PredictRequest& request,
     append_summary_line(out, "soonest",
                         pair_text(*soonest, prediction.recording) + ", in " +
                             io::grouped(soonest->begins_s - snapshot.time_s, 2) + " s");
-    append_summary_line(out, "closest",
-                        encounter_text(*closest, prediction.recording, prediction.distances));
+    append_summary_line(
+        out, "closest",
+        encounter_text(*closest, prediction.recording, prediction.distances, Told::kConflict));
   }
   append_summary_line(out, "time", "search " + io::duration(search_s));
   return out;
@@ -229,7 +232,9 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
   load.progress = &progress.reading();
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
-  if (auto doubt = analysis::doubt_of_scale(*recording, moving.threshold)) return *std::move(doubt);
+  if (auto doubt = analysis::doubt_of_scale(*recording, load.frame, moving.threshold)) {
+    return *std::move(doubt);
+  }
   if (auto needed = analysis::threshold_needed(*recording, moving.threshold)) {
     return *std::move(needed);
   }
@@ -257,6 +262,8 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
   Distances distances = distances_of(moving, *recording, threshold_m);
   if (moving.vertical) {
     distances.apart = apart_of(*snapshot, height_unit_m(geometry, recording->height_unit));
+    // Times of conflicts lie within those of the outlook, in which all fly straight.
+    distances.least_height = analysis::least_height_of(distances.apart);
   }
   const Prediction prediction{*recording, *snapshot, threshold_m, *conflicts, distances};
   const auto head = [&](io::JsonWriter& json) { write_outlook(json, prediction, request); };

@@ -104,7 +104,9 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   load.progress = &progress.reading();
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
-  if (auto doubt = analysis::doubt_of_scale(*recording, moving.threshold)) return *std::move(doubt);
+  if (auto doubt = analysis::doubt_of_scale(*recording, load.frame, moving.threshold)) {
+    return *std::move(doubt);
+  }
   if (auto needed = analysis::threshold_needed(*recording, moving.threshold)) {
     return *std::move(needed);
   }
@@ -165,6 +167,11 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   if (moving.vertical) {
     distances.apart = analysis::apart_along(*tracks, found->curves,
                                             height_unit_m(geometry, recording->height_unit));
+    // Along curves heights are not straight in time, too.
+    if (found->curves.tracks.empty()) {
+      distances.least_height =
+          analysis::least_height_of(*tracks, height_unit_m(geometry, recording->height_unit));
+    }
   }
   progress.enter_stage("writing");
   const JsonHead head = [&](io::JsonWriter& json) {

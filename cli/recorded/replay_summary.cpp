@@ -126,7 +126,10 @@ std::vector<analysis::PairInConflict> in_the_air_first(
 void append_closest(std::string& out, const analysis::Findings& findings,
                     const Distances& distances) {
   if (!findings.closest) return;
-  std::string text = encounter_text(*findings.closest, findings.recording, distances);
+  const auto& conflicts = findings.recorded.conflicts;
+  const bool conflict = std::count(conflicts.begin(), conflicts.end(), *findings.closest) > 0;
+  std::string text = encounter_text(*findings.closest, findings.recording, distances,
+                                    conflict ? Told::kConflict : Told::kDistance);
   const auto stands = [&](PointId bee) {
     return analysis::has_landed(findings.recording, bee, findings.closest->closest_s);
   };
@@ -153,7 +156,7 @@ void append_worst(std::string& out, const analysis::Findings& findings,
   constexpr std::size_t kMost = 5;
   for (std::size_t i = 0; i < std::min(kMost, pairs.size()); ++i) {
     const analysis::PairInConflict& pair = pairs[i];
-    std::string text = encounter_text(pair.closest, findings.recording, distances);
+    std::string text = encounter_text(pair.closest, findings.recording, distances, Told::kConflict);
     const auto& standing = findings.with_standing;
     if (std::count(standing.begin(), standing.end(), pair.closest) > 0) {
       text += ", " + std::string(kWithStanding);

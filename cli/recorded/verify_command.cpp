@@ -212,7 +212,9 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
   load.progress = &progress.reading();
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
-  if (auto doubt = analysis::doubt_of_scale(*recording, moving.threshold)) return *std::move(doubt);
+  if (auto doubt = analysis::doubt_of_scale(*recording, load.frame, moving.threshold)) {
+    return *std::move(doubt);
+  }
   if (auto needed = analysis::threshold_needed(*recording, moving.threshold)) {
     return *std::move(needed);
   }

@@ -12,6 +12,7 @@
 #include "cli/watch/no_places.hpp"
 #include "cli/watch/pace.hpp"
 #include "cli/watch/watch_request.hpp"
+#include "cli/watch/watch_summary.hpp"
 #include "cli/watch/watch_tally.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/live/report_lines.hpp"
@@ -378,49 +379,8 @@ class Watch {
   }
 
   [[nodiscard]] std::string summary() const {
-    std::string out;
-    append_summary_line(out, "input", printable(lines_.description()));
-    if (feed_) append_frame_lines(out, frame_, "", lines_.heights());
-    append_units(out, lines_.units());
-    append_note(out, analysis::metres_note(lines_.units(), frame_, request_.threshold));
-    append_vertical(out, request_.vertical, height_unit_);
-    for (const std::string& note : lines_.notes())
-      append_summary_line(out, "note", printable(note));
-    const SwarmCounts counts = feed_ ? feed_->counts() : SwarmCounts{};
-    append_summary_line(out, "reports", io::grouped(counts.taken));
-    if (counts.late > 0) append_summary_line(out, "late", io::grouped(counts.late) + " left out");
-    if (counts.repeated > 0) {
-      append_summary_line(out, "repeated", io::grouped(counts.repeated) + " left out");
-    }
-    if (feed_) tally_.append_clocks(out, *feed_);
-    if (left_out_.contrary > 0) {
-      append_summary_line(out, "contrary", red(io::grouped(left_out_.contrary)) + " left out");
-    }
-    if (left_out_.lines > 0) {
-      append_summary_line(out, "bad lines", red(io::grouped(left_out_.lines)) + " left out");
-    }
-    append_summary_line(
-        out, "bees",
-        io::grouped(counts.agents) + " heard of, " + io::grouped(counts.stale) + " stale");
-    if (feed_) tally_.append_unknown(out, *feed_);
-    append_summary_line(out, "threshold",
-                        separation_text(request_.swarm.threshold_m, request_.swarm.vertical_m,
-                                        false, request_.threshold, request_.vertical) +
-                            usual_text(request_.separation));
-    if (feed_) tally_.append_events(out, *feed_, left_out_);
-    if (advice_) append_advice(out);
-    return out;
-  }
-
-  void append_advice(std::string& out) const {
-    std::string text = io::grouped(advice_->told());
-    if (advice_->uncertified() > 0) {
-      text += ", " + red(io::grouped(advice_->uncertified())) + " not certified";
-    }
-    append_summary_line(out, "advice", text);
-    const std::uint64_t without = unadvised_looks_ + advice_->skipped();
-    if (without == 0) return;
-    append_summary_line(out, "no advice", red(io::grouped(without)) + " looks");
+    return watch_summary({request_, lines_, tally_, left_out_, feed_ ? &*feed_ : nullptr,
+                          advice_ ? &*advice_ : nullptr, unadvised_looks_, frame_, height_unit_});
   }
 
   const WatchRequest& request_;

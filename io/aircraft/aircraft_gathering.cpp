@@ -8,7 +8,7 @@
 namespace beespace::io {
 
 std::optional<Error> AircraftGathering::begin(std::string description, Unit height_unit,
-                                              double repeat_s) {
+                                              double repeat_s, bool tells_speeds) {
   if (auto error = aircraft_problem(assembly_.options(), description)) return error;
   SourceFacts facts;
   facts.frame = Frame::kWgs84;
@@ -18,6 +18,7 @@ std::optional<Error> AircraftGathering::begin(std::string description, Unit heig
   facts.heights = choice_.datum();
   facts.height_unit = height_unit;
   facts.units = AircraftChoice::units(height_unit, description);
+  if (!tells_speeds) facts.units.resize(1);
   facts.description = std::move(description);
   if (auto error = assembly_.agree(facts)) return error;
   assembly_.tracks().round_times(repeat_s);
@@ -47,6 +48,7 @@ std::optional<Error> AircraftGathering::add(const AircraftReport& report, std::u
   origin.line = line & 0xFF'FFFF'FFFFu;
   const AircraftFix& fix = **chosen;
   assembly_.flies_at(id, fix.fix);
+  if (fix.doubts_standing) assembly_.doubt_standing();
   std::optional<double> stated;
   if (report.height_unit != Unit::kMetre) stated = fix.stated_height;
   assembly_.tracks().add(id, fix.fix, &fix.velocity, origin, stated);

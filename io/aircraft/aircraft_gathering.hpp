@@ -19,7 +19,8 @@ class AircraftGathering {
 
   // Says what the input is. A position that comes again within `repeat_s` was heard once. Errors:
   // kInvalidArgument for options that do not go with it, and those of RecordingAssembly::agree().
-  std::optional<Error> begin(std::string description, Unit height_unit, double repeat_s);
+  std::optional<Error> begin(std::string description, Unit height_unit, double repeat_s,
+                             bool tells_speeds = true);
 
   // `line` is that of the input (1-based), or the number of the report in it. Errors: those of
   // AircraftChoice::choose(), without place.

@@ -33,6 +33,7 @@ enum class Key : std::uint8_t {
   // What a decoder has counted: without them such words may be of any sender, in any unit.
   kMessages,
   kSeen,
+  kCategory,
   kCount
 };
 
@@ -41,7 +42,10 @@ constexpr std::size_t kKeys = static_cast<std::size_t>(Key::kCount);
 constexpr std::array<std::string_view, kKeys> kNames = {
     "hex",      "flight",   "now",       "seen_pos", "lon",       "lat",
     "alt_geom", "alt_baro", "gs",        "track",    "geom_rate", "baro_rate",
-    "altitude", "speed",    "vert_rate", "messages", "seen"};
+    "altitude", "speed",    "vert_rate", "messages", "seen",      "category"};
+
+// Emitter categories of ADS-B: rotorcraft, lighter than air, parachutists, unmanned.
+constexpr std::string_view kMayHover = "a7 b2 b3 b6";
 
 using Values = std::array<std::optional<JsonElement>, kKeys>;
 
@@ -121,6 +125,8 @@ class ObjectReading {
     report_.id = normal_address(text);
     const auto& flight = at(Key::kFlight);
     if (flight && flight->get(text)) report_.label = without_padding(text);
+    const auto& category = at(Key::kCategory);
+    report_.may_hover = category && category->get(text) && is_one_of(kMayHover, lower_case(text));
     return std::nullopt;
   }
 

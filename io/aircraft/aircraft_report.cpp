@@ -86,6 +86,10 @@ Result<std::optional<AircraftFix>> AircraftChoice::choose(const AircraftReport& 
   const double wanted = by_pressure() ? report.pressure_climb_mps : report.geometric_climb_mps;
   const double other = by_pressure() ? report.geometric_climb_mps : report.pressure_climb_mps;
   chosen.velocity = velocity_of(report, std::isnan(wanted) ? other : wanted);
+  if (!report.on_ground && !report.may_hover && stands_in_air(report.ground_speed_mps, height)) {
+    chosen.doubts_standing = true;
+    chosen.velocity.x = chosen.velocity.y = AircraftReport::kUnknown;
+  }
   return std::optional<AircraftFix>(chosen);
 }
 

@@ -37,6 +37,7 @@ struct AircraftReport {
   double pressure_height = kUnknown;
   Unit height_unit = Unit::kMetre;
   bool on_ground = false;
+  bool may_hover = false;  // by its category: a helicopter, a balloon, a drone
   double ground_speed_mps = kUnknown;
   double track_deg = kUnknown;  // clockwise from true north
   double geometric_climb_mps = kUnknown;
@@ -47,9 +48,10 @@ struct AircraftReport {
 std::string normal_address(std::string_view address);
 
 struct AircraftFix {
-  Fix fix;                     // longitude, latitude, height in metres
-  Velocity velocity;           // east, north, up; not-a-number where unknown
-  double stated_height = 0.0;  // in AircraftReport::height_unit
+  Fix fix;                       // longitude, latitude, height in metres
+  Velocity velocity;             // east, north, up; not-a-number where unknown
+  double stated_height = 0.0;    // in AircraftReport::height_unit
+  bool doubts_standing = false;  // it says that it stands in the air, which it cannot: no velocity
 };
 
 class AircraftChoice {

@@ -4,6 +4,7 @@
 #include "io/problems/excerpt.hpp"
 #include "io/table/fields.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -25,6 +26,9 @@ constexpr std::size_t kTrack = 10;
 constexpr std::size_t kClimb = 11;
 constexpr std::size_t kEllipsoidHeight = 13;
 }  // namespace place
+// Of those who ask for more (extended=1): rotorcraft, lighter than air, parachutists, unmanned.
+constexpr std::size_t kCategory = 17;
+constexpr std::array<double, 4> kHoveringKinds = {8.0, 10.0, 11.0, 14.0};
 constexpr std::size_t kPlaces = 14;  // as many as are needed; there may be more
 
 }  // namespace
@@ -41,7 +45,12 @@ std::optional<Error> read_state_vector(JsonElement state, AircraftReport& report
   std::array<JsonElement, kPlaces> values;
   std::size_t place = 0;
   for (const JsonElement item : items) {
-    if (place < kPlaces) values[place++] = item;
+    double category = 0.0;
+    if (place < kPlaces) values[place] = item;
+    if (place == kCategory && read_json(item, category)) {
+      report.may_hover = std::count(kHoveringKinds.begin(), kHoveringKinds.end(), category) > 0;
+    }
+    ++place;
   }
   std::string_view text;
   if (!values[place::kAddress].get(text) || text.empty()) {

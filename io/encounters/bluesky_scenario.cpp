@@ -383,6 +383,7 @@ SourceFacts facts() {
   facts.frame = Frame::kWgs84;
   facts.frame_reason = "a scenario says latitude and longitude";
   facts.of_aircraft = true;
+  facts.flies_on = true;
   facts.height_unit = Unit::kFoot;
   facts.units = {taken("heights", Unit::kFoot), taken("speeds", Unit::kKnot),
                  taken("climb rates", Unit::kFootPerMinute)};

@@ -178,7 +178,7 @@ Extent extent_of(std::span<const Point> points) {
 
 FrameDecision frame_before_values(Frame asked, const FrameEvidence& evidence) {
   if (asked == Frame::kWgs84) return {asked, "asked for with --crs wgs84"};
-  if (asked == Frame::kMetres) return {asked, std::string(kAskedForMetres)};
+  if (asked == Frame::kMetres) return {asked, "asked for with --crs metres"};
   return {evidence.frame, evidence.reason};
 }
 

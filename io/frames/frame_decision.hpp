@@ -17,7 +17,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 
 namespace beespace::io {
 
@@ -45,8 +44,6 @@ enum class Naming : std::uint8_t {
   kBareAxes,  // x, y and z and nothing else: metres, unless the values contradict
   kSure,      // everything
 };
-
-inline constexpr std::string_view kAskedForMetres = "asked for with --crs metres";
 
 struct FrameDecision {
   Frame frame = Frame::kMetres;

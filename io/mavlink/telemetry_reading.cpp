@@ -1,7 +1,7 @@
 #include "io/mavlink/telemetry_reading.hpp"
 
 #include "io/aircraft/aircraft_report.hpp"
-#include "io/frames/track_domain.hpp"
+#include "io/mavlink/heard_place.hpp"
 #include "io/mavlink/lost_places.hpp"
 #include "io/mavlink/mavlink_position.hpp"
 #include "io/mavlink/telemetry_log.hpp"
@@ -9,7 +9,6 @@
 #include "io/mavlink/telemetry_words.hpp"
 #include "io/mavlink/vehicle_census.hpp"
 #include "io/mavlink/vehicle_landings.hpp"
-#include "io/problems/skipped_records.hpp"
 #include "io/problems/unplaced.hpp"
 #include "io/recording/recording_sources.hpp"
 
@@ -33,18 +32,6 @@ constexpr LeftOutReason kOtherFrame = {
     "of drones that tell local positions only, beside others that tell longitude and latitude",
     "--crs metres takes local positions"};
 constexpr LeftOutReason kNotLocal = {"of drones that tell no local positions (--crs metres)"};
-
-struct Heard {
-  std::uint64_t stamp = 0;
-  std::uint64_t frame = 0;
-  std::uint8_t system = 0;
-  std::uint8_t component = 0;
-  MavlinkPosition at = {};
-  bool is_taken = false;
-  bool is_lost = false;             // its drone says beside it that it has lost its place
-  std::optional<bool> landed = {};  // nothing where its drone says nothing of the kind
-  double time_s = 0.0;              // since 1970, once it is taken
-};
 
 constexpr double kMicrosPerSecond = 1e6;
 
@@ -402,27 +389,6 @@ class TelemetryReading {
     for (const auto& [id, records] : remote_) {
       for (std::uint64_t i = 0; i < records; ++i) assembly_.leave_out(kRemoteDrone, id);
     }
-  }
-
-  [[nodiscard]] static std::optional<Error> position_problem(const Heard& heard) {
-    const Point& at = heard.at.position;
-    std::optional<Error> error;
-    if (heard.at.global()) {
-      error = impossible_place(at);
-    } else if (!std::isfinite(at.x + at.y + at.z)) {
-      error = Error{
-          ErrorCode::kNotFinite, "its position is not a number" + std::string(kOrLeaveOut), {}};
-    } else if (!in_motion_domain(at.x) || !in_motion_domain(at.y) || !in_motion_domain(at.z)) {
-      error = Error{ErrorCode::kOutsideDomain,
-                    "its position cannot be computed with exactly; use 0, or a size of " +
-                        std::string(kMotionDomain) + " m" + std::string(kOrLeaveOut),
-                    {}};
-    }
-    if (error) {
-      std::string whose = "system ";
-      error->message.insert(0, whose.append(std::to_string(heard.system)).append(": "));
-    }
-    return error;
   }
 
   static constexpr std::size_t kSystems = TelemetryTimes::kSystems;

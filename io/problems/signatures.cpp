@@ -112,12 +112,22 @@ const Signature* signature_of(std::string_view bytes) {
   return nullptr;
 }
 
+// It begins with a name, which is 0-terminated, as all of its header is.
+bool is_tar(std::string_view bytes) {
+  constexpr std::size_t kMagic = 257;
+  return bytes.size() > kMagic && bytes.substr(kMagic).starts_with("ustar");
+}
+
 }  // namespace
 
 std::string words_of_signature(std::string_view bytes) {
   constexpr std::size_t kHeader = 128;  // of a .npy file, where it is short
   if (bytes.starts_with("\x93NUMPY") && bytes.substr(0, kHeader).find("'|O'") < kHeader) {
     return std::string(kObjects);
+  }
+  if (is_tar(bytes)) {
+    return "a tar archive, which is not read; unpack it, and name the folder: mkdir unpacked && "
+           "tar xf FILE -C unpacked";
   }
   const Signature* const found = signature_of(bytes);
   if (found == nullptr) return {};
@@ -140,6 +150,7 @@ std::string words_of_bag_folder() {
 }
 
 bool is_foreign_file(std::string_view bytes) {
+  if (is_tar(bytes)) return true;
   const Signature* const found = signature_of(bytes);
   if (found == nullptr) return false;
   return found->of == Of::kOthers || !words_of_zip(bytes).empty() || !words_of_xml(bytes).empty();

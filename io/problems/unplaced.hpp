@@ -61,6 +61,14 @@ inline constexpr LeftOutReason kOnGround = {"of aircraft on the ground",
 inline constexpr double kHighestGround_m = 4'600.0;
 inline constexpr double kFastestOnGround_mps = 110.0;
 inline constexpr double kMostClimbOnGround_mps = 5.0;
+// No aircraft with wings flies so slowly, and what is so much higher than nearly all airfields is
+// not parked: a speed of 0 there is that of a helicopter, a balloon or a drone, or of no
+// measurement.
+inline constexpr double kSlowestFlight_mps = 1.0;
+inline constexpr double kHighestParked_m = 750.0;
+inline bool stands_in_air(double ground_speed_mps, double height_m) {
+  return ground_speed_mps < kSlowestFlight_mps && height_m > kHighestParked_m;
+}
 inline constexpr LeftOutReason kOnGroundInFlight = {
     "of aircraft that say that they are on the ground, but are as high or as fast as none there",
     "--grounded keeps them"};

@@ -35,7 +35,7 @@ namespace beespace::io {
 
 // What a report says of where it is made: in the air, on the ground as an aircraft says it, or
 // landed as an autopilot has found.
-enum class GroundClaim : std::uint8_t { kNone, kOnGround, kLanded };
+enum class GroundClaim : std::uint8_t { kNone, kSaysOnGround, kLanded };
 
 class GroundClaims {
  public:

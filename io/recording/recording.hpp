@@ -118,8 +118,11 @@ struct Recording {
   // When the input itself was written, where it says so beside the times of its positions: its
   // present moment. Of several inputs the latest.
   std::optional<double> written_s = {};
-  bool of_aircraft = false;            // its format or its columns say so
-  bool of_drones = false;              // all of it is what autopilots logged
+  bool of_aircraft = false;  // its format or its columns say so
+  bool of_drones = false;    // all of it is what autopilots logged
+  // It says how each flies from its last fix on, as a scenario of a simulator does: none is ever
+  // out of reach.
+  bool flies_on = false;
   std::optional<ShowFacts> show = {};  // of drone shows: plans, not what was flown
   std::vector<std::string> notes;      // what else was decided and must be told
   std::vector<Error> skipped;          // with skip_bad: the first bad records

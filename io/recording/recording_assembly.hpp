@@ -55,6 +55,7 @@ struct SourceFacts {
   bool small_times = false;                   // TimeChoice::is_small
   bool of_aircraft = false;                   // by its format, or what its columns are called
   bool of_drones = false;                     // what their autopilots logged
+  bool flies_on = false;                      // Recording::flies_on
   bool names_bees = false;                    // by an id: there may be several in it
   Unit time_unit = Unit::kUnstated;           // in which times are numbers
   Unit named_time = Unit::kUnstated;  // that of the times, where nothing but the header says it
@@ -184,12 +185,14 @@ class RecordingAssembly {
   // kept, and where it is not since it says so, which is counted once it is known whether it flies.
   void flies_at(std::string_view id, const Fix& fix);
   void claims_ground(std::string_view id, const Fix& fix) {
-    claim(id, fix, GroundClaim::kOnGround);
+    claim(id, fix, GroundClaim::kSaysOnGround);
   }
   // The same of a drone whose autopilot says that it has landed; its fix is added, too.
   void has_landed(std::string_view id, const Fix& fix) { claim(id, fix, GroundClaim::kLanded); }
   // A record says that the bee is on the ground, but not how it could be; it is kept.
   void keep_in_flight() { ++kept_in_flight_; }
+  // A record says that an aircraft stands in the air; what its velocity is is not known.
+  void doubt_standing() { ++doubted_standing_; }
   // It was heard of, though not its place: if no place comes from anywhere, a record is left out
   // for that reason.
   void heard_of(const LeftOutReason& reason, std::string_view id);
@@ -251,6 +254,7 @@ class RecordingAssembly {
   std::unordered_map<std::string, std::vector<double>> unplaced_;             // times by id
   std::unordered_set<std::string> told_by_others_;                            // by id
   std::uint64_t kept_in_flight_ = 0;
+  std::uint64_t doubted_standing_ = 0;
   std::uint64_t rough_records_ = 0;
   std::unordered_set<std::string> rough_ids_;
   std::uint64_t missing_ = 0;  // records

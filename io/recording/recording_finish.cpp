@@ -8,6 +8,7 @@
 #include "io/recording/frozen_places.hpp"
 #include "io/recording/moment_text.hpp"
 #include "io/recording/recording_assembly.hpp"
+#include "io/recording/relayed_ids.hpp"
 #include "io/recording/same_tracks.hpp"
 #include "io/recording/show_ground.hpp"
 #include "io/recording/stale_places.hpp"
@@ -257,6 +258,11 @@ void RecordingAssembly::note_counts() {
          " that an aircraft is on the ground, but it is higher than any airport, or faster or "
          "steeper than it could be there: taken for flying, and kept");
   }
+  if (doubted_standing_ > 0) {
+    note(counted(doubted_standing_, "record says", "records say") +
+         " that an aircraft stands still high in the air, which only those do whose category is "
+         "that of helicopters, balloons or drones: its velocity is taken as not known");
+  }
   if (rough_records_ > 0) {
     note(counted(rough_records_, "place is", "places are") +
          " by the Doppler shift of Argos (sensor-type), off by hundreds of metres or kilometres, "
@@ -295,6 +301,15 @@ Error RecordingAssembly::nothing_left() const {
   const std::vector<std::string> left_out = left_out_.notes();
   for (const std::string& text : left_out) {
     message += (&text == &left_out.front() ? ": " : ". Also, ") + text;
+  }
+  const std::vector<LeftOutReason> reasons = left_out_.reasons();
+  const bool without_ellipsoid = std::any_of(
+      reasons.begin(), reasons.end(),
+      [](const LeftOutReason& reason) { return reason.which == kNoEllipsoidHeight.which; });
+  if (without_ellipsoid && options_.heights == HeightSource::kAuto) {
+    message +=
+        "; so does, of 'replay', 'predict' and pictures, --separation enroute (or terminal), which "
+        "says how close is too close, too";
   }
   return {ErrorCode::kNoPoints, message, {sources_.empty() ? "" : sources_.front()}};
 }
@@ -398,6 +413,9 @@ Result<Recording> RecordingAssembly::finish() {
   }
   note_counts();
   if (auto same = same_tracks_note(recording_.bees)) note(*std::move(same));
+  if (recording_.of_aircraft) {
+    if (auto relayed = relayed_ids_note(recording_.bees)) note(*std::move(relayed));
+  }
   if (!options_.grounded) leave_ground_time_out(recording_);
   if (auto swapped = swapped_degrees(recording_)) {
     note(std::move(swapped->note));

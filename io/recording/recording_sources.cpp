@@ -210,7 +210,7 @@ bool is_flight_log_name(std::string_view name) {
 }
 
 bool is_table_name(std::string_view name) {
-  return has_ending(name, {".csv", ".tsv", ".txt"});
+  return has_ending(name, {".csv", ".tsv", ".txt", ".igc", ".so6"});
 }
 
 std::string_view foreign_show(std::string_view name) {

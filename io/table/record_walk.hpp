@@ -41,7 +41,7 @@ class RecordWalk {
         ++headers_;
         continue;
       }
-      const bool surely_record = behind > begin && *begin > ' ' && *begin != '#';
+      const bool surely_record = behind > begin && *begin > ' ' && *begin != '#' && *begin != '+';
       if (surely_record || (!is_blank_line(line_) && !passes_over(line_))) {
         ++rows_;
         return true;

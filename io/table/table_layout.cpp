@@ -43,7 +43,8 @@ std::vector<std::string_view> sample_lines(std::string_view text, std::size_t of
     const Line line = line_at(text, offset, line_end);
     // The first one whole; of others no halves.
     const bool taken = lines.empty() || line.text.size() <= kSampleBytes;
-    const bool says_something = !is_blank_line(line.text) && !has_comment_sign(line.text);
+    const bool says_something =
+        !is_blank_line(line.text) && !has_comment_sign(line.text) && !is_ruler(line.text);
     if (taken && says_something) lines.push_back(line.text);
     offset = line.next;
   }
@@ -266,6 +267,13 @@ std::optional<std::vector<std::string>> header_names(std::string_view line, char
   return std::move(fields->fields);
 }
 
+bool is_ruler(std::string_view line) {
+  const std::string_view text = without_padding(line);
+  constexpr std::size_t kShortest = 3;
+  return text.size() >= kShortest && text.front() == '+' && text.back() == '+' &&
+         text.find_first_not_of("+-=") == std::string_view::npos;
+}
+
 bool has_comment_sign(std::string_view line) {
   const std::string_view text = without_padding(line);
   return !text.empty() && text.front() == '#';
@@ -274,6 +282,7 @@ bool has_comment_sign(std::string_view line) {
 // What could be a record that somebody does not want, or an id, is for the reader of records to
 // refuse.
 bool is_comment(std::string_view line, const TableLayout& layout) {
+  if (is_ruler(line)) return true;
   if (!has_comment_sign(line)) return false;
   if (has_columns_of_record(line, layout)) return false;
   const std::string_view text = without_comment_sign(line);
@@ -348,7 +357,7 @@ Result<TableLayout> find_table(std::string_view text, bool skip_bad) {
     if (line.text.size() > kLongestLine) {
       return at_line(long_line(line.text), layout.lines_before + 1);
     }
-    if (!comment && !is_blank_line(line.text)) {
+    if (!comment && !is_blank_line(line.text) && !is_ruler(line.text)) {
       auto excel = named ? Result<std::optional<char>>(std::optional<char>())
                          : delimiter_named_by(line.text);
       if (!excel) return at_line(std::move(excel).error(), layout.lines_before + 1);

@@ -87,9 +87,12 @@ Error at_first_line(Error error, const TableLayout& table);
 // Whether it begins with "#".
 bool has_comment_sign(std::string_view line);
 
-// Whether it is a comment: a line behind the header that begins with "#", but not one that could be
-// a record that was taken out, or has an id that begins so, since it has a number between
-// delimiters: those are errors of read_record() and its like.
+// Whether it is drawn around a table, "+-----+----+", as consoles of databases do.
+bool is_ruler(std::string_view line);
+
+// Whether it is a comment, or a ruler: a line behind the header that begins with "#", but not one
+// that could be a record that was taken out, or has an id that begins so, since it has a number
+// between delimiters: those are errors of read_record() and its like.
 bool is_comment(std::string_view line, const TableLayout& layout);
 
 // Whether it is the header again, as where tables were joined one behind the other; perhaps behind

@@ -33,6 +33,21 @@ TableSource history_of_opensky(std::vector<KnownColumn> columns) {
   return source;
 }
 
+// A flight as Flightradar24 exports it (CSV), whose headers say no units: they are feet and knots.
+TableSource flightradar24() {
+  TableSource source{kFlightradar24,
+                     "",
+                     {{"timestamp", Role::kTime, Unit::kSecond},
+                      {"utc"},
+                      {"callsign", Role::kId},
+                      {"position"},
+                      {"altitude", Role::kHeight, Unit::kFoot, HeightDatum::kPressure},
+                      {"speed", Role::kGroundSpeed, Unit::kKnot},
+                      {"direction", Role::kTrack}}};
+  source.since_1970 = true;
+  return source;
+}
+
 // traffic: https://traffic-viz.github.io (columns of its Flight and Traffic tables). State vectors
 // of OpenSky come from pyopensky and from traffic under the same names, in other units.
 // OpenSky: the history tables state_vectors_data4, as its documentation lists them.
@@ -47,8 +62,8 @@ TableSource history_of_opensky(std::vector<KnownColumn> columns) {
 // Telonics: its Data Converter (TDC), complete or condensed reports; the position is that of the
 // acquisition time. Wildlife Computers: -Locations.csv of its data portal, whose times are UTC.
 // Axy-Trek of TechnoSmart: X, Y, Z are accelerations.
-const std::array<TableSource, 15>& known_sources() {
-  static const std::array<TableSource, 15> sources = {
+const std::array<TableSource, 16>& known_sources() {
+  static const std::array<TableSource, 16> sources = {
       TableSource{"traffic",
                   kNotOfTraffic,
                   {{"icao24"},
@@ -212,7 +227,8 @@ const std::array<TableSource, 15>& known_sources() {
                    perhaps("y_cm", Role::kY, Unit::kCentimetre)},
                   false,
                   true,
-                  true}};
+                  true},
+      flightradar24()};
   return sources;
 }
 

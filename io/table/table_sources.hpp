@@ -43,6 +43,8 @@ struct TableSource {
                                                  const std::vector<std::string>& names) const;
 };
 
+inline constexpr std::string_view kFlightradar24 = "Flightradar24";
+
 // The source whose documented header this is: all its columns are there, and none that it never
 // has. In any case.
 const TableSource* source_of(const std::vector<std::string>& names);

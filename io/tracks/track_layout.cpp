@@ -14,6 +14,7 @@
 #include "io/table/table_sources.hpp"
 #include "io/table/unit_choice.hpp"
 #include "io/tracks/first_fields.hpp"
+#include "io/tracks/joined_place.hpp"
 #include "io/tracks/known_tables.hpp"
 #include "io/tracks/local_positions.hpp"
 #include "io/tracks/long_poses.hpp"
@@ -116,12 +117,8 @@ std::optional<Error> nameless_position(const Header& header) {
                      (header.has(Role::kLongitude) && header.has(Role::kLatitude));
   if (overridden || named) return std::nullopt;
   const TableLayout& table = header.table();
-  // Of Flightradar24: "48.0,2.0" in quotes.
-  const auto joined = std::find(table.names.begin(), table.names.end(), "Position");
-  const auto at = static_cast<std::size_t>(joined - table.names.begin());
-  if (joined != table.names.end() && at < table.contents.size() &&
-      table.contents[at] == ColumnContent::kText) {
-    return missing(column_text(table, at) +
+  if (const auto joined = column_of_joined_place(table)) {
+    return missing(column_text(table, *joined) +
                    " seems to hold latitude and longitude in one; make two columns of it, as by "
                    "sed 's/\"//g; 1s/Position/latitude,longitude/' FILE.csv > split.csv, and say "
                    "--units aviation");
@@ -153,6 +150,7 @@ std::string position_note(const TableLayout& table, const ColumnChoice& choice, 
   if (choice.dimensions == 3) text += geographic ? ", height" : ", z";
   text += " are read from";
   for (std::size_t axis = 0; axis < choice.dimensions; ++axis) {
+    if (axis > 0 && choice.axes[axis] == choice.axes[axis - 1]) continue;  // a joined place
     text.append(axis == 0 ? " " : ", ").append(column_text(table, choice.axes[axis]));
   }
   if (choice.dimensions == 3) return text;
@@ -189,6 +187,7 @@ ColumnsByRole columns_read(const TrackLayout& layout) {
   ColumnsByRole columns = {};
   const ColumnChoice& position = layout.table.choice;
   for (std::size_t i = 0; i < position.dimensions; ++i) {
+    if (layout.joined_place && i == 1) continue;  // with the first
     columns[index_of(part_of(Role::kX, i))] = position.axes[i];
   }
   if (layout.time) columns[index_of(Role::kTime)] = layout.time->column;
@@ -247,6 +246,7 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   for (std::size_t i = 0; i < choice.dimensions; ++i) {
     fill(choice.axes[i], TrackSlot::kPosition + i);
   }
+  if (layout.joined_place) fill(*layout.joined_place, TrackSlot::kJoinedPlace);
   for (std::size_t i = 0; i < layout.sets.size(); ++i) fill(layout.sets[i], TrackSlot::kSets + i);
   if (layout.visible) fill(*layout.visible, TrackSlot::kVisible);
   for (std::size_t i = 0; i < layout.marked.size(); ++i) {
@@ -296,8 +296,12 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
             : counts_from_start(layout.table, *layout.time);
   }
   const auto id = choose_id(header, layout.notes);
-  if (auto problem = nameless_position(header)) return *std::move(problem);
-  auto position = choose_position(header);
+  layout.joined_place = joined_place_of(header);
+  if (!layout.joined_place) {
+    if (auto problem = nameless_position(header)) return *std::move(problem);
+  }
+  auto position = layout.joined_place ? choose_joined_place(header, *layout.joined_place)
+                                      : choose_position(header);
   if (!position) return with_millimetres(std::move(position).error(), text, header);
   layout.table.choice = std::move(position).value();
   ColumnChoice& choice = layout.table.choice;

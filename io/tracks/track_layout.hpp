@@ -136,7 +136,10 @@ struct TrackLayout {
   std::vector<std::size_t> sets = {};             // within which ids are unique: studies, days
   std::vector<std::size_t> trials = {};           // which of `sets` times may begin again with
   std::optional<std::size_t> no_height_yet = {};  // of heights that the beginning has none of
-  std::vector<UnitTaken> units = {};              // of positions and velocities
+  // Of Flightradar24: "48.0,2.0", latitude and longitude in one column. Heights of 0 are of no
+  // one that flies: on the ground, or where the height is not known.
+  std::optional<std::size_t> joined_place = {};
+  std::vector<UnitTaken> units = {};  // of positions and velocities
   // Of a beginning whose ids come once each: what is wrong if those of the whole do.
   std::optional<Error> perhaps_numbers = {};
   std::vector<std::string> notes = {};
@@ -172,7 +175,8 @@ struct TrackSlot {
   static constexpr std::size_t kAge = 25;
   static constexpr std::size_t kPlaceKnown = 26;
   static constexpr std::size_t kHeightKnown = 27;
-  static constexpr std::size_t kMarked = 28;  // as many as kMostMarked
+  static constexpr std::size_t kJoinedPlace = 28;
+  static constexpr std::size_t kMarked = 29;  // as many as kMostMarked
   static constexpr std::size_t kMostMarked = 3;
   static constexpr std::size_t kSets = kMarked + kMostMarked;  // as many as kMostSets
   static constexpr std::size_t kMostSets = 6;

@@ -2,6 +2,7 @@
 
 #include "io/bytes/characters.hpp"
 #include "io/bytes/number.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/frames/to_metres.hpp"
 #include "io/frames/track_domain.hpp"
 #include "io/problems/excerpt.hpp"
@@ -10,7 +11,9 @@
 #include "io/table/coordinate_units.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
+#include "io/tracks/joined_place.hpp"
 #include "io/tracks/scaled_degrees.hpp"
+#include "io/tracks/short_number.hpp"
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
@@ -25,33 +28,28 @@
 namespace beespace::io {
 namespace {
 
-// [-]digits[.digits] while it fits: one division of exact doubles rounds correctly.
-bool read_short_number(std::string_view text, double& value) {
-  constexpr std::size_t kMostDigits = 15;
-  const bool negative = !text.empty() && text.front() == '-';
-  if (negative) text.remove_prefix(1);
-  if (text.empty() || text.size() > kMostDigits + 1) return false;
-  std::uint64_t mantissa = 0;
-  std::size_t point = text.size();
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '.' && point == text.size() && i > 0) {
-      point = i;
-      continue;
-    }
-    const auto digit = static_cast<unsigned char>(text[i] - '0');
-    if (digit > 9) return false;
-    mantissa = mantissa * 10 + digit;
-  }
-  const std::size_t decimals = point == text.size() ? 0 : text.size() - point - 1;
-  if (text.size() - (point == text.size() ? 0 : 1) > kMostDigits) return false;
-  const double magnitude = static_cast<double>(mantissa) / number_detail::kPowerOfTen[decimals];
-  value = negative ? -magnitude : magnitude;
-  return true;
+// Heights by pressure may be written as flight levels, and those of which it is not said by what.
+bool may_be_levels(const TrackLayout& layout) {
+  const HeightDatum datum = layout.table.choice.datum;
+  return layout.of_aircraft && layout.frame == Frame::kWgs84 &&
+         (datum == HeightDatum::kPressure || datum == HeightDatum::kUnstated);
 }
 
-NumberKind read_number(std::string_view text, double& value) {
-  if (read_short_number(text, value)) return NumberKind::kNumber;
-  return parse_number(text, value);
+// "FL350": the number of hundreds of feet.
+std::optional<double> flight_level_in(std::string_view text) {
+  if (text.size() < 3 || lower_case(text.substr(0, 2)) != "fl") return std::nullopt;
+  const auto level = parse_whole(without_padding(text.substr(2)));
+  constexpr std::uint64_t kHighest = 999;
+  if (!level || *level > kHighest) return std::nullopt;
+  return static_cast<double>(*level);
+}
+
+// Flight levels in the unit of a column of heights.
+double in_unit_of(const ColumnChoice& choice, double level) {
+  constexpr double kFeet = 100.0;
+  if (choice.units[2] == Unit::kFoot) return kFeet * level;
+  if (choice.units[2] == Unit::kFlightLevel) return level;
+  return from_metric(in_metric(kFeet * level, Unit::kFoot), choice.units[2]);
 }
 
 Error outside_domain(std::string_view text, std::string_view name, std::string_view unit,
@@ -75,7 +73,10 @@ bool is_of_argos(std::string_view sensor) {
 }  // namespace
 
 TrackRecordReader::TrackRecordReader(const TrackLayout& layout)
-    : layout_(layout), slots_(slots_of(layout)) {
+    : layout_(layout),
+      names_aircraft_(tells_of_aircraft(layout)),
+      takes_flight_levels_(may_be_levels(layout)),
+      slots_(slots_of(layout)) {
 }
 
 std::optional<Error> TrackRecordReader::read_id(TrackRecord& record) {
@@ -134,85 +135,6 @@ void TrackRecordReader::read_sets(TrackRecord& record) {
     append(joined_trials_, i, i == layout_.trials.front());
   }
   record.trial = joined_trials_;
-}
-
-// Of what aircraft say of themselves: what is not known is no mistake.
-const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
-  if (is_outlier()) return &kOutlier;
-  if (layout_.quality && says_no_fix(*layout_.quality, fields_[TrackSlot::kQuality].text)) {
-    return &kNoFix;
-  }
-  if (layout_.place_known && says_no(fields_[TrackSlot::kPlaceKnown].text)) return &kDoubtedPlace;
-  if (layout_.height_known && says_no(fields_[TrackSlot::kHeightKnown].text)) {
-    return &kDoubtedHeight;
-  }
-  if (layout_.not_seen && says_yes(fields_[TrackSlot::kNotSeen].text)) return &kUnknownPlace;
-  if (!layout_.of_aircraft && !layout_.places_may_be_unknown) return nullptr;
-  const auto unknown = [this](std::size_t slot) {
-    const std::string_view text = without_padding(fields_[slot].text);
-    return is_unknown(text) || (layout_.infinite_is_unknown && (text == "inf" || text == "-inf"));
-  };
-  if (layout_.on_ground && says_yes(fields_[TrackSlot::kOnGround].text) && !flies()) {
-    return &kOnGround;
-  }
-  const bool no_first = unknown(TrackSlot::kPosition);
-  const bool no_second = unknown(TrackSlot::kPosition + 1);
-  if (layout_.of_aircraft && (no_first || no_second)) return &kNoPosition;
-  if (!layout_.of_aircraft && no_first && no_second) return &kUnknownPlace;
-  if (!layout_.of_aircraft && (no_first || no_second)) return &kHalfPlace;
-  // Of others a bad time is a mistake.
-  if (!layout_.of_aircraft) {
-    const bool has_height = layout_.table.choice.dimensions == 3;
-    if (!has_height || !unknown(TrackSlot::kPosition + 2)) return nullptr;
-    return layout_.no_height != nullptr ? layout_.no_height : &kHalfPlace;
-  }
-  if (layout_.time && unknown(TrackSlot::kTime)) return &kNoTime;
-  if (layout_.age && is_old()) return &kOldPlace;
-  const bool height = layout_.table.choice.dimensions == 3;
-  if (height && unknown(TrackSlot::kPosition + 2)) return layout_.no_height;
-  return height && layout_.other_height && heights_contradict() ? &kHeightsContradict : nullptr;
-}
-
-// Or of an age that is not known.
-bool TrackRecordReader::is_old() const {
-  double age_s = 0.0;
-  return read_number(without_padding(fields_[TrackSlot::kAge].text), age_s) !=
-             NumberKind::kNumber ||
-         age_s > kOldPlace_s;
-}
-
-// Of an aircraft that tells both; what is no number is judged where it is read. A height of 0 that
-// is not taken is what decoders write for none.
-bool TrackRecordReader::heights_contradict() const {
-  double taken = 0.0;
-  double other = 0.0;
-  const auto reads = [this](std::size_t slot, double& value) {
-    return read_number(without_padding(fields_[slot].text), value) == NumberKind::kNumber;
-  };
-  return reads(TrackSlot::kPosition + 2, taken) && reads(TrackSlot::kOtherHeight, other) &&
-         other != 0.0 &&
-         std::abs(in_metric(taken, layout_.table.choice.units[2]) -
-                  in_metric(other, layout_.other_height_unit)) > kMostHeightsDiffer_m;
-}
-
-// Of an aircraft that says that it is on the ground: whether it is higher, faster or climbs more
-// than any aircraft there.
-bool TrackRecordReader::flies() const {
-  const auto beyond = [this](std::size_t slot, Unit unit, double most) {
-    double value = 0.0;
-    return read_number(without_padding(fields_[slot].text), value) == NumberKind::kNumber &&
-           std::abs(in_metric(value, unit)) > most;
-  };
-  const ColumnChoice& choice = layout_.table.choice;
-  if (choice.dimensions == 3 &&
-      beyond(TrackSlot::kPosition + 2, choice.units[2], kHighestGround_m)) {
-    return true;
-  }
-  if (!layout_.velocity || !layout_.velocity->over_ground) return false;
-  const VelocityChoice& velocity = *layout_.velocity;
-  return beyond(TrackSlot::kVelocity, velocity.units[0], kFastestOnGround_mps) ||
-         (velocity.dimensions == 3 &&
-          beyond(TrackSlot::kVelocity + 2, velocity.units[2], kMostClimbOnGround_mps));
 }
 
 std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
@@ -299,7 +221,13 @@ std::optional<Error> TrackRecordReader::read_position(TrackRecord& record) {
   std::array<double, 3> values = {};
   for (std::size_t axis = 0; axis < choice.dimensions; ++axis) {
     const std::string_view text = without_padding(fields_[TrackSlot::kPosition + axis].text);
-    const NumberKind kind = read_number(text, values[axis]);
+    NumberKind kind = read_number(text, values[axis]);
+    if (kind != NumberKind::kNumber && axis == 2 && takes_flight_levels_) {
+      if (const auto level = flight_level_in(text)) {
+        values[axis] = in_unit_of(choice, *level);
+        kind = NumberKind::kNumber;
+      }
+    }
     if (kind != NumberKind::kNumber) {
       return number_problem(kind, text, coordinate_name(layout_, axis),
                             std::string(kMotionDomain) + " m", choice.axes[axis]);
@@ -360,7 +288,8 @@ std::optional<Error> TrackRecordReader::read_velocity(TrackRecord& record) {
   std::array<double, 3> values = {0.0, 0.0, layout_.table.choice.dimensions == 2 ? 0.0 : kUnknown};
   for (std::size_t i = 0; i < velocity.dimensions; ++i) {
     const std::string_view text = without_padding(fields_[TrackSlot::kVelocity + i].text);
-    const NumberKind kind = text.empty() ? NumberKind::kNotFinite : read_number(text, values[i]);
+    const NumberKind kind =
+        is_unknown(text) ? NumberKind::kNotFinite : read_number(text, values[i]);
     values[i] = without_dust(values[i]);
     if (kind == NumberKind::kNotFinite) {
       values[i] = kUnknown;
@@ -372,6 +301,11 @@ std::optional<Error> TrackRecordReader::read_velocity(TrackRecord& record) {
     }
   }
   record.velocity = in_metric(values, velocity);
+  if (names_aircraft_ && velocity.over_ground && layout_.table.choice.dimensions == 3 &&
+      stands_in_air(in_metric(values[0], velocity.units[0]), record.position.z)) {
+    record.doubts_standing = true;
+    record.velocity.x = record.velocity.y = kUnknown;
+  }
   for (const double value : {record.velocity.x, record.velocity.y, record.velocity.z}) {
     if (std::isnan(value) || in_motion_domain(value)) continue;
     return outside_domain(without_padding(fields_[TrackSlot::kVelocity].text), "velocity", " m/s",
@@ -388,12 +322,18 @@ void TrackRecordReader::read_claim(TrackRecord& record) {
 std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord& record) {
   record.late_height = {};
   record.is_timed = false;
+  record.doubts_standing = false;
   if (line.size() > kLongestLine) return long_line(line);
   std::size_t count = 0;
   FieldCursor cursor(line, layout_.table.delimiter);
   const std::size_t columns = slots_.size();
   for (Field field; cursor.next(field); ++count) {
     if (count < columns) fields_[slots_[count]] = field;
+  }
+  if (layout_.joined_place) {
+    const JoinedPlace place = split_place(fields_[TrackSlot::kJoinedPlace].text);
+    fields_[TrackSlot::kPosition].text = place.longitude;
+    fields_[TrackSlot::kPosition + 1].text = place.latitude;
   }
   if (layout_.no_height_yet && *layout_.no_height_yet < count) {
     const std::string_view height = without_padding(fields_[TrackSlot::kLateHeight].text);

@@ -30,6 +30,7 @@ struct TrackRecord {
   const LeftOutReason* left_out = nullptr;
   bool claim_is_placed = false;  // of one that is on the ground: time and position are known
   bool flies_on_ground = false;  // says that it is on the ground, but flies; it is kept
+  bool doubts_standing = false;  // says that it stands in the air: its velocity is not known
   std::string_view label = {};   // what it is called beside its id; as long as that
   std::string_view id = {};      // as long as the line and the reader live
   double time_s = 0.0;           // 0 where there is no time
@@ -79,6 +80,8 @@ class TrackRecordReader {
   void read_claim(TrackRecord& record);
 
   const TrackLayout& layout_;
+  bool names_aircraft_;       // which stand on the ground only
+  bool takes_flight_levels_;  // "FL350" for a height
   bool takes_doubled_ = false;
   std::vector<std::uint8_t> slots_;  // by column: which slot it fills
   std::array<Field, TrackSlot::kNothing + 1> fields_ = {};

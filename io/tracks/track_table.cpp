@@ -319,6 +319,7 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     }
     if (record.is_rough) assembly.take_rough(record.id);
     if (record.flies_on_ground) assembly.keep_in_flight();
+    if (record.doubts_standing) assembly.doubt_standing();
     if (layout.on_ground && layout.time) {
       assembly.flies_at(record.id, {record.time_s, record.position});
     }

@@ -67,6 +67,28 @@ TEST(Encounters, WhatAScenarioDoesNotSayIsNoAllClear) {
   expect_parts(created.err, {"conflicts  1, of 2 bees\n"});
 }
 
+// Aircraft that are created later do not make others old; how they fly is said when they are
+// created.
+TEST(Encounters, AircraftOfAScenarioFlyOnAsTheyWereCreated) {
+  const std::string later =
+      "00:00:00.00>CRE DLH4AB,A320,50.0,7.027673,90,FL350,280\n"
+      "00:04:10.00>CRE RYR72KD,A320,49.902778,8.064822,0,FL350,280\n";
+  const Finished predicted = run({"predict", "--separation", "enroute", "--fail-on-risk"}, later);
+  EXPECT_EQ(predicted.exit_code, 1) << predicted.err;
+  expect_parts(predicted.err,
+               {"bees       2\n", "now        250.00 s\n",
+                "1 created before now was let fly on as created, for up to 250.00 s; conflicts "
+                "before now are not looked for",
+                "conflicts  1, of 2 bees\n"});
+  // Of one that is told how to fly it is not known where it is by then.
+  const Finished turned = run({"predict", "--separation", "enroute", "--fail-on-risk"},
+                              later + "00:00:10.00>DLH4AB HDG 180\n");
+  EXPECT_EQ(turned.exit_code, 1) << turned.err;
+  expect_parts(turned.err,
+               {"stale      1 left out, created more than 30 s before now (--max-age), of "
+                "which it is not known how they fly from there\n"});
+}
+
 // Where aircraft begin is no flight: no verdict about one follows from it.
 TEST(Encounters, AScenarioIsNoFlight) {
   for (const char* const command : {"replay", "verify"}) {

@@ -191,5 +191,28 @@ TEST(AnswersForPeople, UnitsOfAviationMayBeAskedForOrNot) {
                {"1,113.195 m horizontally and 30.480 m vertically apart"});
 }
 
+// One climbs through the height of the other, nearer to it before: the least distance is told where
+// the heights part them, and how close they come in height, too.
+TEST(AnswersForPeople, AConflictByHeightsTellsTheLeastHeight) {
+  std::string input = "id,time_s,x,y,z\n";
+  for (int t = 0; t <= 100; t += 10) {
+    input += "a," + std::to_string(t) + "," + std::to_string(1000 + 10 * t) + ",0,1000\n";
+    input += "b," + std::to_string(t) + ",0,0," + std::to_string(1000 - 500 + 10 * t) + "\n";
+  }
+  const Finished replay =
+      run({"replay", "--threshold", "5NM", "--vertical", "300m", "--max-gap", "20"}, input);
+  expect_parts(replay.err,
+               {"just under 300.000 m) vertically apart at 20.00 s; least height apart 0 ft "
+                "(0 m), at 50.00 s"});
+  // That it is a limit is no distance of those that keep it.
+  std::string level = "id,time_s,x,y,z\n";
+  for (int t = 0; t <= 20; t += 10) {
+    level += "a," + std::to_string(t) + ",0,0,1000\nb," + std::to_string(t) + ",0,100,1300\n";
+  }
+  const Finished apart = run({"replay", "--threshold", "5NM", "--vertical", "300m"}, level);
+  EXPECT_EQ(apart.err.find("just under"), std::string::npos) << apart.err;
+  EXPECT_EQ(apart.err.find("least height"), std::string::npos) << apart.err;
+}
+
 }  // namespace
 }  // namespace beespace::cli_test

@@ -220,11 +220,11 @@ TEST(WatchAdvice, IsEastNorthAndUpBetweenDegrees) {
 TEST(WatchAdvice, NamesFlightsAsEventsDo) {
   const Finished finished =
       watched({"--advise"}, R"({"hex": "a1b2c3", "flight": "UAL123  ", "lat": 50, )"
-                            R"("lon": 10, "alt_geom": 3000, "gs": 0, "track": 0, )"
+                            R"("lon": 10, "alt_geom": 2000, "gs": 0, "track": 0, )"
                             R"("geom_rate": 0, "seen_pos": 0, "now": 100})"
                             "\n"
                             R"({"hex": "d4e5f6", "lat": 50.00001, "lon": 10, )"
-                            R"("alt_geom": 3000, "gs": 0, "track": 0, )"
+                            R"("alt_geom": 2000, "gs": 0, "track": 0, )"
                             R"("geom_rate": 0, "seen_pos": 0, "now": 100})"
                             "\n");
   const auto lines = told(finished).bees;

@@ -35,8 +35,8 @@ TEST(BadTrack, MissingColumnsAreNamedWithThoseThatAreThere) {
                       "Anna,2023-08-15 06:00:00,8.9,47.7,GPS\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1",
                 "x=3,y=4, or, of degrees, id=1,time=2,lon=3,lat=4 ("});
-  expect_error(record("Timestamp,UTC,Callsign,Position,Altitude,Speed,Direction\n1714564800,"
-                      "2024-05-01T12:00:00Z,BAW9,\"48.166554,2.000000\",33000,450,90\n"),
+  expect_error(record("time_s,Callsign,Altitude [ft],Position\n0,BAW9,33000,"
+                      "\"48.166554,2.000000\"\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1",
                 "column 4 'Position' seems to hold latitude and longitude in one; make two"});
   expect_error(record("name,time_s,colour\nAnna,0,red\n"),
