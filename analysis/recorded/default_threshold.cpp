@@ -43,23 +43,17 @@ bool says_enough(const std::optional<io::StatedLength>& typed) {
   return typed && !(typed->bare && typed->metric <= kMostMiles);
 }
 
-Error aircraft_question(std::string_view known_by, const std::optional<io::StatedLength>& typed,
-                        bool apart_in_height) {
+Error aircraft_question(std::string_view known_by, const std::optional<io::StatedLength>& typed) {
   std::string message = "these are aircraft" + std::string(known_by);
   if (typed) {
     const std::string number = io::exact(typed->value);
     message += ", and --threshold " + number + " would be " + number +
                " m, less than any separation of aircraft: say --threshold " + number +
                "NM if it is in nautical miles, or --threshold " + number + "m";
-  } else if (apart_in_height) {
+  } else {
     message +=
         ": how close is too close? Say --separation enroute, --separation terminal, or how far it "
         "is, as in --threshold 5NM --vertical 1000ft";
-  } else {
-    message +=
-        ": how close is too close? Distances are straight lines here, whatever heights are apart: "
-        "'beespace replay --separation enroute' asks about both; or say how far it is in space, as "
-        "in --threshold 5NM";
   }
   return {ErrorCode::kInvalidArgument, std::move(message), {}};
 }
@@ -92,18 +86,18 @@ std::optional<Error> threshold_needed(const io::Recording& recording,
   if (!typed && recording.declared_threshold_m) return std::nullopt;
   const std::string_view by =
       known_by_heights(recording.frame, recording.height_unit, recording.heights);
-  if (!by.empty()) return aircraft_question(by, typed, true);
-  if (recording.of_aircraft) return aircraft_question({}, typed, true);
+  if (!by.empty()) return aircraft_question(by, typed);
+  if (recording.of_aircraft) return aircraft_question({}, typed);
   // Who typed a number there knows what flies.
   if (typed || !cruises(recording)) return std::nullopt;
-  return aircraft_question(", higher and faster than drones fly", typed, true);
+  return aircraft_question(", higher and faster than drones fly", typed);
 }
 
 std::optional<Error> threshold_needed(const io::LoadedPoints& points, bool names_aircraft,
                                       const std::optional<io::StatedLength>& typed) {
   const std::string_view by = known_by_heights(points.frame, points.height_unit, points.heights);
   if (says_enough(typed) || (by.empty() && !names_aircraft)) return std::nullopt;
-  return aircraft_question(by, typed, true);
+  return aircraft_question(by, typed);
 }
 
 }  // namespace beespace::analysis
