@@ -107,6 +107,10 @@ TEST(FrozenToTheEnd, VelocitiesOfWhatStandsAndHeldOrRoundedPlacesAreNone) {
   // A ship in port, which says a knot's tenth.
   const Way moored = [](int i) { return Point{i < 50 ? 0.5 : 0.02, 0.0, 0.0}; };
   expect_known(table_of([&](int i) { return brakes(std::min(i, 50)); }, moored), true);
+  // A drone on the ground, whose place changes by its last digit now and then.
+  const Way parked = [](int i) { return Point{2.0 + 0.0001 * (i % 7 == 0), 1.0, 0.0}; };
+  const Way drifts = [](int) { return Point{0.03, 0.0, 0.0}; };
+  expect_known(table_of([&](int i) { return parked(std::min(i, 80)); }, drifts));
   // The place comes each second only; or is rounded to a metre.
   const Way held = [&](int i) { return drives(i / 10 * 10); };
   expect_known(table_of(held, kMoves));
