@@ -64,6 +64,11 @@ Result<std::optional<KeptByHeight>> kept_by_height(const io::Recording& recordin
   if (recording.flat || recording.show || options.vertical_m || recording.bees.size() < 2) {
     return std::optional<KeptByHeight>();
   }
+  // In metres heights are no worse than places, and a swarm has its layers: it is said where an
+  // all-clear rests on them.
+  if (recording.frame == io::Frame::kMetres && !conflicts.empty()) {
+    return std::optional<KeptByHeight>();
+  }
   const double difference_m = height_difference_m(recording);
   if (!(difference_m > 0.0)) return std::optional<KeptByHeight>();
   const auto tracks = tracks_over_ground(recording, tolerance_m);
@@ -92,7 +97,7 @@ Result<std::optional<KeptByHeight>> kept_by_height(const io::Recording& recordin
     last = pair;
     ++kept.pairs;
     const auto on_surface = [&](PointId bee) { return recording.bees[bee].on_surface; };
-    kept.on_surface += on_surface(pair.first) && on_surface(pair.second) ? 1 : 0;
+    if (on_surface(pair.first) && on_surface(pair.second)) ++kept.on_surface;
   }
   return std::optional(kept);
 }

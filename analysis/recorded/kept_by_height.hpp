@@ -24,9 +24,9 @@ struct KeptByHeight {
   double vertical_m = 0.0;               // a vertical threshold with which all of them count
 };
 
-// Nothing where it was not looked at: without heights, of shows, which are planned so, and with a
-// vertical threshold. `options` are those with which `conflicts` were found. Errors: those of
-// find_conflicts() and of the conversion.
+// Nothing where it was not looked at: without heights, of shows, which are planned so, with a
+// vertical threshold, and in metres where there are conflicts. `options` are those with which
+// `conflicts` were found. Errors: those of find_conflicts() and of the conversion.
 Result<std::optional<KeptByHeight>> kept_by_height(const io::Recording& recording,
                                                    const ConflictOptions& options,
                                                    double tolerance_m,

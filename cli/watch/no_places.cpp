@@ -88,7 +88,7 @@ NoPlaces::AtTheEnd NoPlaces::at_the_end() const {
   std::vector<double> since_s;
   std::size_t known = 0;
   for (const Track& track : tracks_) {
-    known += track.frozen.is_known() ? 1 : 0;
+    if (track.frozen.is_known()) ++known;
     if (track.frozen.end() != io::FrozenEnd::kNo) since_s.push_back(track.frozen.since_s());
   }
   const bool usual = io::ends_are_usual(since_s, known);

@@ -19,10 +19,10 @@ io::RecordedBee standing(const std::string& id, const Point& at) {
   return bee;
 }
 
-// a and b above each other, c beside a at its height, and d far away.
+// a, b and c above each other, and d far away.
 io::Recording layers() {
   io::Recording recording;
-  recording.bees = {standing("a", {0, 0, 10}), standing("b", {3, 0, 40}), standing("c", {0, 2, 10}),
+  recording.bees = {standing("a", {0, 0, 10}), standing("b", {3, 0, 40}), standing("c", {0, 2, 80}),
                     standing("d", {500, 0, 10})};
   return recording;
 }
@@ -35,17 +35,17 @@ KeptByHeight kept_in(const io::Recording& recording, const std::vector<Conflict>
   return kept && *kept ? **kept : KeptByHeight{};
 }
 
-TEST(KeptByHeight, CountsPairsThatAreInNoConflictInSpace) {
+TEST(KeptByHeight, CountsPairsThatAreCloseOverGround) {
   const io::Recording recording = layers();
-  const KeptByHeight kept = kept_in(recording, {{0, 2, 0.0, 0.0, 10.0, 2.0}});
-  EXPECT_EQ(kept.pairs, 2u);
+  const KeptByHeight kept = kept_in(recording, {});
+  EXPECT_EQ(kept.pairs, 3u);
   EXPECT_EQ(kept.on_surface, 0u);
   EXPECT_EQ(kept.vertical_m, 100.0);
   ASSERT_TRUE(kept.closest);
-  EXPECT_EQ(kept.closest->closest_m, 3.0);
+  EXPECT_EQ(kept.closest->closest_m, 2.0);
   EXPECT_EQ(kept_by_height_text(kept, recording, 5.0),
-            "2 pairs come closer than 5 m over ground, and only their heights keep them apart (a "
-            "and b: 3.000 m at 0.00 s); --vertical 100 counts them");
+            "3 pairs come closer than 5 m over ground, and only their heights keep them apart (a "
+            "and c: 2.000 m at 0.00 s); --vertical 100 counts them");
   EXPECT_TRUE(kept_on_surface_text(kept).empty());
 }
 
@@ -75,7 +75,13 @@ TEST(KeptByHeight, IsNotLookedAtWhereHeightsSayNothingOrAreAskedFor) {
   EXPECT_FALSE(looked_at(show));
   io::Recording level = layers();
   level.bees[1] = standing("b", {3, 0, 10});
+  level.bees[2] = standing("c", {0, 2, 10});
   EXPECT_FALSE(looked_at(level));
+  const auto beside_a_conflict = [&](const io::Recording& recording) {
+    const auto kept = kept_by_height(recording, options, 0.0, {{0, 3, 0.0, 0.0, 1.0, 2.0}});
+    return kept && kept->has_value();
+  };
+  EXPECT_FALSE(beside_a_conflict(layers()));
   options.vertical_m = 2.0;
   EXPECT_FALSE(looked_at(layers()));
 }

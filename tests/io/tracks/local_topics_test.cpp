@@ -8,7 +8,7 @@ namespace beespace::io {
 namespace {
 
 std::string of_two(const std::string& one, const std::string& other) {
-  std::string text = "topic,time_ns,x,y,z\n";
+  std::string text = "id,time_ns,x,y,z\n";
   for (int i = 0; i < 10; ++i) {
     const std::string at = std::to_string(1'718'000'000 + i) + "000000000," + std::to_string(i);
     text += one + "," + at + ",0,2\n" + other + "," + at + ",5,2\n";
