@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace beespace::io {
 namespace {
@@ -30,7 +29,6 @@ struct Head {
   Place at;
   double x_mps = 0.0;
   double y_mps = 0.0;
-  bool is_young = true;     // it has one place
   std::size_t entered = 0;  // how often another one came before
 
   [[nodiscard]] double off_m(const Place& place) const {
@@ -42,7 +40,6 @@ struct Head {
     x_mps = (place.x - at.x) / after_s;
     y_mps = (place.y - at.y) / after_s;
     at = place;
-    is_young = false;
   }
 };
 
@@ -60,16 +57,10 @@ class Heads {
         nearest = i;
       }
     }
-    const auto young = off_m >= scale_m_ ? young_one(place) : std::nullopt;
-    if (young) {
-      ++strays_;
-      nearest = *young;
-      heads_[nearest].go_on(place);
-    } else if (off_m >= scale_m_) {
+    if (off_m >= scale_m_) {
       if (count_ > 0) ++strays_;
       nearest = oldest();
       heads_[nearest] = {place};
-      heads_[nearest].entered = std::exchange(merged_entered_, 0);
     } else {
       if (off_m > scale_m_ / 4.0) {
         ++strays_;
@@ -93,21 +84,6 @@ class Heads {
   }
 
  private:
-  // The nearest of those with one place so far, whose way is not known yet: what reports seldom has
-  // gone on farther than the scale by its second one.
-  [[nodiscard]] std::optional<std::size_t> young_one(const Place& place) const {
-    constexpr double kFarther = 8.0;  // times the scale
-    std::optional<std::size_t> young;
-    double off_m = kFarther * scale_m_;
-    for (std::size_t i = 0; i < count_; ++i) {
-      const double of_this_m = heads_[i].off_m(place);
-      if (!heads_[i].is_young || !(of_this_m < off_m)) continue;
-      off_m = of_this_m;
-      young = i;
-    }
-    return young;
-  }
-
   // Where a new one goes.
   std::size_t oldest() {
     if (count_ < heads_.size()) return count_++;
@@ -125,7 +101,6 @@ class Heads {
         ++i;
         continue;
       }
-      merged_entered_ += heads_[i].entered;
       --count_;
       heads_[i] = heads_[count_];
       if (last_ == count_) last_ = i;
@@ -136,8 +111,6 @@ class Heads {
   std::array<Head, TrackMixture::kMostHeads> heads_ = {};
   std::size_t count_ = 0;
   std::size_t last_ = 0;
-  // Of those that have met another one: where ways cross, two become one and are two again.
-  std::size_t merged_entered_ = 0;
   std::size_t jumps_ = 0;
   std::size_t strays_ = 0;
 };

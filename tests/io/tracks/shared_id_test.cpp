@@ -99,20 +99,6 @@ TEST(SharedId, SeveralAtAnyRatesAreFound) {
 
 // Of a receiver that stands: its places are rounded to as many digits of a degree as some have, on
 // a lattice of metres, and spread over a few of its points, at random.
-// Ten times a second and once; their ways cross in the midst of 20 s.
-TEST(SharedId, TwoWhoseWaysCrossAreFoundAtDifferentRates) {
-  for (const double mps : {0.2, 1.0, 5.0}) {
-    std::vector<Fix> both;
-    for (int i = 0; i < 200; ++i) both.push_back({0.1 * i, {mps * (0.1 * i - 10.0), 0, 0}});
-    for (int i = 0; i < 20; ++i) both.push_back({i + 0.0501, {0, mps * (i + 0.0501 - 10.0), 0}});
-    std::sort(both.begin(), both.end(),
-              [](const Fix& a, const Fix& b) { return a.time_s < b.time_s; });
-    SharedId shared;
-    for (const Fix& fix : both) shared.take(fix);
-    EXPECT_TRUE(shared.found().has_value()) << mps;
-  }
-}
-
 TEST(SharedId, NoiseThatIsRoundedIsNoSecondBee) {
   for (const double rounded : {1e-4, 1e-5, 1e-6, 1e-7}) {
     for (unsigned seed = 0; seed < 20; ++seed) {
