@@ -11,7 +11,7 @@ namespace {
 constexpr double kTimesMore = 3.0;
 constexpr std::size_t kFewestUsual = 10;  // steps
 // What stands says some speed, too: so little is none, nor is so little of the fastest.
-constexpr double kMoves_mps = 0.1;
+constexpr double kMovesAtLeast_mps = 0.1;
 constexpr double kMovesOfFastest = 0.05;
 
 constexpr std::size_t kFewestEnds = 4;
@@ -41,7 +41,7 @@ bool UsualSteps::exceeded_by(const LeftStay& left) const {
 bool UsualSteps::led_away(const Stay& stay) const {
   const double metres = std::hypot(stay.east_m, stay.north_m);
   return count_ >= kFewestUsual && stay.may_be_frozen() && metres > kTimesMore * farthest_m_ &&
-         metres > std::max(kMoves_mps, kMovesOfFastest * fastest_mps_) * stay.lasted_s();
+         metres > std::max(kMovesAtLeast_mps, kMovesOfFastest * fastest_mps_) * stay.lasted_s();
 }
 
 bool ends_are_usual(std::vector<double> since_s, std::size_t bees) {
