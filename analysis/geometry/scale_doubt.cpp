@@ -107,16 +107,16 @@ std::optional<Error> doubt_of_scale(const io::Recording& recording,
     const bool asked = recording.frame_reason == io::kAskedForMetres;
     return doubt_of_scale({recording.units, recording.frame, asked}, spread, threshold, kWithScale);
   }
-  if (recording.frame_reason != io::kAskedForMetres) {
-    WholePlaces places;
-    for (const io::RecordedBee& bee : recording.bees) {
-      for (const Fix& fix : bee.fixes) places.add(fix.position);
-    }
-    if (auto doubt = places.doubt(threshold)) return doubt;
-  }
   // Two of one id are not fast.
-  if (recording.missing.shared > 0) return std::nullopt;
-  return io::doubt_of_metres(recording, fastest_in_metres(threshold));
+  if (recording.missing.shared == 0) {
+    if (auto fast = io::doubt_of_metres(recording, fastest_in_metres(threshold))) return fast;
+  }
+  if (recording.frame_reason == io::kAskedForMetres) return std::nullopt;
+  WholePlaces places;
+  for (const io::RecordedBee& bee : recording.bees) {
+    for (const Fix& fix : bee.fixes) places.add(fix.position);
+  }
+  return places.doubt(threshold);
 }
 
 std::optional<Error> doubt_of_scale(const io::LoadedPoints& points,

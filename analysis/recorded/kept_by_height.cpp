@@ -109,10 +109,10 @@ std::string kept_by_height_text(const KeptByHeight& kept, const io::Recording& r
   const std::string option = "--vertical " + io::exact(kept.vertical_m);
   if (kept.more) {
     return "more than " + io::grouped(kept.pairs) + " times two come closer than " +
-           io::length(threshold_m) + but + "; " + option + " counts them";
+           io::exact(threshold_m) + " m" + but + "; " + option + " counts them";
   }
   std::string text = io::counted(kept.pairs, "pair comes", "pairs come") + " closer than " +
-                     io::length(threshold_m) + but;
+                     io::exact(threshold_m) + " m" + but;
   if (kept.closest) {
     const Conflict& closest = *kept.closest;
     text += " (" + text_of(name_of(closest.first, recording)) + " and " +

@@ -11,6 +11,8 @@ namespace {
 constexpr std::array kTens = {1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
 // By more than two units of the last digit no rounding of four places bends a way.
 constexpr double kUnitsOfRounding = 2.5;
+// What moves slowly leaps by one, or by one on both axes.
+constexpr double kUnitsOfALeap = 1.5;
 constexpr std::size_t kFewestClear = 20;
 constexpr double kFewestOfSteps = 0.25;
 // Of white noise 0.73 turn, of a walk at random 0.67, of smooth ways hardly any.
@@ -78,7 +80,7 @@ void PlaceNoise::take(const Fix& fix, Frame frame) {
                    ? across_m / seconds
                    : usual_mps_ + kWeightOfLast * (speed_mps_ - usual_mps_);
   speed_mps_ = across_m / seconds;
-  clear_ = across_m > rounding_m;
+  clear_ = across_m > kUnitsOfALeap * unit_m(digits_, frame);
   falls_ = -way.z > across_m;
   steps_ = even ? steps_ + 1 : 1;
   step_ = step;

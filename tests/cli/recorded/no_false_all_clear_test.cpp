@@ -366,7 +366,7 @@ TEST(NoFalseAllClear, WhomHeightsAloneKeepApartIsToldWithTheOptionThatCountsThem
   expect_parts(
       run(Arguments{"plot", "--output", folder.path("c.svg"), file, "--threshold", "50"}).err,
       {told});
-  expect_parts(run(Arguments{"replay", "--format", "json"} + question).out,
+  expect_parts(run(Arguments{"replay", "--json"} + question).out,
                {"\"kept_by_height\": {\"pair_count\": 1, "});
   // Whom neither keeps apart, or both; and who has no heights.
   const auto says_nothing = [&](const std::string& table, const char* threshold) {

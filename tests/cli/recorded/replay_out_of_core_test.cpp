@@ -308,7 +308,9 @@ TEST_F(ReplayOutOfCore, WhereBeesAreNotKnownIsNoAllClearEither) {
     const Finished found = small(asked, table);
     EXPECT_EQ(expected.exit_code, 1) << expected.err;
     EXPECT_EQ(found.exit_code, 1) << found.err;
-    EXPECT_EQ(known_lines(found.err), known_lines(expected.err));
+    // The closest encounter is not looked for with --memory.
+    const std::string known = known_lines(expected.err);
+    EXPECT_EQ(known_lines(found.err), known.substr(0, known.find("  closest")));
     expect_parts(found.err, {why});
   };
   // Failed fixes in a row, in order and not.
@@ -324,14 +326,14 @@ TEST_F(ReplayOutOfCore, WhereBeesAreNotKnownIsNoAllClearEither) {
     forth += rows(t);
     back += rows(39 - t);
   }
-  unknown(forth, "1 bee unknown for 4.00 s in all");
+  unknown(forth, "1 bee unknown for 4 s in all");
   EXPECT_EQ(small({"--threshold", "1", "--fail-on-risk", "--straight"}, back).exit_code, 1);
   // In the midst of a video.
   std::string video = "id,frame,x_mm,y_mm\n";
   for (int frame = 0; frame < 60; ++frame) {
     const std::string at = "," + std::to_string(frame) + ",";
     video += "a" + at + std::to_string(10 * frame) + ",0\nc" + at + "0," +
-             std::to_string(10 * frame) + "\n";
+             std::to_string(10 * frame + 50) + "\n";
     if (frame < 30) video += "b" + at + "300," + std::to_string(300 - frame) + "\n";
   }
   unknown(video, "1 of which appear or vanish on their way", {"--fps", "10", "--threshold", "2mm"});
