@@ -4,6 +4,7 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/gaps.hpp"
+#include "analysis/recorded/kept_by_height.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "c/door/door.hpp"
 #include "c/door/structs.hpp"
@@ -151,6 +152,10 @@ Result<std::unique_ptr<beespace_io_conflicts>> find(const beespace_io_recording&
   analysis::Findings findings{recording,      *tracks,  *in_space, found->recorded,
                               found->closest, coverage, compared};
   findings.curves = &found->curves;
+  auto kept =
+      analysis::kept_by_height(recording, options, of.tolerance_m, found->recorded.conflicts);
+  if (!kept) return kept.error();
+  findings.kept_by_height = *std::move(kept);
   auto conflicts = std::make_unique<beespace_io_conflicts>();
   beespace_io_conflict_facts& facts = conflicts->facts;
   facts.risky = findings.is_risky() ? 1 : 0;

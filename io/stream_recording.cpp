@@ -8,7 +8,6 @@
 #include "io/encounters/bluesky_scenario.hpp"
 #include "io/encounters/daidalus_encounter.hpp"
 #include "io/mavlink/telemetry_log.hpp"
-#include "io/problems/excerpt.hpp"
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/px4/ulog_walk.hpp"
@@ -276,6 +275,7 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
       const auto& [bee, fix, velocity, stated, origin] = taken;
       if (is_nowhere(fix)) {
         assembly_->leave_out(kZeroPlace, id(bee));
+        assembly_->unplaced(id(bee), fix.time_s);
         return;
       }
       if (bee >= stale_.size()) stale_.resize(bee + 1);
@@ -287,8 +287,7 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
         if (bee >= zero_runs_.size()) zero_runs_.resize(bee + 1);
         zero_runs_[bee].take(fix, fixes_);
       }
-      if (bee >= frozen_.size()) frozen_.resize(bee + 1);
-      frozen_[bee].take(fix, velocity, frame(), fixes_);
+      look_whether_frozen(bee, fix, velocity);
       const bool follows =
           last_ && last_->source == origin.source && last_->line + 1 == origin.line;
       if (!follows) places_.push_back({fixes_, origin});
@@ -296,7 +295,8 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
       ++fixes_;
       several_times_ = several_times_ || (first_s_ && *first_s_ != fix.time_s);
       first_s_ = fix.time_s;
-      look_for_doubt(bee, fix, origin);
+      look_for_doubt(bee, fix, velocity, origin);
+      look_whether_lost(bee, fix);
       assembly_->reach(fix.position.z);
       if (witness_) witness_->look_at(std::span(&fix.position, 1));
       fixes.push_back({bee, fix, stated});
@@ -311,13 +311,14 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
 }
 
 // Of fixes in the order of the input; those that go back in time count for nothing.
-void RecordingStream::look_for_doubt(std::size_t bee, const Fix& fix, Origin origin) {
+void RecordingStream::look_for_doubt(std::size_t bee, const Fix& fix, const Velocity* velocity,
+                                     Origin origin) {
   if (bee >= shared_.size()) {
     shared_.resize(bee + 1);
     jumps_.resize(bee + 1);
     jumping_.resize(bee + 1);
   }
-  if (!jumping_[bee] && jumps_[bee].take(fix, nullptr, frame())) {
+  if (!jumping_[bee] && jumps_[bee].take(fix, velocity, frame())) {
     jumping_[bee] = true;
     assembly_->jump({id(bee), fix.time_s, origin});
   }
@@ -352,35 +353,6 @@ Error RecordingStream::clash(std::size_t bee, double time_s, std::uint64_t first
   return error;
 }
 
-// Those that were handed out cannot be left out any more.
-std::optional<Error> RecordingStream::zero_run_problem() const {
-  for (std::size_t bee = 0; bee < zero_runs_.size(); ++bee) {
-    const auto fix = zero_runs_[bee].found();
-    if (!fix) continue;
-    return Error{ErrorCode::kInvalidArgument,
-                 "a place of bee " + excerpt(id(bee)) + " is " + std::string(kZeroRun.which) +
-                     " and cannot be left out with --memory: take such records out, or leave "
-                     "--memory out",
-                 assembly_->location_of(origin_of(*fix))};
-  }
-  return std::nullopt;
-}
-
-std::optional<Error> RecordingStream::frozen_problem() const {
-  for (std::size_t bee = 0; bee < frozen_.size(); ++bee) {
-    const auto fix = frozen_[bee].found();
-    if (!fix) continue;
-    return Error{ErrorCode::kInvalidArgument,
-                 "bee " + excerpt(id(bee)) +
-                     " jumps to here after it has repeated a place exactly, farther and faster "
-                     "than it moves elsewhere: records of before were said again after it was "
-                     "lost, and cannot be left out with --memory; take them out, or leave --memory "
-                     "out",
-                 assembly_->location_of(origin_of(*fix))};
-  }
-  return std::nullopt;
-}
-
 Result<Recording> RecordingStream::finish(std::uint64_t repeated) {
   if (witness_) {
     if (auto error = witness_->contradiction(assembly_->facts()->dimensions)) {
@@ -390,6 +362,7 @@ Result<Recording> RecordingStream::finish(std::uint64_t repeated) {
   }
   if (auto problem = zero_run_problem()) return *std::move(problem);
   if (auto problem = frozen_problem()) return *std::move(problem);
+  lose_unordered();
   assembly_->tracks().add_repeated(repeated);
   assembly_->settled_frame();  // of each bee only the last fix is there
   return assembly_->finish();

@@ -21,6 +21,7 @@
 #include "io/recording/zero_runs.hpp"
 #include "io/tracks/track_table.hpp"
 
+#include <beespace/mover.hpp>
 #include <beespace/result.hpp>
 #include <beespace/track.hpp>
 
@@ -80,7 +81,10 @@ class RecordingStream {
   [[nodiscard]] std::string_view beginning() const;
   [[nodiscard]] Origin origin_of(std::uint64_t fix) const;
   [[nodiscard]] bool is_nowhere(const Fix& fix);
-  void look_for_doubt(std::size_t bee, const Fix& fix, Origin origin);
+  void look_for_doubt(std::size_t bee, const Fix& fix, const Velocity* velocity, Origin origin);
+  void look_whether_lost(std::size_t bee, const Fix& fix);
+  void lose_unordered();
+  void look_whether_frozen(std::size_t bee, const Fix& fix, const Velocity* velocity);
   // As text in UTF-8, in `converted` where it is none.
   std::string_view readable(std::string_view text, std::optional<Bytes>& converted);
   [[nodiscard]] std::optional<Error> zero_run_problem() const;
@@ -120,7 +124,14 @@ class RecordingStream {
   std::vector<StalePlaces> stale_;       // by bee
   ZeroPlaces zeros_;
   std::vector<ZeroRunWatch> zero_runs_;  // by bee, of places in metres
-  std::vector<FrozenWatch> frozen_;      // by bee
+  // By bee: its latest fix, and whether some go back in time.
+  struct Last {
+    std::optional<double> time_s = {};
+    bool goes_back = false;
+  };
+  std::vector<Last> last_fix_;
+  std::vector<FrozenWatch> frozen_;                     // by bee
+  std::vector<std::optional<std::uint64_t>> led_away_;  // the same: the first such fix
 };
 
 }  // namespace beespace::io

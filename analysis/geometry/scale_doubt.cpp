@@ -71,6 +71,30 @@ double Spread::metres() const {
   return std::hypot(greatest_.x - least_.x, greatest_.y - least_.y, greatest_.z - least_.z);
 }
 
+void WholePlaces::add(const Point& place) {
+  const auto is_whole = [](double value) { return value == std::round(value); };
+  whole_ = whole_ && is_whole(place.x) && is_whole(place.y) && is_whole(place.z);
+  if (!whole_) return;
+  ++places_;
+  spread_.add(place);
+}
+
+std::optional<Error> WholePlaces::doubt(const std::optional<io::StatedLength>& threshold) const {
+  constexpr std::size_t kFewest = 20;
+  constexpr double kThousand = 1000.0;
+  constexpr double kAFew_m = 3.0;
+  if (!whole_ || places_ < kFewest || !threshold || threshold->metric > kAFew_m) {
+    return std::nullopt;
+  }
+  const double wide = spread_.metres();
+  if (!(wide >= kThousand)) return std::nullopt;
+  return Error{ErrorCode::kInvalidArgument,
+               "are x, y, z in metres? Nothing names their unit; they are whole numbers, and go " +
+                   io::grouped(wide, 0) + " far beside a threshold of " + io::text_of(*threshold) +
+                   ": say --units position=mm, position=cm, or position=m if they are in metres",
+               {}};
+}
+
 std::optional<Error> doubt_of_scale(const io::Recording& recording, io::Frame asked,
                                     const std::optional<io::StatedLength>& threshold) {
   if (!are_without_unit(recording.units, recording.frame)) return std::nullopt;
@@ -83,8 +107,15 @@ std::optional<Error> doubt_of_scale(const io::Recording& recording, io::Frame as
                           threshold, kWithScale);
   }
   // Two of one id are not fast.
-  if (recording.missing.shared > 0) return std::nullopt;
-  return io::doubt_of_metres(recording, fastest_in_metres(threshold));
+  if (recording.missing.shared == 0) {
+    if (auto fast = io::doubt_of_metres(recording, fastest_in_metres(threshold))) return fast;
+  }
+  if (asked == io::Frame::kMetres) return std::nullopt;
+  WholePlaces places;
+  for (const io::RecordedBee& bee : recording.bees) {
+    for (const Fix& fix : bee.fixes) places.add(fix.position);
+  }
+  return places.doubt(threshold);
 }
 
 std::optional<Error> doubt_of_scale(const io::LoadedPoints& points, io::Frame asked,

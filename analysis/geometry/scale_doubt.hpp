@@ -9,6 +9,7 @@
 
 #include <beespace/point.hpp>
 
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
@@ -22,11 +23,28 @@ class Spread {
  public:
   void add(const Point& place);
   [[nodiscard]] double metres() const;  // infinite of none
+  [[nodiscard]] const Point& least() const { return least_; }
+  [[nodiscard]] const Point& greatest() const { return greatest_; }
 
  private:
   static constexpr double kFar = std::numeric_limits<double>::infinity();
   Point least_{kFar, kFar, kFar};
   Point greatest_{-kFar, -kFar, -kFar};
+};
+
+// Places whose unit nothing names, and that are whole numbers throughout: over a thousand wide,
+// beside a threshold of a few, they are millimetres rather than metres, of which whole ones would
+// not do for it.
+class WholePlaces {
+ public:
+  void add(const Point& place);
+  // Errors: kInvalidArgument, with what to type.
+  [[nodiscard]] std::optional<Error> doubt(const std::optional<io::StatedLength>& threshold) const;
+
+ private:
+  Spread spread_ = {};
+  std::size_t places_ = 0;
+  bool whole_ = true;
 };
 
 bool are_without_unit(const std::vector<io::UnitTaken>& units, io::Frame frame);

@@ -41,6 +41,12 @@ class Surroundings {
  public:
   explicit Surroundings(const io::Recording& recording) {
     if (!recording.flat) return;
+    if (recording.reach) {
+      low_x_ = recording.reach->least.x;
+      low_y_ = recording.reach->least.y;
+      high_x_ = recording.reach->greatest.x;
+      high_y_ = recording.reach->greatest.y;
+    }
     for (const io::RecordedBee& bee : recording.bees) {
       for (const Fix& fix : bee.fixes) {
         low_x_ = std::min(low_x_, fix.position.x);

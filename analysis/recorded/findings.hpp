@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/kept_by_height.hpp"
 #include "analysis/recorded/low_conflicts.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "io/recording/recording.hpp"
@@ -40,6 +41,13 @@ struct Findings {
   const VelocityCurves* curves = nullptr;
   bool velocities_passed_over = false;  // there are some, and they would have to be looked at
 
+  // Nothing where it was not looked at.
+  std::optional<KeptByHeight> kept_by_height = {};
+
+  // Whether two that drive or swim are kept apart by heights, which say little of them.
+  [[nodiscard]] bool heights_open() const {
+    return kept_by_height && kept_by_height->on_surface > 0;
+  }
   // Whether velocities may hide a conflict that straight lines do not show.
   [[nodiscard]] bool velocities_open() const {
     return velocities_passed_over || (curves != nullptr && !curves->followed);
@@ -47,7 +55,7 @@ struct Findings {
   // Whether this is no all-clear: there is a conflict, one may be hidden, or nothing was compared.
   [[nodiscard]] bool is_risky() const {
     return !recorded.conflicts.empty() || coverage.may_hide_conflicts() || !has_encounters ||
-           velocities_open();
+           velocities_open() || heights_open();
   }
 };
 

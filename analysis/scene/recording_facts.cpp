@@ -5,6 +5,7 @@
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/jump_spans.hpp"
+#include "analysis/recorded/kept_by_height.hpp"
 #include "analysis/recorded/landed_times.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
@@ -145,6 +146,17 @@ void note_curves(const VelocityCurves& curves, report::RecordingFacts& facts) {
       io::counted(curves.conflicts.size(), "conflict is", "conflicts are") +
       " possible, along curves that have the given velocities; straight lines from fix to fix, "
       "which are drawn, keep apart there");
+}
+
+// Heights of what drives or swims say little.
+void note_kept_by_height(const KeptByHeight& kept, const io::Recording& recording,
+                         report::RecordingFacts& facts) {
+  std::string note = kept_by_height_text(kept, recording, facts.swarm.threshold_m);
+  if (!note.empty()) facts.swarm.notes.push_back(std::move(note));
+  const std::string open = kept_on_surface_text(kept);
+  if (open.empty()) return;
+  facts.unknown += (facts.unknown.empty() ? "" : ", ") + open;
+  facts.hidden = true;
 }
 
 // `gaps` are in ascending order of (track, begins_s).
@@ -305,7 +317,10 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.separation_open = std::move(over_time.open);
   stand_in_tracks(recording, *in_space);
   facts.unknown = unknown_text(coverage);
-  facts.hidden = coverage.may_hide_conflicts() || !curves->followed;
+  const auto kept = kept_by_height(recording, options, request.tolerance_m, recorded->conflicts);
+  if (!kept) return kept.error();
+  if (*kept) note_kept_by_height(**kept, recording, facts);
+  facts.hidden = facts.hidden || coverage.may_hide_conflicts() || !curves->followed;
   note_curves(*curves, facts);
   if (!coverage.complete()) {
     swarm.notes.push_back("what is said of conflicts is of the known time: " + facts.unknown);

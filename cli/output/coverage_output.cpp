@@ -105,8 +105,8 @@ void append_missing(std::string& out, const io::MissingRecords& missing) {
   }
   if (missing.untimed > 0) {
     append_summary_line(out, "clocks",
-                        red(io::counted(missing.untimed, "vehicle's does", "vehicles' do")) +
-                            " not go on as that of the log");
+                        red(io::counted(missing.untimed, "vehicle's is", "vehicles' are")) +
+                            " not known to go with those of the others (see the notes)");
   }
   if (missing.rough > 0) {
     append_summary_line(out, "rough",

@@ -70,6 +70,15 @@ void write_findings(io::JsonWriter& json, const analysis::Findings& findings,
   json.member("gap_count", findings.coverage.gaps);
   write_coverage(json.key("known"), findings.coverage, findings.recording);
   write_velocities(json, findings);
+  json.key("kept_by_height");
+  if (findings.kept_by_height) {
+    const analysis::KeptByHeight& kept = *findings.kept_by_height;
+    json.begin_object().member("pair_count", kept.pairs).member("more", kept.more);
+    json.member("on_surface_pair_count", kept.on_surface).member("vertical_m", kept.vertical_m);
+    json.end();
+  } else {
+    json.null();
+  }
   const auto write = [&](const char* key, const std::optional<Conflict>& conflict) {
     json.key(key);
     if (!conflict) return json.null();

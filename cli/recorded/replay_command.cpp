@@ -7,6 +7,7 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
+#include "analysis/recorded/kept_by_height.hpp"
 #include "analysis/recorded/low_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
@@ -158,6 +159,10 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   findings.low = std::move(low);
   findings.closest_in_the_air = found->closest_in_the_air;
   findings.curves = &found->curves;
+  auto kept =
+      analysis::kept_by_height(*recording, options, request.tolerance_m, found->recorded.conflicts);
+  if (!kept) return in_words_of_the_command(kept.error(), moving);
+  findings.kept_by_height = *std::move(kept);
   if (request.report == "bees" && recording->show && !moving.vertical) {
     auto each = analysis::closest_of_each(*tracks, threshold_m, max_gap.seconds, moving.threads);
     if (!each) return each.error();

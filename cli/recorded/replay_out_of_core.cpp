@@ -110,6 +110,7 @@ class Replaying {
             moving_.threshold, analysis::kWithScale)) {
       return *std::move(doubt);
     }
+    recording_.reach = {spread_.least(), spread_.greatest()};
     intervals_.resize(recording_.bees.size());
     tracks_.resize(recording_.bees.size());
     for (const LargeAgent& agent : agents) {
@@ -143,7 +144,7 @@ class Replaying {
       const auto at =
           analysis::in_metres(each.fix.position, std::nullopt, stream_.frame(), geometry_, stated);
       if (!at) return analysis::of_bee(at.error(), {stream_.id(each.bee), {}});
-      ends_.add(each.bee, {each.fix.time_s, at->position});
+      ends_.add(each.bee, each.fix);
       spread_.add(each.fix.position);
       bees.push_back(each.bee);
       times_s.push_back(each.fix.time_s);

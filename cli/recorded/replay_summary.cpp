@@ -1,5 +1,6 @@
 #include "cli/recorded/replay_summary.hpp"
 
+#include "analysis/recorded/kept_by_height.hpp"
 #include "analysis/recorded/landed_times.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "cli/console/terminal.hpp"
@@ -30,6 +31,9 @@ std::string open_text(const analysis::Findings& findings) {
     text = "with --memory velocities are not looked at";
   } else if (findings.velocities_open()) {
     text = "the velocities lead too far away from these to be followed";
+  }
+  if (findings.heights_open()) {
+    text += (text.empty() ? "" : ", ") + analysis::kept_on_surface_text(*findings.kept_by_height);
   }
   const bool complete = findings.coverage.complete();
   if (!text.empty() && !complete) text += ", ";
@@ -245,10 +249,14 @@ void append_wide_threshold(std::string& out, const analysis::Findings& findings,
           " are meant, say --threshold " + io::exact(request.threshold->value) + unit);
 }
 
-std::string bars_legend(const std::string& bars) {
+// Of bees that are known nowhere no bar knows anything.
+std::string bars_legend(const std::string& bars, std::uint64_t nowhere) {
   const bool any_open = bars.find('?') != std::string::npos;
   return std::string("(how far apart the closest two are: a full bar is twice the threshold, ") +
-         "! a conflict" + (any_open ? ", ? not known, as one is there and may be closer)" : ")");
+         "! a conflict" + (any_open ? ", ? not known, as one is there and may be closer" : "") +
+         (nowhere > 0 ? "; without " + plural(nowhere, "bee that is", "bees that are") +
+                            " known nowhere and may be closer at any time)"
+                      : ")");
 }
 
 }  // namespace
@@ -278,6 +286,15 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
       out, "threshold",
       separation_summary(request, figures.threshold_m, recording, distances.aviation));
   append_wide_threshold(out, findings, request);
+  if (findings.kept_by_height) {
+    append_note(out, analysis::kept_by_height_text(*findings.kept_by_height, recording,
+                                                   figures.threshold_m));
+  } else if (figures.memory_bytes && !recording.flat && !request.vertical) {
+    append_note(
+        out,
+        "with --memory it is not looked at whether heights alone keep two apart; --vertical "
+        "compares heights and ways over ground apart from each other");
+  }
   const auto pairs = analysis::pairs_in_conflict(findings.recorded.conflicts);
   append_summary_line(out, "verdict", verdict(findings, pairs));
   append_closest(out, findings, distances);
@@ -288,7 +305,7 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
                                : std::string();
   if (!bars.empty()) {
     append_summary_line(out, "over time", bars);
-    append_summary_line(out, "", bars_legend(bars));
+    append_summary_line(out, "", bars_legend(bars, findings.coverage.missing.nowhere));
   }
   if (figures.memory_bytes) {
     append_summary_line(out, "memory",

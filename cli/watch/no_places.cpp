@@ -19,14 +19,25 @@ std::optional<std::string> NoPlaces::stale(AgentId bee, double time_s, const io:
     return "says the same place as for more than 3 s before, though its speed is more than 3 m/s, "
            "as where the last place is said again once contact is lost,";
   }
+  if (at.frame == io::Frame::kMetres && track.zeros.is_none(fix)) {
+    return "is " + std::string(io::kZeroRun.which);
+  }
+  using Now = io::FrozenWatch::Now;
+  const Now now = track.frozen.take(fix, at.velocity ? &*at.velocity : nullptr, at.frame);
+  if (now == Now::kLedAway) {
+    return "says exactly the same place as before, though the bee has moved on by its own "
+           "velocity, "
+           "as where the last place is said again once it is lost,";
+  }
+  track.jumps = now == Now::kJumps;
   if (at.frame != io::Frame::kMetres) {
     look_for_feet(track, fix, at.stated_velocity);
     return std::nullopt;
   }
-  if (track.zeros.is_none(fix)) return "is " + std::string(io::kZeroRun.which);
   track.taken.take(fix, 0);
   if (metres_) {
     if (track.last) metres_->take_step(*track.last, fix);
+    whole_.add(fix.position);
     track.last = fix;
   }
   return std::nullopt;
@@ -46,18 +57,17 @@ std::optional<Error> NoPlaces::doubt_of_feet(const std::vector<io::UnitTaken>& u
   return feet_.doubt();
 }
 
-std::optional<Error> NoPlaces::doubt_of_metres() {
-  if (!metres_ || !metres_->is_settled()) return std::nullopt;
+std::optional<Error> NoPlaces::doubt_of_metres(bool at_the_end) {
+  if (!metres_ || !(at_the_end ? metres_->tells() : metres_->is_settled())) return std::nullopt;
   auto doubt = metres_->doubt();
+  if (!doubt) doubt = whole_.doubt(threshold_);
   metres_.reset();
   return doubt;
 }
 
-bool NoPlaces::thaws(AgentId bee, double time_s, const io::ReportLine& at) {
+bool NoPlaces::thaws(AgentId bee) {
   Track& track = tracks_[bee];
-  const bool jumps =
-      track.frozen.take({time_s, at.position}, at.velocity ? &*at.velocity : nullptr, at.frame);
-  if (!jumps || track.thawed) return false;
+  if (!track.jumps || track.thawed) return false;
   track.thawed = true;
   return true;
 }
@@ -72,6 +82,27 @@ std::size_t NoPlaces::late() const {
   return late_ + static_cast<std::size_t>(
                      std::count_if(tracks_.begin(), tracks_.end(),
                                    [](const Track& track) { return track.was_at_no_place(); }));
+}
+
+NoPlaces::AtTheEnd NoPlaces::at_the_end() const {
+  std::vector<double> since_s;
+  std::size_t known = 0;
+  for (const Track& track : tracks_) {
+    if (track.frozen.is_known()) ++known;
+    if (track.frozen.end() != io::FrozenEnd::kNo) since_s.push_back(track.frozen.since_s());
+  }
+  const bool usual = io::ends_are_usual(since_s, known);
+  AtTheEnd found;
+  for (AgentId bee = 0; bee < tracks_.size(); ++bee) {
+    const io::FrozenEnd end = tracks_[bee].frozen.end();
+    if (end == io::FrozenEnd::kNo) continue;
+    if (end == io::FrozenEnd::kMeasured && !usual) {
+      ++found.frozen;
+    } else {
+      found.perhaps.push_back(bee);
+    }
+  }
+  return found;
 }
 
 }  // namespace beespace::cli

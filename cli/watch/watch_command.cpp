@@ -16,6 +16,7 @@
 #include "cli/watch/watch_tally.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/live/report_lines.hpp"
+#include "io/recording/frozen_places.hpp"
 #include "io/recording/jumps.hpp"
 #include "io/recording/shared_id.hpp"
 
@@ -117,9 +118,18 @@ class Watch {
 
   // What is said last, and how it ends.
   Result<ExitCode> end() {
+    // Of few reports it is asked once no more come.
+    if (!interrupted() && write_error_ == 0 && left_out_.shared == 0 && left_out_.jumping == 0) {
+      if (auto doubt = no_places_.doubt_of_metres(true)) return *std::move(doubt);
+    }
     left_out_.nowhere = unplaced_.size();
     left_out_.untimed = lines_.untimed();
     left_out_.no_place = no_places_.late();
+    const NoPlaces::AtTheEnd ends = no_places_.at_the_end();
+    left_out_.frozen_end = ends.frozen;
+    for (const AgentId bee : ends.perhaps) {
+      perhaps_frozen_.take(feed_->name(bee).id, no_places_.since_s(bee));
+    }
     const bool is_said = request_.lines.units.convention == io::UnitConvention::kAviation;
     const auto doubt = is_said ? std::nullopt : no_places_.doubt_of_feet(lines_.units());
     left_out_.feet_doubted = doubt.has_value();
@@ -142,7 +152,8 @@ class Watch {
     frame_ = frame;
     height_unit_ = height_unit;
     if (analysis::are_without_unit(lines_.units(), frame)) {
-      no_places_.look_for_metres(analysis::fastest_in_metres(request_.threshold));
+      no_places_.look_for_metres(analysis::fastest_in_metres(request_.threshold),
+                                 request_.threshold, request_.lines.frame == io::Frame::kMetres);
     }
     geometry_ = analysis::geometry_for(frame, height_unit, request_.vertical);
     SwarmOptions options = request_.swarm;
@@ -252,7 +263,7 @@ class Watch {
     if (!lines_.in_frames() && counts_as_none(no_places_.stale(*number, time_of(at), at), at.id)) {
       return std::monostate{};
     }
-    if (!lines_.in_frames() && no_places_.thaws(*number, time_of(at), at)) note_thawed(*number, at);
+    if (!lines_.in_frames() && no_places_.thaws(*number)) note_thawed(*number, at);
     look_for_doubt(*number, at, {time_of(at), metres->position},
                    metres->velocity ? &*metres->velocity : nullptr);
     // What goes to and fro is fast in any unit.
@@ -380,7 +391,8 @@ class Watch {
 
   [[nodiscard]] std::string summary() const {
     return watch_summary({request_, lines_, tally_, left_out_, feed_ ? &*feed_ : nullptr,
-                          advice_ ? &*advice_ : nullptr, unadvised_looks_, frame_, height_unit_});
+                          advice_ ? &*advice_ : nullptr, unadvised_looks_, frame_, height_unit_,
+                          perhaps_frozen_});
   }
 
   const WatchRequest& request_;
@@ -404,6 +416,7 @@ class Watch {
   LeftOutOfWatch left_out_;
   std::vector<Doubts> tracks_;  // by number
   NoPlaces no_places_;
+  io::FrozenEnds perhaps_frozen_;
   std::set<std::string, std::less<>> unplaced_;  // ids, for advice
   bool many_unplaced_ = false;                   // more than are kept
   std::uint64_t unadvised_looks_ = 0;

@@ -36,6 +36,9 @@ std::string watch_summary(const WatchFacts& facts) {
   for (const std::string& note : facts.lines.notes()) {
     append_summary_line(out, "note", printable(note));
   }
+  if (facts.perhaps_frozen.bees() > 0) {
+    append_note(out, facts.perhaps_frozen.text(io::exact(facts.perhaps_frozen.since_s()) + " s"));
+  }
   const SwarmCounts counts = facts.feed != nullptr ? facts.feed->counts() : SwarmCounts{};
   append_summary_line(out, "reports", io::grouped(counts.taken));
   if (counts.late > 0) append_summary_line(out, "late", io::grouped(counts.late) + " left out");

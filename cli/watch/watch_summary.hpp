@@ -7,6 +7,7 @@
 #include "cli/watch/watch_tally.hpp"
 #include "io/frames/coordinate_frame.hpp"
 #include "io/live/report_lines.hpp"
+#include "io/recording/frozen_places.hpp"
 #include "io/units/units.hpp"
 
 #include <cstdint>
@@ -25,6 +26,7 @@ struct WatchFacts {
   // Once there is a feed.
   io::Frame frame;
   io::Unit height_unit;
+  const io::FrozenEnds& perhaps_frozen;
 };
 
 std::string watch_summary(const WatchFacts& facts);

@@ -63,6 +63,9 @@ std::vector<std::string> doubtful(const analysis::LiveFeed& feed, const LeftOutO
   if (feed.heard_of() == 1 && left_out.nowhere == 0) {
     texts.emplace_back("one bee alone was heard of, and no pair");
   }
+  add(left_out.frozen_end,
+      "bee repeats its place exactly to the end, though the places before waver",
+      "bees repeat their places exactly to the end, though the places before waver");
   add(feed.missed(), "bee was heard of too late to be compared from then on",
       "bees were heard of too late to be compared from then on");
   add(feed.counts().heard_once, "bee was heard of once only", "bees were heard of once only");

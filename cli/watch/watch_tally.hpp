@@ -15,15 +15,16 @@ namespace beespace::cli {
 
 // What was heard and not taken into account beside what the feed counts.
 struct LeftOutOfWatch {
-  std::uint64_t lines = 0;     // bad ones
-  std::uint64_t contrary = 0;  // reports of a bee that is elsewhere at that time
-  std::uint64_t nowhere = 0;   // bees of which no line says where they are
-  std::uint64_t shared = 0;    // ids that two bees seem to share
-  std::uint64_t jumping = 0;   // bees that are somewhere else faster than anything flies
-  std::uint64_t frozen = 0;    // bees that jump out of a place that they repeated
-  std::uint64_t no_place = 0;  // of others: bees whose places were none for a time
-  bool feet_doubted = false;   // whether heights are in feet, as they were taken
-  std::uint64_t untimed = 0;   // bees whose own clocks do not go on as that of the link
+  std::uint64_t lines = 0;       // bad ones
+  std::uint64_t contrary = 0;    // reports of a bee that is elsewhere at that time
+  std::uint64_t nowhere = 0;     // bees of which no line says where they are
+  std::uint64_t shared = 0;      // ids that two bees seem to share
+  std::uint64_t jumping = 0;     // bees that are somewhere else faster than anything flies
+  std::uint64_t frozen = 0;      // bees that jump out of a place that they repeated
+  std::uint64_t no_place = 0;    // of others: bees whose places were none for a time
+  std::uint64_t frozen_end = 0;  // bees whose last place is repeated though places waver
+  bool feet_doubted = false;     // whether heights are in feet, as they were taken
+  std::uint64_t untimed = 0;     // bees whose own clocks do not go on as that of the link
 };
 
 class WatchTally {

@@ -368,6 +368,9 @@ class TelemetryReading {
     origin.line = (heard.frame + 1) & 0xFF'FFFF'FFFFu;
     assembly_.tracks().add(id, {heard.time_s, heard.at.position}, &heard.at.velocity, origin);
     const bool is_other = heard.at.by == PlaceBy::kOfAnother;
+    if (!is_other && landings_.on_surface(heard.system, heard.component)) {
+      assembly_.stays_on_surface(id);
+    }
     if (is_other) assembly_.told_by_others(id);
     if (is_other && !heard.at.name.empty()) {
       assembly_.tracks().label(id, heard.at.name, heard.time_s);

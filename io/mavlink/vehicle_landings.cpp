@@ -27,6 +27,7 @@ void VehicleLandings::take(const MavlinkFrame& frame, std::int64_t stamp) {
   const MavlinkPayload payload(frame.payload);
   if (frame.message == kHeartbeat) {
     said.never_lands = said.never_lands || never_lands(payload.byte(4));
+    said.on_surface = said.on_surface || stays_on_surface(payload.byte(4));
     said.heartbeats.take(stamp, stands_by(payload));
     return;
   }
@@ -39,6 +40,11 @@ const LandedReports* VehicleLandings::of(std::uint8_t system, std::uint8_t compo
   const auto found = said_.find({system, component});
   if (found == said_.end() || found->second.never_lands) return nullptr;
   return found->second.has_state ? &found->second.state : &found->second.heartbeats;
+}
+
+bool VehicleLandings::on_surface(std::uint8_t system, std::uint8_t component) const {
+  const auto found = said_.find({system, component});
+  return found != said_.end() && found->second.on_surface;
 }
 
 }  // namespace beespace::io

@@ -19,6 +19,8 @@ class VehicleLandings {
   // Of what that component says of its system; null where it says nothing of the kind, or is a
   // rover or a boat, which never lands.
   [[nodiscard]] const LandedReports* of(std::uint8_t system, std::uint8_t component) const;
+  // Whether it is a rover or a boat.
+  [[nodiscard]] bool on_surface(std::uint8_t system, std::uint8_t component) const;
 
  private:
   struct Said {
@@ -26,6 +28,7 @@ class VehicleLandings {
     LandedReports heartbeats;
     bool has_state = false;
     bool never_lands = false;
+    bool on_surface = false;
   };
 
   std::map<std::pair<std::uint8_t, std::uint8_t>, Said> said_;  // by system and component

@@ -143,6 +143,7 @@ class Gathering {
     log.local = first_of(local_, kLocalTopic, log);
     log.clock = clock_of(first_of(gps_, kGpsTopic, log));
     log.losses = walk_.losses();
+    log.on_surface = on_surface_;
     for (const auto& [micros, landed] : first_of(landed_, kLandTopic, log)) {
       if (!never_lands_) log.landed.take(micros, landed);
     }
@@ -202,8 +203,10 @@ class Gathering {
     constexpr double kVehicleRover = 3.0;  // VEHICLE_TYPE_ROVER
     if (!walk_.topic().layout) return;
     const Numbers numbers(*walk_.topic().layout, walk_.message());
-    never_lands_ = never_lands_ || never_lands(numbers.of("system_type")) ||
-                   numbers.of("vehicle_type") == kVehicleRover;
+    const double type = numbers.of("system_type");
+    const bool rover = numbers.of("vehicle_type") == kVehicleRover;
+    never_lands_ = never_lands_ || rover || never_lands(type);
+    on_surface_ = on_surface_ || rover || stays_on_surface(type);
   }
 
   // A topic that should tell places, or the time, and cannot be understood.
@@ -234,6 +237,7 @@ class Gathering {
   std::map<std::uint8_t, std::vector<std::int64_t>> gps_;
   std::map<std::uint8_t, std::vector<std::pair<std::int64_t, bool>>> landed_;
   bool never_lands_ = false;
+  bool on_surface_ = false;
 };
 
 }  // namespace

@@ -48,6 +48,7 @@ struct Px4Clock {
 struct Px4FlightLog {
   std::vector<Px4Place> global;
   std::vector<Px4Place> local;
+  bool on_surface = false;                   // a rover or a boat, by its own word
   LandedReports landed;                      // of vehicle_land_detected, by `micros`
   std::optional<Px4Clock> clock;             // nothing where GPS never said a time
   std::vector<std::string> other_instances;  // of these topics, that are not taken

@@ -55,6 +55,7 @@ class FlightReading {
     if (source_ == Source::kGlobal) gather_velocities();
     const std::vector<Px4Place>& places = source_ == Source::kGlobal ? log_.global : log_.local;
     const std::vector<bool> landed = landed_at(places);
+    if (log_.on_surface) assembly_.stays_on_surface(id_);
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (auto error = take(places[i], landed[i])) return error;
     }

@@ -1,6 +1,6 @@
 #include "io/recording/frozen_places.hpp"
 
-#include "io/recording/flat_distance.hpp"
+#include "io/problems/excerpt.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,116 +10,151 @@ namespace {
 
 constexpr double kTimesMore = 3.0;
 constexpr std::size_t kFewestUsual = 10;  // steps
+// What stands says some speed, too: so little is none, nor is so little of the fastest.
+constexpr double kMovesAtLeast_mps = 0.1;
+constexpr double kMovesOfFastest = 0.05;
 
-// Shorter repetitions are bridged by a straight line, as missing records are.
-constexpr std::size_t kManyFixes = 10;
-constexpr std::size_t kFewestFixes = 6;  // where they last long
-constexpr double kLong_s = 3.0;
+constexpr std::size_t kFewestEnds = 4;
 
-bool may_be_frozen(std::size_t fixes, double lasted_s) {
-  return fixes >= kManyFixes || (fixes >= kFewestFixes && lasted_s >= kLong_s);
-}
-
-// Zero may also mean that no speed is known: then it is not said that the bee moves, either.
-bool says_that_it_stands(const Velocity& velocity) {
-  return velocity.x == 0.0 && velocity.y == 0.0 && !(std::abs(velocity.z) > 0.0);
-}
-
-// Fixes [begin, end) are at one place.
-struct Stay {
-  std::size_t begin;
-  std::size_t end;
-  bool may_be_frozen;
-};
-
-std::vector<Stay> stays_of(const std::vector<Fix>& fixes, const std::vector<Velocity>& velocities) {
-  std::vector<Stay> stays;
-  for (std::size_t begin = 0; begin < fixes.size();) {
-    std::size_t end = begin;
-    bool stands = false;
-    for (; end < fixes.size() && fixes[end].position == fixes[begin].position; ++end) {
-      stands = stands || (end < velocities.size() && says_that_it_stands(velocities[end]));
-    }
-    const double lasted_s = fixes[end - 1].time_s - fixes[begin].time_s;
-    stays.push_back({begin, end, !stands && may_be_frozen(end - begin, lasted_s)});
-    begin = end;
-  }
-  return stays;
+FrozenEnd end_at(const Stay& stay, bool stood_still, const PlaceNoise& before, Frame frame) {
+  if (!stay.may_be_frozen() || stood_still) return FrozenEnd::kNo;
+  const bool at_once = before.stops_at_once();
+  // Receivers of satellites may hold a place while they stand, and not always.
+  const bool wavered_where_it_stood = frame == Frame::kMetres && before.stood();
+  if (before.is_measured() && (at_once || wavered_where_it_stood)) return FrozenEnd::kMeasured;
+  return at_once ? FrozenEnd::kPerhaps : FrozenEnd::kNo;
 }
 
 }  // namespace
 
-void UsualSteps::take(double metres, double seconds) {
+void UsualSteps::take(const LeftStay& left) {
   ++count_;
-  farthest_m_ = std::max(farthest_m_, metres);
-  fastest_mps_ = std::max(fastest_mps_, metres / seconds);
+  farthest_m_ = std::max(farthest_m_, left.metres);
+  fastest_mps_ = std::max(fastest_mps_, left.metres / left.seconds);
 }
 
-bool UsualSteps::exceeded_by(double metres, double seconds) const {
-  return count_ >= kFewestUsual && metres > kTimesMore * farthest_m_ &&
-         metres > kTimesMore * fastest_mps_ * seconds;
+bool UsualSteps::exceeded_by(const LeftStay& left) const {
+  return count_ >= kFewestUsual && left.metres > kTimesMore * farthest_m_ &&
+         left.metres > kTimesMore * fastest_mps_ * left.seconds;
 }
 
-std::vector<bool> frozen_places(const std::vector<Fix>& fixes,
-                                const std::vector<Velocity>& velocities, Frame frame) {
-  const std::vector<Stay> stays = stays_of(fixes, velocities);
-  if (std::none_of(stays.begin(), stays.end(), [](const Stay& stay) { return stay.may_be_frozen; }))
-    return {};
-  // From the last fix of a stay to the next; the last stay has none.
-  const auto step = [&](const Stay& stay, auto&& use) {
-    if (stay.end == fixes.size()) return;
-    const Fix& from = fixes[stay.end - 1];
-    const Fix& to = fixes[stay.end];
-    use(flat_distance_m(from.position, to.position, frame), to.time_s - from.time_s);
+bool UsualSteps::led_away(const Stay& stay) const {
+  const double metres = std::hypot(stay.east_m, stay.north_m);
+  return count_ >= kFewestUsual && stay.may_be_frozen() && metres > kTimesMore * farthest_m_ &&
+         metres > std::max(kMovesAtLeast_mps, kMovesOfFastest * fastest_mps_) * stay.lasted_s();
+}
+
+bool ends_are_usual(std::vector<double> since_s, std::size_t bees) {
+  if (since_s.size() < kFewestEnds || 2 * since_s.size() <= bees) return false;
+  std::sort(since_s.begin(), since_s.end());
+  const auto times = std::unique(since_s.begin(), since_s.end()) - since_s.begin();
+  return 2 * static_cast<std::size_t>(times) > since_s.size();
+}
+
+FrozenPlaces frozen_places(const std::vector<Fix>& fixes, const std::vector<Velocity>& velocities,
+                           Frame frame) {
+  const auto velocity = [&](std::size_t i) {
+    return i < velocities.size() ? &velocities[i] : nullptr;
   };
+  // Those that may be such, and their first fix and the one behind.
+  struct Doubtful {
+    LeftStay left;
+    std::size_t begin;
+    std::size_t end;
+  };
+  std::vector<Doubtful> doubtful;
+  Stays stays;
   UsualSteps usual;
-  for (const Stay& stay : stays) {
-    if (stay.may_be_frozen) continue;
-    step(stay, [&](double metres, double seconds) { usual.take(metres, seconds); });
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < fixes.size(); ++i) {
+    const auto over = stays.take(fixes[i], velocity(i), frame);
+    if (!over) continue;
+    if (over->stay.may_be_frozen()) {
+      doubtful.push_back({*over, begin, i});
+    } else {
+      usual.take(*over);
+    }
+    begin = i;
   }
-  std::vector<bool> frozen;
-  for (const Stay& stay : stays) {
-    if (!stay.may_be_frozen) continue;
-    step(stay, [&](double metres, double seconds) {
-      if (!usual.exceeded_by(metres, seconds)) return;
-      frozen.resize(fixes.size());
-      std::fill(frozen.begin() + static_cast<std::ptrdiff_t>(stay.begin + 1),
-                frozen.begin() + static_cast<std::ptrdiff_t>(stay.end), true);
-    });
+  FrozenPlaces found;
+  const auto leave_out = [&](std::size_t first, std::size_t end) {
+    found.fixes.resize(fixes.size());
+    std::fill(found.fixes.begin() + static_cast<std::ptrdiff_t>(first + 1),
+              found.fixes.begin() + static_cast<std::ptrdiff_t>(end), true);
+  };
+  bool stood_still = false;
+  for (const auto& [at, first, end] : doubtful) {
+    if (usual.exceeded_by(at) || usual.led_away(at.stay)) {
+      leave_out(first, end);
+    } else {
+      stood_still = true;
+    }
   }
-  return frozen;
+  const auto& last = stays.current();
+  if (!last || !last->may_be_frozen()) return found;
+  if (usual.led_away(*last)) {
+    leave_out(begin, fixes.size());
+    return found;
+  }
+  if (stood_still) return found;
+  PlaceNoise noise;
+  for (std::size_t i = 0; i <= begin; ++i) {
+    if (i == 0 || !(fixes[i].position == fixes[i - 1].position)) noise.take(fixes[i], frame);
+  }
+  found.end = end_at(*last, stood_still, noise, frame);
+  found.end_begins = begin;
+  found.end_since_s = last->since.time_s;
+  return found;
 }
 
-bool FrozenWatch::take(const Fix& fix, const Velocity* velocity, Frame frame,
-                       std::uint64_t number) {
-  const bool stands = velocity != nullptr && says_that_it_stands(*velocity);
-  if (since_ && !(last_s_ < fix.time_s)) return false;
-  bool frozen = false;
-  if (since_ && since_->position == fix.position) {
-    ++fixes_;
-    stands_ = stands_ || stands;
-  } else {
-    if (since_) {
-      const double metres = flat_distance_m(since_->position, fix.position, frame);
-      const double seconds = fix.time_s - last_s_;
-      if (stands_ || !may_be_frozen(fixes_, last_s_ - since_->time_s)) {
-        usual_.take(metres, seconds);
-      } else {
-        frozen = usual_.exceeded_by(metres, seconds);
-        if (!farthest_ || metres > farthest_->metres) farthest_ = Jump{metres, seconds, number};
-      }
-    }
-    since_ = fix;
-    fixes_ = 1;
-    stands_ = stands;
+void FrozenPlaces::leave_end_out(std::size_t count) {
+  fixes.resize(count);
+  std::fill(fixes.begin() + static_cast<std::ptrdiff_t>(end_begins + 1), fixes.end(), true);
+}
+
+FrozenWatch::Now FrozenWatch::take(const Fix& fix, const Velocity* velocity, Frame frame,
+                                   std::uint64_t number) {
+  frame_ = frame;
+  const auto before = stays_.current();
+  if (before && !(before->until_s < fix.time_s)) return Now::kUsual;
+  const auto over = stays_.take(fix, velocity, frame);
+  if (!before || over) noise_.take(fix, frame);
+  if (!over) return usual_.led_away(*stays_.current()) ? Now::kLedAway : Now::kUsual;
+  if (!over->stay.may_be_frozen()) {
+    usual_.take(*over);
+    return Now::kUsual;
   }
-  last_s_ = fix.time_s;
-  return frozen;
+  if (!farthest_ || over->metres > farthest_->metres) {
+    farthest_ = over;
+    farthest_number_ = number;
+  }
+  if (usual_.exceeded_by(*over)) return Now::kJumps;
+  stood_still_ = stood_still_ || !usual_.led_away(over->stay);
+  return Now::kUsual;
 }
 
 std::optional<std::uint64_t> FrozenWatch::found() const {
-  if (!farthest_ || !usual_.exceeded_by(farthest_->metres, farthest_->seconds)) return std::nullopt;
-  return farthest_->number;
+  if (!farthest_ || !usual_.exceeded_by(*farthest_)) return std::nullopt;
+  return farthest_number_;
+}
+
+FrozenEnd FrozenWatch::end() const {
+  const auto& last = stays_.current();
+  return last && !usual_.led_away(*last) ? end_at(*last, stood_still_, noise_, frame_)
+                                         : FrozenEnd::kNo;
+}
+
+std::string FrozenEnds::text(const std::string& since) const {
+  const bool one = bees_ == 1;
+  return "bee " + excerpt(first_) + (one ? "" : " and " + std::to_string(bees_ - 1) + " more") +
+         (one ? " stops at once, from one fix to the next, and repeats its place exactly to the "
+                "end, "
+                "since "
+              : " stop at once, from one fix to the next, and repeat their places exactly to the "
+                "end, the first since ") +
+         since + ": if that is said again after " + (one ? "it was" : "they were") + " lost, and " +
+         (one ? "it does" : "they do") + " not stand, where " + (one ? "it is" : "they are") +
+         " then is not known";
 }
 
 }  // namespace beespace::io

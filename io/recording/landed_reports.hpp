@@ -31,6 +31,14 @@ inline bool never_lands(double mav_type) {
   return mav_type >= kRover && mav_type <= kSubmarine;
 }
 
+// Likewise, whether it stays on the ground or on the water: of two of these it says little that one
+// is above the other.
+inline bool stays_on_surface(double mav_type) {
+  constexpr double kRover = 10.0;
+  constexpr double kBoat = 11.0;
+  return mav_type == kRover || mav_type == kBoat;
+}
+
 class LandedReports {
  public:
   struct Place {

@@ -19,10 +19,13 @@ class MetresDoubt {
   void take_step(const Fix& from, const Fix& to);
   // Whether enough was heard, and more would tell nothing else.
   [[nodiscard]] bool is_settled() const { return speeds_mps_.size() >= kEnough; }
+  // The same of so much that it says something, where no more comes.
+  [[nodiscard]] bool tells() const { return speeds_mps_.size() >= kFewest; }
   // Errors: kInvalidArgument, without source.
   [[nodiscard]] std::optional<Error> doubt() const;
 
  private:
+  static constexpr std::size_t kFewest = 8;
   static constexpr std::size_t kEnough =
       64;  // steps of bees that move: more than show that an id is that of several
 

@@ -14,6 +14,7 @@
 #include <beespace/bezier_path.hpp>
 #include <beespace/conflict.hpp>
 #include <beespace/mover.hpp>
+#include <beespace/point.hpp>
 #include <beespace/result.hpp>
 #include <beespace/track.hpp>
 
@@ -42,6 +43,7 @@ struct RecordedBee {
   // Of a drone whose autopilot says when it has landed: when it surely stands, in ascending order.
   // Its fixes are kept: others may fly close to it.
   std::vector<TimeSpan> landed = {};
+  bool on_surface = false;  // it drives or swims, by its own word
   // Since when, and until when, it has records without a place, if it has any.
   std::optional<double> unplaced_from_s = {};
   std::optional<double> unplaced_until_s = {};
@@ -129,6 +131,13 @@ struct Recording {
   std::uint64_t skipped_count = 0;
   MissingRecords missing;  // bad records that were skipped are among them
   std::uint64_t bytes = 0;
+  // Where of each bee the ends alone are kept: the least and the greatest coordinates of all
+  // places.
+  struct Reach {
+    Point least;
+    Point greatest;
+  };
+  std::optional<Reach> reach = {};
 };
 
 }  // namespace beespace::io

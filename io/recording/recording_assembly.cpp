@@ -145,14 +145,33 @@ void RecordingAssembly::written_at(double time_s) {
 }
 
 void RecordingAssembly::unplaced(std::string_view id, double time_s) {
-  unplaced_[std::string(id)].push_back(time_s);
+  std::vector<double>& times_s = unplaced_[std::string(id)];
+  // Nearly always the last one.
+  times_s.insert(std::upper_bound(times_s.begin(), times_s.end(), time_s), time_s);
+}
+
+bool RecordingAssembly::is_lost_between(const std::string& id, const TimeSpan& fixes) const {
+  if (unplaced_.empty()) return false;
+  const auto known = unplaced_.find(id);
+  if (known == unplaced_.end()) return false;
+  const std::vector<double>& times_s = known->second;
+  const auto first = std::upper_bound(times_s.begin(), times_s.end(), fixes.begins_s);
+  const auto end = std::lower_bound(first, times_s.end(), fixes.ends_s);
+  return end != first && *first != *(end - 1);
+}
+
+std::optional<TimeSpan> RecordingAssembly::unplaced_span(const std::string& id) const {
+  const auto known = unplaced_.find(id);
+  if (known == unplaced_.end() || known->second.front() == known->second.back()) {
+    return std::nullopt;
+  }
+  return TimeSpan{known->second.front(), known->second.back()};
 }
 
 void RecordingAssembly::settle_unplaced(RecordedBee& bee) {
   const auto known = unplaced_.find(bee.id);
   if (known == unplaced_.end()) return;
   std::vector<double>& times_s = known->second;
-  std::sort(times_s.begin(), times_s.end());
   times_s.erase(std::unique(times_s.begin(), times_s.end()), times_s.end());
   bee.unplaced_from_s = times_s.front();
   bee.unplaced_until_s = times_s.back();
@@ -163,6 +182,11 @@ void RecordingAssembly::settle_unplaced(RecordedBee& bee) {
     const auto behind = std::lower_bound(next, times_s.end(), between.ends_s);
     if (behind - next >= 2) bee.lost.push_back(between);
     next = behind;
+  }
+  if (const auto lost = lost_.find(bee.id); lost != lost_.end()) {
+    bee.lost.insert(bee.lost.end(), lost->second.begin(), lost->second.end());
+    std::sort(bee.lost.begin(), bee.lost.end(),
+              [](const TimeSpan& a, const TimeSpan& b) { return a.begins_s < b.begins_s; });
   }
 }
 

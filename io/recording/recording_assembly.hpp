@@ -10,6 +10,7 @@
 #include "io/recording/address_names.hpp"
 #include "io/recording/bare_midnights.hpp"
 #include "io/recording/doubled_hours.hpp"
+#include "io/recording/frozen_places.hpp"
 #include "io/recording/ground_claims.hpp"
 #include "io/recording/part_spans.hpp"
 #include "io/recording/recording.hpp"
@@ -20,6 +21,7 @@
 #include "io/units/heights.hpp"
 #include "io/units/unit_taken.hpp"
 
+#include <beespace/conflict.hpp>
 #include <beespace/result.hpp>
 
 #include <algorithm>
@@ -189,6 +191,8 @@ class RecordingAssembly {
   }
   // The same of a drone whose autopilot says that it has landed; its fix is added, too.
   void has_landed(std::string_view id, const Fix& fix) { claim(id, fix, GroundClaim::kLanded); }
+  // It is a rover or a boat, by its own word.
+  void stays_on_surface(std::string_view id) { on_surface_.emplace(id); }
   // A record says that the bee is on the ground, but not how it could be; it is kept.
   void keep_in_flight() { ++kept_in_flight_; }
   // A record says that an aircraft stands in the air; what its velocity is is not known.
@@ -198,8 +202,16 @@ class RecordingAssembly {
   void heard_of(const LeftOutReason& reason, std::string_view id);
   // It was there, at no known place.
   void unplaced(std::string_view id, double time_s);
+  // Of fixes that are handed out as they come: whether there are two such records or more between
+  // these two, so far; and those between which there are.
+  [[nodiscard]] bool is_lost_between(const std::string& id, const TimeSpan& fixes) const;
+  // From the first of them to the last; nothing of fewer than two.
+  [[nodiscard]] std::optional<TimeSpan> unplaced_span(const std::string& id) const;
+  void lose(const std::string& id, const TimeSpan& between) { lost_[id].push_back(between); }
   // Others tell its places, and say them again until they hear anew.
   void told_by_others(std::string_view id) { told_by_others_.emplace(id); }
+  // Once all came: bees that may be somewhere else at the end than they say.
+  void note_frozen(const FrozenEnds& ends);
   // The place of that fix is one that the bee had left (see stale_places.hpp): it counts for none.
   void stale(const std::string& id, const Fix& fix);
   // Two bees seem to share that id: they are not known.
@@ -251,8 +263,10 @@ class RecordingAssembly {
   LeftOut left_out_;
   GroundClaims claims_;
   std::unordered_map<std::string, std::vector<GroundClaims::Run>> grounded_;  // surely, by id
-  std::unordered_map<std::string, std::vector<double>> unplaced_;             // times by id
-  std::unordered_set<std::string> told_by_others_;                            // by id
+  std::unordered_map<std::string, std::vector<double>> unplaced_;  // ascending times by id
+  std::unordered_map<std::string, std::vector<TimeSpan>> lost_;    // by id, of those handed out
+  std::unordered_set<std::string> told_by_others_;                 // by id
+  std::unordered_set<std::string> on_surface_;                     // by id
   std::uint64_t kept_in_flight_ = 0;
   std::uint64_t doubted_standing_ = 0;
   std::uint64_t rough_records_ = 0;

@@ -5,17 +5,14 @@
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/unplaced.hpp"
 #include "io/recording/doubled_drones.hpp"
-#include "io/recording/frozen_places.hpp"
+#include "io/recording/local_topics.hpp"
 #include "io/recording/moment_text.hpp"
 #include "io/recording/recording_assembly.hpp"
 #include "io/recording/relayed_ids.hpp"
 #include "io/recording/same_tracks.hpp"
 #include "io/recording/show_ground.hpp"
-#include "io/recording/stale_places.hpp"
 #include "io/recording/swapped_degrees.hpp"
 #include "io/recording/unit_doubts.hpp"
-#include "io/recording/zero_places.hpp"
-#include "io/recording/zero_runs.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -33,73 +30,6 @@ constexpr LeftOutReason kElsewhere = {
     "if another column has the time of the position, name it with --columns time=..."};
 
 }  // namespace
-
-// Where no place is known, zeros may be written.
-void RecordingAssembly::leave_out_zeros() {
-  if (!facts_ || facts_->frame != Frame::kWgs84 || frame_is_settled_) return;
-  ZeroPlaces zeros;
-  for (const Point& at : tracks_.positions()) zeros.look_at(at);
-  const auto which = [&zeros](const RecordedBee& bee) {
-    const std::vector<Fix>& fixes = bee.fixes;
-    std::vector<bool> none(fixes.size());
-    bool any = false;
-    for (std::size_t i = 0; i < fixes.size(); ++i) {
-      none[i] = zeros.is_none(fixes[i].position);
-      any = any || none[i];
-    }
-    return any ? none : std::vector<bool>();
-  };
-  tracks_.leave_out(which, [this](const std::string& id, const Fix& fix) {
-    leave_out(kZeroPlace, id);
-    unplaced(id, fix.time_s);
-  });
-}
-
-// The same in metres, once all are in order; plans are no measurements.
-void RecordingAssembly::leave_out_zero_runs() {
-  if (!facts_ || facts_->frame != Frame::kMetres || frame_is_settled_ || is_show()) return;
-  tracks_.leave_out([](const RecordedBee& bee) { return zero_runs(bee.fixes); },
-                    [this](const std::string& id, const Fix& fix) {
-                      leave_out(kZeroRun, id);
-                      unplaced(id, fix.time_s);
-                    });
-}
-
-// Once all are in order.
-void RecordingAssembly::leave_out_stale_places() {
-  const auto which = [this](const RecordedBee& bee) {
-    if (bee.velocities.empty() || told_by_others_.contains(bee.id)) return std::vector<bool>();
-    StalePlaces places;
-    std::vector<bool> none(bee.fixes.size());
-    bool any = false;
-    for (std::size_t i = 0; i < none.size(); ++i) {
-      none[i] = places.take(bee.fixes[i], &bee.velocities[i]);
-      any = any || none[i];
-    }
-    return any ? none : std::vector<bool>();
-  };
-  tracks_.leave_out(which, [this](const std::string& id, const Fix& fix) { stale(id, fix); });
-}
-
-// Likewise, of those that say no speed.
-void RecordingAssembly::leave_out_frozen_places() {
-  if (!facts_ || is_show()) return;
-  const Frame frame = facts_->frame;
-  tracks_.leave_out(
-      [this, frame](const RecordedBee& bee) {
-        if (told_by_others_.contains(bee.id)) return std::vector<bool>();
-        return frozen_places(bee.fixes, bee.velocities, frame);
-      },
-      [this](const std::string& id, const Fix& fix) {
-        leave_out(kFrozenPlace, id);
-        unplaced(id, fix.time_s);
-      });
-}
-
-void RecordingAssembly::stale(const std::string& id, const Fix& fix) {
-  leave_out(kStalePlace, id);
-  unplaced(id, fix.time_s);
-}
 
 // Once all is settled.
 void RecordingAssembly::find_doubtful_tracks() {
@@ -365,6 +295,12 @@ Result<Recording> RecordingAssembly::finish() {
   if (auto error = overlapping_tags()) return *std::move(error);
   if (auto error = settle_shows()) return *std::move(error);
   if (auto error = settle_frame()) return *std::move(error);
+  if (facts_ && facts_->frame == Frame::kMetres && options_.frame == Frame::kAuto) {
+    if (auto local = several_local_topics(tracks_)) {
+      local->error.location = location_of(tracks_.origin(local->fix));
+      return std::move(local->error);
+    }
+  }
   leave_out_zeros();
   if (tracks_.empty()) return nothing_left();
   if (auto error = settle_times()) return *std::move(error);
@@ -398,6 +334,7 @@ Result<Recording> RecordingAssembly::finish() {
   if (auto error = own_grounds()) return *std::move(error);
   for (RecordedBee& bee : recording_.bees) {
     settle_ground(bee);
+    bee.on_surface = on_surface_.contains(bee.id);
     settle_unplaced(bee);
     settle_label(bee);
   }

@@ -2,6 +2,7 @@
 
 #include "io/bytes/characters.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/recording/local_topics.hpp"
 
 namespace beespace::io {
 namespace {
@@ -12,18 +13,6 @@ bool is_odometry(std::string_view frame) {
   if (frame.starts_with('/')) frame.remove_prefix(1);
   const std::string name = lower_case(frame);
   return name == "odom" || name == "odom_combined" || name == "odometry";
-}
-
-// By its topic: local positions of an autopilot, as "/uav1/mavros/local_position/pose" and
-// "/px4_1/fmu/out/vehicle_local_position", count from where that vehicle was switched on or has its
-// home, whatever the frame is called.
-bool is_local_to_its_vehicle(std::string_view topic) {
-  const std::string name = lower_case(topic);
-  for (const std::string_view part :
-       {"mavros/local_position", "mavros/odometry", "vehicle_local_position", "vehicle_odometry"}) {
-    if (name.find(part) != std::string::npos) return true;
-  }
-  return false;
 }
 
 }  // namespace

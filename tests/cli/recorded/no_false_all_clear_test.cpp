@@ -344,6 +344,41 @@ TEST(NoFalseAllClear, PlacesWithoutAUnitAreAskedAboutBesideASmallThreshold) {
                {"places are taken as metres, as --crs metres says, beside a threshold"});
 }
 
+// Heights by satellites, off by tens of metres, of two that stand beside each other.
+TEST(NoFalseAllClear, WhomHeightsAloneKeepApartIsToldWithTheOptionThatCountsThem) {
+  std::string cows = "id,time_s,lon,lat,height_m\n";
+  for (int t = 0; t < 10; ++t) {
+    const std::string time = std::to_string(600 * t);
+    cows += "a," + time + ",8.0001,47,310\nb," + time + ",8.0002,47,365\n";
+    cows += "c," + time + ",8.1,47,310\n";
+  }
+  const TemporaryFolder folder;
+  const std::string file = folder.file("cows.csv", cows);
+  const Arguments question = {file, "--threshold", "50", "--fail-on-risk"};
+  const std::string told =
+      "1 pair comes closer than 50 m over ground, and only their heights keep them apart (a and b: "
+      "7.6";
+  const Finished replayed = run(Arguments{"replay"} + question);
+  EXPECT_EQ(replayed.exit_code, 0);
+  expect_parts(replayed.err, {"keeps its distance", told, "--vertical 100 counts it"});
+  expect_parts(run(Arguments{"replay", "--vertical", "100"} + question).err,
+               {"1 conflict of 1 pair"});
+  expect_parts(
+      run(Arguments{"plot", "--output", folder.path("c.svg"), file, "--threshold", "50"}).err,
+      {told});
+  expect_parts(run(Arguments{"replay", "--json"} + question).out,
+               {"\"kept_by_height\": {\"pair_count\": 1, "});
+  // Whom neither keeps apart, or both; and who has no heights.
+  const auto says_nothing = [&](const std::string& table, const char* threshold) {
+    const std::string other = folder.file("other.csv", table);
+    const Finished finished = run({"replay", other, "--threshold", threshold});
+    EXPECT_EQ(finished.err.find("only their heights"), std::string::npos) << finished.err;
+  };
+  says_nothing(cows, "60");
+  says_nothing(cows, "5");
+  says_nothing("id,time_s,lon,lat\na,0,8,47\nb,0,8.01,47\na,9,8,47\nb,9,8.01,47\n", "50");
+}
+
 // Millimetres: in metres these robots would cross the threshold 200 times a second.
 TEST(NoFalseAllClear, PlacesThatWouldMoveTooFastInMetresAreAskedAbout) {
   std::string table = "id,time_s,x,y,z\n";
@@ -360,6 +395,30 @@ TEST(NoFalseAllClear, PlacesThatWouldMoveTooFastInMetresAreAskedAbout) {
   expect_parts(run({"replay", file, "--threshold", "1", "--units", "position=mm"}).err,
                {"1 conflict of 1 pair"});
   expect_parts(run({"replay", file, "--threshold", "50"}).err, {"keeps its distance"});
+}
+
+// Slower ones, by whole numbers; and few reports, once no more come.
+TEST(NoFalseAllClear, WholeNumbersThousandsWideAreAskedAboutBesideASmallThreshold) {
+  const auto robots = [](int steps, double seconds, double more) {
+    std::string table = "id,time_s,x,y\n";
+    for (int t = 0; t < steps; ++t) {
+      const std::string time = std::to_string(seconds * t);
+      table += "a," + time + "," + std::to_string(20 * t + more) + ",0\n";
+      table += "b," + time + "," + std::to_string(3000 - 20 * t) + ",300\n";
+    }
+    return table;
+  };
+  const TemporaryFolder folder;
+  const std::string slow = folder.file("slow.csv", robots(60, 2.0, 0.0));
+  for (const char* const command : {"replay", "verify", "watch"}) {
+    expect_failure({command, slow, "--threshold", "1"}, {}, 2, "they are whole numbers, and go ");
+    EXPECT_NE(run({command, slow, "--threshold", "1", "--crs", "metres"}).exit_code, 2) << command;
+  }
+  EXPECT_NE(run({"replay", slow, "--threshold", "5"}).exit_code, 2);
+  const std::string decimals = folder.file("decimals.csv", robots(60, 2.0, 0.25));
+  EXPECT_NE(run({"replay", decimals, "--threshold", "1"}).exit_code, 2);
+  const std::string few = folder.file("few.csv", robots(8, 0.1, 0.5));
+  expect_failure({"watch", few, "--threshold", "1"}, {}, 2, "in metres they move at 200 m/s");
 }
 
 }  // namespace

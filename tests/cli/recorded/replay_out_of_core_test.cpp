@@ -28,7 +28,15 @@ class ReplayOutOfCore : public testing::Test {
         input, surroundings);
   }
 
-  // The summary without what is said of memory and time, and of the closest over time.
+  // An answer without what is not looked at with --memory: pairs that heights alone keep apart.
+  static std::string without_heights(std::string answer) {
+    const std::size_t begins = answer.find("\"kept_by_height\": ");
+    if (begins == std::string::npos) return answer;
+    const std::size_t ends = answer.find("\"closest\": ", begins);
+    return answer.erase(begins, ends - begins);
+  }
+
+  // The summary without that, and what is said of memory and time, and of the closest over time.
   static std::string known_lines(const std::string& summary) {
     std::string known;
     bool over_time = false;
@@ -36,6 +44,8 @@ class ReplayOutOfCore : public testing::Test {
       const bool goes_on = line.starts_with("             ");
       over_time = line.starts_with("  over time") || (over_time && goes_on);
       if (over_time || line.starts_with("  memory") || line.starts_with("  time")) continue;
+      if (line.find("only their heights keep") != std::string::npos) continue;
+      if (line.find("whether heights alone keep") != std::string::npos) continue;
       known += line + '\n';
     }
     return known;
@@ -49,8 +59,9 @@ class ReplayOutOfCore : public testing::Test {
     const Finished found = small(arguments, input);
     EXPECT_EQ(found.exit_code, expected.exit_code) << found.err;
     EXPECT_GE(expected.out.size(), least) << expected.err;
-    EXPECT_TRUE(found.out == expected.out) << found.out.substr(0, 1000) << "\ninstead of\n"
-                                           << expected.out.substr(0, 1000);
+    EXPECT_TRUE(without_heights(found.out) == without_heights(expected.out))
+        << found.out.substr(0, 1000) << "\ninstead of\n"
+        << expected.out.substr(0, 1000);
     EXPECT_EQ(known_lines(found.err), known_lines(expected.err));
     EXPECT_TRUE(scratch_.names().empty());
   }
@@ -285,6 +296,64 @@ TEST_F(ReplayOutOfCore, RefusesWhatItCannotDo) {
   const Finished nowhere =
       run({"replay", "--memory", "20MB", "--threads", "1", "--temporary", "/no/such"}, table);
   EXPECT_EQ(nowhere.exit_code, 4);
+}
+
+// What hides conflicts without gaps between fixes is looked at, too.
+TEST_F(ReplayOutOfCore, WhereBeesAreNotKnownIsNoAllClearEither) {
+  const auto unknown = [&](const std::string& table, const std::string& why,
+                           const Arguments& more = {}) {
+    const Arguments asked = (more.empty() ? Arguments{"--threshold", "1"} : more) +
+                            Arguments{"--fail-on-risk", "--straight"};
+    const Finished expected = run(Arguments{"replay"} + asked, table);
+    const Finished found = small(asked, table);
+    EXPECT_EQ(expected.exit_code, 1) << expected.err;
+    EXPECT_EQ(found.exit_code, 1) << found.err;
+    // The closest encounter is not looked for with --memory.
+    const std::string known = known_lines(expected.err);
+    EXPECT_EQ(known_lines(found.err), known.substr(0, known.find("  closest")));
+    expect_parts(found.err, {why});
+  };
+  // Failed fixes in a row, in order and not.
+  std::string forth = "id,time_s,x_m,y_m\n";
+  std::string back = forth;
+  for (int t = 0; t < 40; ++t) {
+    const auto rows = [](int at) {
+      const std::string time = "," + std::to_string(at) + ",";
+      const bool lost = at >= 20 && at < 23;
+      return "a" + time + std::to_string(at) + ",0\nb" + time +
+             (lost ? "NA,NA\n" : std::to_string(at) + ",90\n");
+    };
+    forth += rows(t);
+    back += rows(39 - t);
+  }
+  unknown(forth, "1 bee unknown for 4 s in all");
+  EXPECT_EQ(small({"--threshold", "1", "--fail-on-risk", "--straight"}, back).exit_code, 1);
+  // In the midst of a video.
+  std::string video = "id,frame,x_mm,y_mm\n";
+  for (int frame = 0; frame < 60; ++frame) {
+    const std::string at = "," + std::to_string(frame) + ",";
+    video += "a" + at + std::to_string(10 * frame) + ",0\nc" + at + "0," +
+             std::to_string(10 * frame + 50) + "\n";
+    if (frame < 30) video += "b" + at + "300," + std::to_string(300 - frame) + "\n";
+  }
+  unknown(video, "1 of which appear or vanish on their way", {"--fps", "10", "--threshold", "2mm"});
+  // On the Earth, without heights.
+  std::string earth = "id,time_s,lon,lat\n";
+  for (int t = 0; t < 60; ++t) {
+    const std::string at = "," + std::to_string(t) + ",";
+    earth += "a" + at + std::to_string(8.0 + 1e-4 * t) + ",47\nc" + at + "8.003," +
+             std::to_string(46.99 + 1e-3 * t) + "\n";
+    if (t < 30) earth += "b" + at + std::to_string(8.001 + 1e-5 * t) + ",47.005\n";
+  }
+  unknown(earth, "1 of which appear or vanish on their way");
+  // Against stated rates: b climbs 3,000 m in a second, as it would not by its own climb rate.
+  std::string rates = "id,time_s,lon,lat,height_m,ve,vn,vu\n";
+  for (int t = 0; t < 40; ++t) {
+    const std::string at = "," + std::to_string(t) + ",";
+    rates += "a" + at + "8,47,100,0,0,0\nb" + at + "8.1,47," + (t == 20 ? "3100" : "100") +
+             ",0.1,0.1,0.1\n";
+  }
+  unknown(rates, "1 bee jumps");
 }
 
 TEST_F(ReplayOutOfCore, AFullDiskIsAnErrorThatLeavesNothing) {

@@ -335,6 +335,30 @@ TEST(WatchTaken, ThePlaceThatAFrozenPoseHasLeftIsNotKnown) {
   EXPECT_EQ(stands.exit_code, 0) << stands.err;
 }
 
+// The same with its velocity, or with noise, or neither, to the end.
+TEST(WatchTaken, APoseThatIsFrozenToTheEndIsNoAllClear) {
+  std::string own = "id,time_s,x_m,y_m,vx,vy\n";
+  std::string noisy = "id,time_s,x_m,y_m\n";
+  std::string computed = noisy;
+  for (int i = 0; i < 100; ++i) {
+    const std::string time = "," + std::to_string(i / 10) + "." + std::to_string(i % 10) + ",";
+    const int at = std::min(i, 50);
+    const double noise = 0.002 * std::sin(1e4 * at * at);
+    own += "a" + time + std::to_string(0.05 * at) + ",0,0.5,0\nb" + time + "0,9,0.0,0.0\n";
+    noisy += "a" + time + std::to_string(0.05 * at + noise) + ",0\nb" + time + "0,9\n";
+    computed += "a" + time + std::to_string(0.05 * at) + ",0\nb" + time + "0,9\n";
+  }
+  const Finished moves = run(kWatchClosely, own);
+  EXPECT_EQ(moves.exit_code, kRisk);
+  expect_parts(moves.err, {"though the bee has moved on by its own velocity"});
+  const Finished wavers = run(kWatchClosely, noisy);
+  EXPECT_EQ(wavers.exit_code, kRisk);
+  expect_parts(wavers.err, {"no conflict; 1 bee repeats its place exactly to the end"});
+  const Finished stops = run(kWatchClosely, computed);
+  EXPECT_EQ(stops.exit_code, 0) << stops.err;
+  expect_parts(stops.err, {"bee 'a' stops at once, from one fix to the next"});
+}
+
 TEST(WatchTaken, ZeroOfMetresToWhichABeeOnlyJumpsIsNoPlace) {
   const Finished lost = run(
       kWatchClosely, passing([](int i) { return i >= 30 && i < 90 ? "0.0,-0.0" : by_itself(i); }));

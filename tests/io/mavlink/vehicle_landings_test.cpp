@@ -76,6 +76,14 @@ TEST(VehicleLandings, WhoSaysThatItHasLandedIsNotInTheAir) {
   EXPECT_TRUE(recording_of(load(flight(by_state(1, 2)), grounded)).bees[0].landed.empty());
 }
 
+TEST(VehicleLandings, RoversAndBoatsStayOnTheSurface) {
+  for (const auto& [type, stays] :
+       {std::pair{10, true}, {11, true}, {12, false}, {2, false}, {0, false}}) {
+    const auto says = [type = type](int) { return frame_v2(1, 0, heartbeat(type, 12, 128, 4)); };
+    EXPECT_EQ(recording_of(load(flight(says))).bees[0].on_surface, stays) << type;
+  }
+}
+
 // What is not surely so counts as flight.
 TEST(VehicleLandings, WhoDoesNotSaySoSurelyFlies) {
   constexpr int kActive = 4;

@@ -1,0 +1,43 @@
+// Pairs that come closer than the threshold over ground, and are kept apart by their heights alone:
+// of animals, whose heights by satellites are off by tens of metres, and of what drives or swims,
+// these say little. Of aircraft and drones that is how they fly.
+#pragma once
+
+#include "io/recording/recording.hpp"
+
+#include <beespace/conflict.hpp>
+#include <beespace/find_conflicts.hpp>
+#include <beespace/result.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace beespace::analysis {
+
+struct KeptByHeight {
+  std::uint64_t pairs = 0;
+  bool more = false;                     // so many were counted, and there are others
+  std::uint64_t on_surface = 0;          // of these: of two that drive or swim, by their own word
+  std::optional<Conflict> closest = {};  // over ground
+  double vertical_m = 0.0;               // a vertical threshold with which all of them count
+};
+
+// Nothing where it was not looked at: without heights, of shows, which are planned so, with a
+// vertical threshold, and in metres where there are conflicts. `options` are those with which
+// `conflicts` were found. Errors: those of find_conflicts() and of the conversion.
+Result<std::optional<KeptByHeight>> kept_by_height(const io::Recording& recording,
+                                                   const ConflictOptions& options,
+                                                   double tolerance_m,
+                                                   const std::vector<Conflict>& conflicts);
+
+// "2 pairs come closer than 50 m over ground, and only their heights keep them apart (a and b: 10.2
+// m at ...): --vertical 100 counts them"; nothing where none is.
+std::string kept_by_height_text(const KeptByHeight& kept, const io::Recording& recording,
+                                double threshold_m);
+
+// What keeps a verdict from being an all-clear; nothing where none of them drives or swims.
+std::string kept_on_surface_text(const KeptByHeight& kept);
+
+}  // namespace beespace::analysis
