@@ -168,11 +168,11 @@ Result<io::RecordingOptions> recording_options(const beespace_io_options* option
   const Result<beespace_io_options> given = given_or_default(options);
   if (!given) return given.error();
   io::RecordingOptions read;
-  constexpr std::uint32_t kKnown =
-      BEESPACE_IO_SKIP_BAD | BEESPACE_IO_GROUNDED | BEESPACE_IO_ANY_LIKELIHOOD;
+  constexpr std::uint32_t kKnown = BEESPACE_IO_SKIP_BAD | BEESPACE_IO_GROUNDED |
+                                   BEESPACE_IO_ANY_LIKELIHOOD | BEESPACE_IO_ONE_CLOCK;
   Status common = read_columns(*given, kKnown, read);
   if (!common) return std::move(common).error();
-  read.one_clock = !text_of(given->time_unit).empty();
+  read.one_clock = (given->flags & BEESPACE_IO_ONE_CLOCK) != 0;
   if (Status chosen = choose_unit(given->time_unit, read.time_unit); !chosen) {
     return std::move(chosen).error();
   }

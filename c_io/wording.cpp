@@ -30,6 +30,7 @@ constexpr Wording kWordings[] = {
     {"ask 'beespace detect'", "read it as points"},
     {"is for 'beespace replay'", "is read as a recording"},
     {"--time-unit", "time_unit"},
+    {"--one-clock", "one_clock"},
     {"--time-zone", "time_zone"},
     {"--dates", "dates"},
     {"--scale", "scale"},

@@ -68,7 +68,9 @@ BEESPACE_C_API size_t beespace_io_error_text(const beespace_io_error* error, cha
 enum {
   BEESPACE_IO_SKIP_BAD = 1,  ///< Bad records are left out and listed, instead of being an error.
   BEESPACE_IO_GROUNDED = 2,  ///< Of recordings: drones and aircraft on the ground count, too.
-  BEESPACE_IO_ANY_LIKELIHOOD = 4  ///< Of tables of poses: places count however unlikely they are.
+  BEESPACE_IO_ANY_LIKELIHOOD = 4,  ///< Of tables of poses: places count however unlikely they are.
+  BEESPACE_IO_ONE_CLOCK = 8        ///< Of several files whose times do not say since when they
+                                   ///< count: all have one clock.
 };
 
 /// @brief How a file is to be read, where it does not say so itself. NULL is as good as one of

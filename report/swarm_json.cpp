@@ -46,6 +46,7 @@ void write_facts(io::JsonWriter& json, const SwarmFacts& swarm, std::size_t coun
   json.member("count", count).member("axes", swarm.origin ? kLocalAxes : kAxes);
   if (swarm.origin) write_origin(json, *swarm.origin);
   if (swarm.heights.in_feet || swarm.heights.by_pressure) write_heights(json, swarm.heights);
+  if (swarm.aviation) json.member("aviation", true);
   if (swarm.flat) json.member("flat", true);
   json.member("threshold_m", swarm.threshold_m);
   if (swarm.vertical_m) json.member("vertical_m", swarm.vertical_m);

@@ -81,6 +81,11 @@ Result<std::optional<KeptByHeight>> kept_by_height(const io::Recording& recordin
   if (!found && found.error().code == ErrorCode::kTooManyResults) {
     kept.pairs = kMostOverGround;
     kept.more = true;
+    // Which ones they are is not known: two of these may be among them.
+    const auto on_surface =
+        std::count_if(recording.bees.begin(), recording.bees.end(),
+                      [](const io::RecordedBee& bee) { return bee.on_surface; });
+    kept.on_surface = on_surface > 1 ? 1 : 0;
     return std::optional(kept);
   }
   if (!found) return std::move(found).error();
@@ -124,6 +129,7 @@ std::string kept_by_height_text(const KeptByHeight& kept, const io::Recording& r
 
 std::string kept_on_surface_text(const KeptByHeight& kept) {
   if (kept.on_surface == 0) return {};
+  if (kept.more) return "pairs of rovers or boats may be kept apart by heights alone";
   return io::counted(kept.on_surface, "pair of rovers or boats is",
                      "pairs of rovers or boats are") +
          " kept apart by heights alone";

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace beespace::analysis {
@@ -108,8 +109,14 @@ LowConflicts leave_out_low(const io::Recording& recording, double below_m,
 }
 
 void leave_out_too(const LowConflicts& low, std::vector<Conflict>& some) {
+  const auto key_of = [](const Conflict& conflict) {
+    return std::tuple(conflict.first, conflict.second, conflict.begins_s);
+  };
+  std::vector<std::tuple<PointId, PointId, double>> keys(low.left_out.size());
+  std::transform(low.left_out.begin(), low.left_out.end(), keys.begin(), key_of);
+  std::sort(keys.begin(), keys.end());
   std::erase_if(some, [&](const Conflict& conflict) {
-    return std::find(low.left_out.begin(), low.left_out.end(), conflict) != low.left_out.end();
+    return std::binary_search(keys.begin(), keys.end(), key_of(conflict));
   });
 }
 

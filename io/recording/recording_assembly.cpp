@@ -9,9 +9,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <utility>
 
 namespace beespace::io {
+namespace {
+
+// Whether two or more of them lie in between.
+bool are_several(const std::set<double>& times_s, const TimeSpan& between) {
+  if (!(between.begins_s < between.ends_s)) return false;
+  const auto first = times_s.upper_bound(between.begins_s);
+  const auto behind = times_s.lower_bound(between.ends_s);
+  return first != behind && std::next(first) != behind;
+}
+
+}  // namespace
 
 WallClock RecordingAssembly::common_clock(const WallClock& clock) const {
   const bool known = facts_ && facts_->clock && facts_->clock->dated == clock.dated;
@@ -145,43 +158,32 @@ void RecordingAssembly::written_at(double time_s) {
 }
 
 void RecordingAssembly::unplaced(std::string_view id, double time_s) {
-  std::vector<double>& times_s = unplaced_[std::string(id)];
-  // Nearly always the last one.
-  times_s.insert(std::upper_bound(times_s.begin(), times_s.end(), time_s), time_s);
+  std::set<double>& times_s = unplaced_[std::string(id)];
+  times_s.insert(times_s.end(), time_s);  // nearly always the last one
 }
 
 bool RecordingAssembly::is_lost_between(const std::string& id, const TimeSpan& fixes) const {
   if (unplaced_.empty()) return false;
   const auto known = unplaced_.find(id);
   if (known == unplaced_.end()) return false;
-  const std::vector<double>& times_s = known->second;
-  const auto first = std::upper_bound(times_s.begin(), times_s.end(), fixes.begins_s);
-  const auto end = std::lower_bound(first, times_s.end(), fixes.ends_s);
-  return end != first && *first != *(end - 1);
+  return are_several(known->second, fixes);
 }
 
 std::optional<TimeSpan> RecordingAssembly::unplaced_span(const std::string& id) const {
   const auto known = unplaced_.find(id);
-  if (known == unplaced_.end() || known->second.front() == known->second.back()) {
-    return std::nullopt;
-  }
-  return TimeSpan{known->second.front(), known->second.back()};
+  if (known == unplaced_.end() || known->second.size() < 2) return std::nullopt;
+  return TimeSpan{*known->second.begin(), *known->second.rbegin()};
 }
 
 void RecordingAssembly::settle_unplaced(RecordedBee& bee) {
   const auto known = unplaced_.find(bee.id);
   if (known == unplaced_.end()) return;
-  std::vector<double>& times_s = known->second;
-  times_s.erase(std::unique(times_s.begin(), times_s.end()), times_s.end());
-  bee.unplaced_from_s = times_s.front();
-  bee.unplaced_until_s = times_s.back();
-  auto next = times_s.begin();
+  const std::set<double>& times_s = known->second;
+  bee.unplaced_from_s = *times_s.begin();
+  bee.unplaced_until_s = *times_s.rbegin();
   for (std::size_t i = 1; i < bee.fixes.size(); ++i) {
     const TimeSpan between{bee.fixes[i - 1].time_s, bee.fixes[i].time_s};
-    next = std::upper_bound(next, times_s.end(), between.begins_s);
-    const auto behind = std::lower_bound(next, times_s.end(), between.ends_s);
-    if (behind - next >= 2) bee.lost.push_back(between);
-    next = behind;
+    if (are_several(times_s, between)) bee.lost.push_back(between);
   }
   if (const auto lost = lost_.find(bee.id); lost != lost_.end()) {
     bee.lost.insert(bee.lost.end(), lost->second.begin(), lost->second.end());

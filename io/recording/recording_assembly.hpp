@@ -30,6 +30,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -263,10 +264,10 @@ class RecordingAssembly {
   LeftOut left_out_;
   GroundClaims claims_;
   std::unordered_map<std::string, std::vector<GroundClaims::Run>> grounded_;  // surely, by id
-  std::unordered_map<std::string, std::vector<double>> unplaced_;  // ascending times by id
-  std::unordered_map<std::string, std::vector<TimeSpan>> lost_;    // by id, of those handed out
-  std::unordered_set<std::string> told_by_others_;                 // by id
-  std::unordered_set<std::string> on_surface_;                     // by id
+  std::unordered_map<std::string, std::set<double>> unplaced_;                // times by id
+  std::unordered_map<std::string, std::vector<TimeSpan>> lost_;  // by id, of those handed out
+  std::unordered_set<std::string> told_by_others_;               // by id
+  std::unordered_set<std::string> on_surface_;                   // by id
   std::uint64_t kept_in_flight_ = 0;
   std::uint64_t doubted_standing_ = 0;
   std::uint64_t rough_records_ = 0;

@@ -101,6 +101,7 @@ def read_recording(
     units: str | None = None,
     heights: str | None = None,
     time_unit: str | None = None,
+    one_clock: bool = False,
     time_zone: str | None = None,
     dates: str | None = None,
     fps: float | None = None,
@@ -123,6 +124,8 @@ def read_recording(
         As in `read`; columns may have a time, "id=1,time=2,x=3,y=4,z=5".
     time_unit : {"s", "ms", "us", "ns"}, optional
         Of times, where the file does not say.
+    one_clock : bool
+        Of several files whose times do not say since when they count: whether all have one clock.
     time_zone : str, optional
         Of dates and times that name none: "UTC", "Europe/Madrid", "+02:00". Without it, such times
         count from a midnight of their clock, and `since_1970` is False.
@@ -159,8 +162,8 @@ def read_recording(
     (array([  0, 101]), array([0, 0]))
     """
     options = reading_options(
-        skip_bad, grounded, 1, frame=frame, columns=columns, units=units, heights=heights,
-        time_unit=time_unit, time_zone=time_zone, dates=dates, scale=scale,
+        skip_bad, grounded, 1, one_clock=one_clock, frame=frame, columns=columns, units=units,
+        heights=heights, time_unit=time_unit, time_zone=time_zone, dates=dates, scale=scale,
     )
     set_numbers(options, fps, least_likelihood, tolerance)
     paths = paths_of(path)
@@ -210,13 +213,15 @@ def set_numbers(
 
 
 def reading_options(
-    skip_bad: bool, grounded: bool, threads: Any, **texts: str | None
+    skip_bad: bool, grounded: bool, threads: Any, *, one_clock: bool = False, **texts: str | None
 ) -> _io_library.COptions:
     options = _io_library.COptions(ctypes.sizeof(_io_library.COptions))
     if skip_bad:
         options.flags |= _io_library.SKIP_BAD
     if grounded:
         options.flags |= _io_library.GROUNDED
+    if one_clock:
+        options.flags |= _io_library.ONE_CLOCK
     number = whole(threads, "threads")
     options.threads = _library.ALL_PROCESSORS if number == 0 else min(number, 256)
     for name, text in texts.items():

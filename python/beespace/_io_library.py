@@ -20,6 +20,7 @@ from beespace._errors import BeespaceFileError, BeespaceOSError
 SKIP_BAD = 1
 GROUNDED = 2
 ANY_LIKELIHOOD = 4
+ONE_CLOCK = 8
 STRAIGHT = 1
 ALONG_LINES = 2
 # Findings beside those of limits, whose numbers are those of the options.

@@ -150,6 +150,7 @@ def report(
     units: str | None = None,
     heights: str | None = None,
     time_unit: str | None = None,
+    one_clock: bool = False,
     time_zone: str | None = None,
     dates: str | None = None,
     fps: float | None = None,
@@ -184,7 +185,7 @@ def report(
         five times the typical interval. Infinity joins all fixes.
     threads : int
         How many threads may work; 0 for one per processor.
-    frame, columns, units, heights, time_unit, time_zone, dates, fps, scale, least_likelihood, tolerance, skip_bad, grounded
+    frame, columns, units, heights, time_unit, one_clock, time_zone, dates, fps, scale, least_likelihood, tolerance, skip_bad, grounded
         How files are read: as in `read` and `read_recording`.
 
     Returns
@@ -217,12 +218,15 @@ def report(
         if ids is not None:
             raise invalid("files have ids of their own: name their column with columns=", "ids")
         paths = paths_of(points)  # type: ignore[arg-type]
-        options = reading_options(skip_bad, grounded, 1, **texts)
+        options = reading_options(skip_bad, grounded, 1, one_clock=one_clock, **texts)
         set_numbers(options, fps, least_likelihood, tolerance)
         code = io.unlocked.beespace_io_page_of_files(paths, len(paths), ctypes.byref(options), *tail)
     else:
         numbers = {"fps": fps, "least_likelihood": least_likelihood, "tolerance": tolerance}
-        flags = {"skip_bad": skip_bad or None, "grounded": grounded or None}
+        flags = {
+            "skip_bad": skip_bad or None, "grounded": grounded or None,
+            "one_clock": one_clock or None,
+        }
         for name, given in {**texts, **numbers, **flags}.items():
             if given is not None:
                 raise invalid("this says how a file is read, and these points are read", name)

@@ -113,6 +113,20 @@ TEST_F(CReadRecording, TimesAreInTheUnitThatIsAsked) {
             (std::vector<double>{0, 0.25}));
 }
 
+TEST_F(CReadRecording, TheirUnitDoesNotSayThatSeveralFilesHaveOneClock) {
+  const std::vector<std::string> paths = {
+      folder_.file("a.csv", "time,x [m],y [m],z [m]\n0,1,2,3\n250,4,5,6\n"),
+      folder_.file("b.csv", "time,x [m],y [m],z [m]\n0,11,2,3\n250,14,5,6\n")};
+  auto options = io_options();
+  options.time_unit = "ms";
+  const auto asked = read_recording(paths, &options);
+  EXPECT_NE(asked.code, BEESPACE_OK);
+  EXPECT_NE(text_of(asked.error).find("one_clock"), std::string::npos) << text_of(asked.error);
+  options.flags = BEESPACE_IO_ONE_CLOCK;
+  const auto said = read_recording(paths, &options);
+  EXPECT_EQ(said.code, BEESPACE_OK) << text_of(said.error);
+}
+
 TEST_F(CReadRecording, ZonesFramesAndPixelsAreAsTheyAreSaid) {
   auto options = io_options();
   options.time_zone = "+02:00";

@@ -416,6 +416,15 @@ TEST(RecordingJson, HeightsInFeetOrByPressureAreSaid) {
   EXPECT_TRUE(bool(read["heights"]["by_pressure"]));
 }
 
+TEST(RecordingJson, WhereMilesAndFeetAreSpokenOfIsSaid) {
+  RecordingFacts facts;
+  EXPECT_FALSE(has(Read(facts).json.root(), "aviation"));
+  facts.swarm.aviation = true;
+  const Read read(facts);
+  EXPECT_TRUE(bool(read["aviation"]));
+  EXPECT_FALSE(has(read.json.root(), "heights"));
+}
+
 TEST(RecordingJson, NoBeesAndNoConflictsAreWrittenToo) {
   std::vector<RecordingFacts> all(4);
   all[1].tracks = {{}, {}};

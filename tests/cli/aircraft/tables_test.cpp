@@ -187,16 +187,13 @@ TEST(AircraftTables, TheAddressIsTheIdWhateverTheOrder) {
 
 // 100 m would tell of two that are 600 ft and 4 NM apart that they keep their distance.
 TEST(AircraftTables, ThereIsNoDefaultThresholdOfAircraft) {
-  for (const char* const command : {"predict", "replay"}) {
+  for (const char* const command : {"predict", "replay", "verify"}) {
     const Finished finished = run({command, table("traffic.csv")});
     EXPECT_EQ(finished.exit_code, 2) << command;
     expect_parts(finished.err, {"these are aircraft, by heights in feet: how close is too close? "
                                 "Say --separation enroute, --separation terminal, or"});
     EXPECT_EQ(run({command, table("traffic.csv"), "--separation", "enroute"}).exit_code, 0);
   }
-  expect_parts(run({"verify", table("traffic.csv")}).err,
-               {"'beespace replay --separation enroute' asks about both; or say how far it is in "
-                "space, as in --threshold 5NM\n"});
 }
 
 TEST(AircraftTables, ASnapshotIsForPredict) {

@@ -91,6 +91,8 @@ interface SwarmHead {
   axes: [string, string, string];
   origin?: Origin;
   heights?: HeightWords;
+  /** The input, or who asked, speaks of nautical miles or feet: separations are told in them, too. */
+  aviation?: boolean;
   /** The input has no heights: the third coordinate is 0 and means nothing. */
   flat?: boolean;
   threshold_m: number;

@@ -22,25 +22,25 @@ function feetBelow(metres: number, limit_m: number, beside_m: number): string {
   return `${readsBelow(metres / kFoot_m, limit_m / kFoot_m, 0, text)}\u202fft`;
 }
 
-/** 5,475 m, and where the input speaks of feet 2.96 NM before it, or 1.15 ft; below the limit in either. */
+/** 5,475 m, and of aviation 2.96 NM before it, or 1.15 ft; below the limit in either. */
 export function formatHorizontal(metres: number, head: Head): string {
   const limited = head.vertical_m !== undefined;
   const text = limited ? formatBelow(metres, head.threshold_m, 4) : formatMetres(metres, 4);
-  if (!head.heights?.in_feet) return text;
+  if (!head.aviation) return text;
   const limit_m = limited ? head.threshold_m : Infinity;
   if (isInFeet(head)) return `${feetBelow(metres, limit_m, head.threshold_m)} · ${text}`;
   return `${readsBelow(metres / kNauticalMile_m, limit_m / kNauticalMile_m, 3, formatDigits)}\u202fNM · ${text}`;
 }
 
-/** 91.44 m, and where the input speaks of feet 300 ft before it; below the limit in either. */
+/** 91.44 m, and of aviation 300 ft before it; below the limit in either. */
 export function formatVertical(metres: number, head: Head): string {
   const limit_m = head.vertical_m;
   const text = limit_m === undefined ? formatMetres(metres, 4) : formatBelow(metres, limit_m, 4);
-  if (!head.heights?.in_feet) return text;
+  if (!head.aviation) return text;
   return `${feetBelow(metres, limit_m ?? Infinity, limit_m ?? head.threshold_m)} · ${text}`;
 }
 
-/** What the axis of a chart is told in: metres, or where the input speaks of feet nautical miles and feet. */
+/** What the axis of a chart is told in: metres, or of aviation nautical miles and feet. */
 export interface AxisUnit {
   metres: number;
   text: (value: number) => string;
@@ -55,19 +55,19 @@ function inUnits(metres: number, name: string): AxisUnit {
 
 /** Metres, or millimetres where that is how far apart they must be; of aviation feet where that is less than a mile. */
 export function lengthUnit(head: Head): AxisUnit {
-  if (head.heights?.in_feet && isInFeet(head)) return inUnits(kFoot_m, 'ft');
+  if (head.aviation && isInFeet(head)) return inUnits(kFoot_m, 'ft');
   return head.threshold_m < kSmall_m ? inUnits(0.001, 'mm') : kInMetres;
 }
 
 export function axisUnits(head: Head): { horizontal: AxisUnit; vertical: AxisUnit } {
-  if (!head.heights?.in_feet) return { horizontal: lengthUnit(head), vertical: lengthUnit(head) };
+  if (!head.aviation) return { horizontal: lengthUnit(head), vertical: lengthUnit(head) };
   return { horizontal: isInFeet(head) ? inUnits(kFoot_m, 'ft') : inUnits(kNauticalMile_m, 'NM'), vertical: inUnits(kFoot_m, 'ft') };
 }
 
 /** What they must keep, in the words of those who made the input: 5 NM and 1,000 ft, or metres. */
 export function limitsOf(head: Head): { horizontal: string; vertical: string } {
   const vertical_m = head.vertical_m ?? 0;
-  if (!head.heights?.in_feet) return { horizontal: formatExactly(head.threshold_m), vertical: formatExactly(vertical_m) };
+  if (!head.aviation) return { horizontal: formatExactly(head.threshold_m), vertical: formatExactly(vertical_m) };
   return { horizontal: isInFeet(head) ? formatFeetExactly(head.threshold_m) : formatMiles(head.threshold_m), vertical: formatFeetExactly(vertical_m) };
 }
 

@@ -9,10 +9,10 @@ export function tooClose(head: Head): string {
   const { horizontal, vertical } = limitsOf(head);
   if (head.vertical_m === undefined) {
     const text = head.inclusive ? `at most ${horizontal} apart` : `closer than ${horizontal}`;
-    return head.heights?.in_feet ? `${text} (${threshold})` : text;
+    return head.aviation ? `${text} (${threshold})` : text;
   }
   const text = head.inclusive
     ? `at most ${horizontal} apart horizontally and ${vertical} in height`
     : `closer than ${horizontal} horizontally and ${vertical} in height`;
-  return head.heights?.in_feet ? `${text} (${threshold}, ${formatExactly(head.vertical_m)})` : text;
+  return head.aviation ? `${text} (${threshold}, ${formatExactly(head.vertical_m)})` : text;
 }

@@ -29,7 +29,7 @@ test('what is below a limit reads as below it', () => {
 });
 
 test('separations are below their limits in every unit', () => {
-  const head = { threshold_m: 9260, vertical_m: 304.8, heights: { in_feet: true, by_pressure: false } } as Head;
+  const head = { threshold_m: 9260, vertical_m: 304.8, aviation: true } as Head;
   assert.deepEqual([5475.3, 9259.9, 9260, 12000].map((m) => plain(formatHorizontal(m, head))), [
     '2.96 NM · 5,475 m', '4.9999 NM · 9,259.9 m', '5.00 NM · 9,260 m', '6.48 NM · 12,000 m',
   ]);
@@ -41,7 +41,7 @@ test('separations are below their limits in every unit', () => {
 });
 
 test('what is a few feet apart is told in feet', () => {
-  const head = { threshold_m: 5 * 0.3048, heights: { in_feet: true, by_pressure: false } } as Head;
+  const head = { threshold_m: 5 * 0.3048, aviation: true } as Head;
   assert.equal(plain(formatHorizontal(0.35052, head)), '1.15 ft · 0.3505 m');
   assert.equal(plain(formatVertical(1.05, head)), '3.44 ft · 1.050 m');
   assert.equal(plain(lengthUnit(head).text(2.5)), '2.5 ft');
