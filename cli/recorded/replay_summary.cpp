@@ -1,5 +1,6 @@
 #include "cli/recorded/replay_summary.hpp"
 
+#include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/kept_by_height.hpp"
 #include "analysis/recorded/landed_times.hpp"
 #include "analysis/text/bee_name.hpp"
@@ -217,20 +218,10 @@ std::string bars_over_time(const analysis::Findings& findings, double threshold_
   return text;
 }
 
-// Of a threshold that is wider than all that was recorded, in units of small things: they may have
-// been meant, as 10 um and not 10 m.
-void append_wide_threshold(std::string& out, const analysis::Findings& findings,
-                           const MovingRequest& request) {
-  const auto& units = findings.recording.units;
-  const auto taken = std::find_if(units.begin(), units.end(), [](const io::UnitTaken& one) {
-    return one.of.starts_with('x') && one.unit != io::Unit::kMetre;
-  });
-  if (taken == units.end() || !request.threshold || request.threshold->unit != io::Unit::kMetre) {
-    return;
-  }
+double width_m(const std::vector<Track>& tracks) {
   Point least{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   Point greatest{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-  for (const Track& track : findings.tracks) {
+  for (const Track& track : tracks) {
     for (const Fix& fix : track.fixes) {
       const Point& at = fix.position;
       least = {std::min(least.x, at.x), std::min(least.y, at.y), std::min(least.z, at.z)};
@@ -238,15 +229,43 @@ void append_wide_threshold(std::string& out, const analysis::Findings& findings,
                   std::max(greatest.z, at.z)};
     }
   }
-  const double wide_m =
-      std::hypot(greatest.x - least.x, greatest.y - least.y, greatest.z - least.z);
-  if (!(wide_m < request.threshold->metric)) return;
-  const std::string unit(io::symbol_of(taken->unit));
-  append_summary_line(
-      out, "note",
-      "all of it is " + io::grouped(io::from_metric(wide_m, taken->unit), 1) + " " + unit +
-          " wide, and the threshold is " + io::exact(request.threshold->metric) + " m: if " + unit +
-          " are meant, say --threshold " + io::exact(request.threshold->value) + unit);
+  return std::hypot(greatest.x - least.x, greatest.y - least.y, greatest.z - least.z);
+}
+
+// Of a threshold that is wider than all that was recorded, so that all are in conflict: the default
+// one; or a bare number beside units of small things, which may have been meant, as 10 um and not
+// 10 m.
+void append_wide_threshold(std::string& out, const analysis::Findings& findings,
+                           const MovingRequest& request, double threshold_m) {
+  const auto& units = findings.recording.units;
+  const auto taken = std::find_if(units.begin(), units.end(), [](const io::UnitTaken& one) {
+    return one.of.starts_with('x') && one.unit != io::Unit::kMetre &&
+           one.unit != io::Unit::kUnstated;
+  });
+  const bool small = taken != units.end();
+  const bool is_default =
+      !request.threshold &&
+      analysis::default_threshold(findings.recording, threshold_m).words.empty();
+  const bool bare = small && request.threshold && request.threshold->unit == io::Unit::kMetre;
+  if (!is_default && !bare) return;
+  const double wide_m = width_m(findings.tracks);
+  if (!(wide_m > 0.0) || !(wide_m < threshold_m)) return;
+  const io::Unit unit = small ? taken->unit : io::Unit::kMetre;
+  const std::string name(io::symbol_of(unit));
+  const double wide = io::from_metric(wide_m, unit);
+  const std::string so_wide = "all of it is " + io::grouped(wide, 1) + " " + name + " wide, and ";
+  if (is_default) {
+    const double example = std::pow(10.0, std::floor(std::log10(wide)) - 1.0);
+    return append_summary_line(out, "note",
+                               so_wide + io::exact(threshold_m) +
+                                   " m is the default: say how close is too close, as in "
+                                   "--threshold " +
+                                   io::exact(example) + name);
+  }
+  append_summary_line(out, "note",
+                      so_wide + "the threshold is " + io::exact(threshold_m) + " m: if " + name +
+                          " are meant, say --threshold " + io::exact(request.threshold->value) +
+                          name);
 }
 
 // Of bees that are known nowhere no bar knows anything.
@@ -285,7 +304,7 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
   append_summary_line(
       out, "threshold",
       separation_summary(request, figures.threshold_m, recording, distances.aviation));
-  append_wide_threshold(out, findings, request);
+  append_wide_threshold(out, findings, request, figures.threshold_m);
   if (findings.kept_by_height) {
     append_note(out, analysis::kept_by_height_text(*findings.kept_by_height, recording,
                                                    figures.threshold_m));

@@ -9,8 +9,6 @@
 namespace beespace::io {
 namespace {
 
-constexpr std::uint64_t kNoon_us = 1714564800'000'000;
-constexpr double kNoon_s = 1714564800.0;
 constexpr unsigned kLandNumber = 20;
 
 Result<Recording> load(const UlogMaking& log, const RecordingOptions& options = {}) {

@@ -170,4 +170,16 @@ inline UlogBody gps_message(std::uint64_t micros, std::uint64_t utc, std::int32_
   return body.i32(relative).u8(3);
 }
 
+inline constexpr std::uint64_t kNoon_us = 1714564800'000'000;
+inline constexpr double kNoon_s = 1714564800.0;
+
+// Two places and a time of GPS.
+inline UlogMaking small_log() {
+  UlogMaking log = px4_log();
+  log.data(kGpsNumber, gps_message(5'000'000, kNoon_us + 5'000'000));
+  log.data(kGlobalNumber, global_message({.micros = 5'000'000}));
+  log.data(kGlobalNumber, global_message({.micros = 5'500'000, .lat = 47.2500001}));
+  return log;
+}
+
 }  // namespace beespace::io
