@@ -44,10 +44,9 @@ struct Findings {
   // Nothing where it was not looked at.
   std::optional<KeptByHeight> kept_by_height = {};
 
-  // Whether two that drive or swim are kept apart by heights, which say little of them.
-  [[nodiscard]] bool heights_open() const {
-    return kept_by_height && kept_by_height->on_surface > 0;
-  }
+  // Whether animals, or two that drive or swim, are kept apart by heights, which say little of
+  // them.
+  [[nodiscard]] bool heights_open() const { return kept_by_height && kept_by_height->unsure > 0; }
   // Whether velocities may hide a conflict that straight lines do not show.
   [[nodiscard]] bool velocities_open() const {
     return velocities_passed_over || (curves != nullptr && !curves->followed);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace beespace::analysis {
@@ -55,6 +56,22 @@ double power_of_ten_above(double metres) {
   return power;
 }
 
+using TimeOfPairs = std::map<std::pair<PointId, PointId>, double>;
+
+TimeOfPairs time_in_conflict(const std::vector<Conflict>& conflicts) {
+  TimeOfPairs times_s;
+  for (const Conflict& conflict : conflicts) {
+    times_s[pair_of(conflict)] += conflict.ends_s - conflict.begins_s;
+  }
+  return times_s;
+}
+
+std::string longer_text(const KeptByHeight& kept, double threshold_m) {
+  if (kept.longer == 0) return {};
+  return io::counted(kept.longer, "pair is", "pairs are") + " closer than " +
+         io::exact(threshold_m) + " m over ground for longer than with heights";
+}
+
 }  // namespace
 
 Result<std::optional<KeptByHeight>> kept_by_height(const io::Recording& recording,
@@ -75,47 +92,57 @@ Result<std::optional<KeptByHeight>> kept_by_height(const io::Recording& recordin
   if (!tracks) return tracks.error();
   ConflictOptions over_ground = options;
   over_ground.max_results = kMostOverGround;
+  const auto says_little = [&](const io::RecordedBee& bee) {
+    return recording.of_animals || bee.on_surface;
+  };
   KeptByHeight kept;
+  kept.of_animals = recording.of_animals;
   kept.vertical_m = power_of_ten_above(difference_m);
   auto found = find_conflicts(*tracks, over_ground);
   if (!found && found.error().code == ErrorCode::kTooManyResults) {
     kept.pairs = kMostOverGround;
     kept.more = true;
     // Which ones they are is not known: two of these may be among them.
-    const auto on_surface =
-        std::count_if(recording.bees.begin(), recording.bees.end(),
-                      [](const io::RecordedBee& bee) { return bee.on_surface; });
-    kept.on_surface = on_surface > 1 ? 1 : 0;
+    const auto some = std::count_if(recording.bees.begin(), recording.bees.end(), says_little);
+    kept.unsure = some > 1 ? 1 : 0;
     return std::optional(kept);
   }
   if (!found) return std::move(found).error();
   leave_out_standing(recording, found->conflicts);
-  // Both are in the order of pairs.
-  auto in_space = conflicts.begin();
-  std::optional<std::pair<PointId, PointId>> last;
+  constexpr double kLonger = 1.01;  // than what rounding makes of it
+  const TimeOfPairs in_space_s = time_in_conflict(conflicts);
+  const auto is_in_space = [&](const Conflict& conflict) {
+    return in_space_s.contains(pair_of(conflict));
+  };
+  for (const auto& [pair, seconds] : time_in_conflict(found->conflicts)) {
+    const bool unsure =
+        says_little(recording.bees[pair.first]) && says_little(recording.bees[pair.second]);
+    const auto in_space = in_space_s.find(pair);
+    if (in_space == in_space_s.end()) {
+      ++kept.pairs;
+      kept.unsure += unsure ? 1 : 0;
+    } else if (unsure && seconds > kLonger * in_space->second) {
+      ++kept.longer;
+    }
+  }
   for (const Conflict& conflict : found->conflicts) {
-    const auto pair = pair_of(conflict);
-    while (in_space != conflicts.end() && pair_of(*in_space) < pair) ++in_space;
-    if (in_space != conflicts.end() && pair_of(*in_space) == pair) continue;
+    if (is_in_space(conflict)) continue;
     if (!kept.closest || conflict.closest_m < kept.closest->closest_m) kept.closest = conflict;
-    if (last == pair) continue;
-    last = pair;
-    ++kept.pairs;
-    const auto on_surface = [&](PointId bee) { return recording.bees[bee].on_surface; };
-    if (on_surface(pair.first) && on_surface(pair.second)) ++kept.on_surface;
   }
   return std::optional(kept);
 }
 
 std::string kept_by_height_text(const KeptByHeight& kept, const io::Recording& recording,
                                 double threshold_m) {
-  if (kept.pairs == 0) return {};
+  const std::string longer = longer_text(kept, threshold_m);
+  if (kept.pairs == 0 && longer.empty()) return {};
   const std::string but = " over ground, and only their heights keep them apart";
   const std::string option = "--vertical " + io::exact(kept.vertical_m);
   if (kept.more) {
     return "more than " + io::grouped(kept.pairs) + " times two come closer than " +
            io::exact(threshold_m) + " m" + but + "; " + option + " counts them";
   }
+  if (kept.pairs == 0) return longer + "; " + option + " tells for how long";
   std::string text = io::counted(kept.pairs, "pair comes", "pairs come") + " closer than " +
                      io::exact(threshold_m) + " m" + but;
   if (kept.closest) {
@@ -124,14 +151,15 @@ std::string kept_by_height_text(const KeptByHeight& kept, const io::Recording& r
             text_of(name_of(closest.second, recording)) + ": " + io::length(closest.closest_m) +
             " at " + io::moment_text(closest.closest_s, recording) + ")";
   }
-  return text + "; " + option + (kept.pairs == 1 ? " counts it" : " counts them");
+  if (!longer.empty()) text += ", and " + longer;
+  return text + "; " + option + (kept.pairs + kept.longer == 1 ? " counts it" : " counts them");
 }
 
-std::string kept_on_surface_text(const KeptByHeight& kept) {
-  if (kept.on_surface == 0) return {};
-  if (kept.more) return "pairs of rovers or boats may be kept apart by heights alone";
-  return io::counted(kept.on_surface, "pair of rovers or boats is",
-                     "pairs of rovers or boats are") +
+std::string unsure_heights_text(const KeptByHeight& kept) {
+  if (kept.unsure == 0) return {};
+  const std::string who = kept.of_animals ? "animals" : "rovers or boats";
+  if (kept.more) return "pairs of " + who + " may be kept apart by heights alone";
+  return io::counted(kept.unsure, "pair of " + who + " is", "pairs of " + who + " are") +
          " kept apart by heights alone";
 }
 

@@ -18,8 +18,12 @@ namespace beespace::analysis {
 
 struct KeptByHeight {
   std::uint64_t pairs = 0;
-  bool more = false;                     // so many were counted, and there are others
-  std::uint64_t on_surface = 0;          // of these: of two that drive or swim, by their own word
+  bool more = false;  // so many were counted, and there are others
+  // Of these: of animals, by what wrote the input, or of two that drive or swim, by their own word:
+  // their heights say little.
+  std::uint64_t unsure = 0;
+  bool of_animals = false;
+  std::uint64_t longer = 0;  // likewise: of pairs in conflict, which are so for longer over ground
   std::optional<Conflict> closest = {};  // over ground
   double vertical_m = 0.0;               // a vertical threshold with which all of them count
 };
@@ -37,7 +41,8 @@ Result<std::optional<KeptByHeight>> kept_by_height(const io::Recording& recordin
 std::string kept_by_height_text(const KeptByHeight& kept, const io::Recording& recording,
                                 double threshold_m);
 
-// What keeps a verdict from being an all-clear; nothing where none of them drives or swims.
-std::string kept_on_surface_text(const KeptByHeight& kept);
+// What keeps a verdict from being an all-clear: those whose heights say little; nothing where there
+// are none.
+std::string unsure_heights_text(const KeptByHeight& kept);
 
 }  // namespace beespace::analysis

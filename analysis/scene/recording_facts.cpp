@@ -153,7 +153,7 @@ void note_kept_by_height(const KeptByHeight& kept, const io::Recording& recordin
                          report::RecordingFacts& facts) {
   std::string note = kept_by_height_text(kept, recording, facts.swarm.threshold_m);
   if (!note.empty()) facts.swarm.notes.push_back(std::move(note));
-  const std::string open = kept_on_surface_text(kept);
+  const std::string open = unsure_heights_text(kept);
   if (open.empty()) return;
   facts.unknown += (facts.unknown.empty() ? "" : ", ") + open;
   facts.hidden = true;

@@ -74,7 +74,9 @@ void write_findings(io::JsonWriter& json, const analysis::Findings& findings,
   if (findings.kept_by_height) {
     const analysis::KeptByHeight& kept = *findings.kept_by_height;
     json.begin_object().member("pair_count", kept.pairs).member("more", kept.more);
-    json.member("on_surface_pair_count", kept.on_surface).member("vertical_m", kept.vertical_m);
+    json.member("unsure_pair_count", kept.unsure)
+        .member("longer_pair_count", kept.longer)
+        .member("vertical_m", kept.vertical_m);
     json.end();
   } else {
     json.null();

@@ -34,7 +34,7 @@ std::string open_text(const analysis::Findings& findings) {
     text = "the velocities lead too far away from these to be followed";
   }
   if (findings.heights_open()) {
-    text += (text.empty() ? "" : ", ") + analysis::kept_on_surface_text(*findings.kept_by_height);
+    text += (text.empty() ? "" : ", ") + analysis::unsure_heights_text(*findings.kept_by_height);
   }
   const bool complete = findings.coverage.complete();
   if (!text.empty() && !complete) text += ", ";

@@ -20,6 +20,9 @@ inline constexpr LeftOutReason kUnknownHeight = {
     "without a height", "--columns with x and y, or lon and lat, only takes all as flat"};
 inline constexpr LeftOutReason kOutlier = {
     "marked as outliers (visible=false, ...-marked-outlier=true)", {}, true};
+// Of tags that write what they measure between their places in the same table.
+inline constexpr LeftOutReason kSensorsOnly = {
+    "of sensors alone (datatype SEN...), which never have a place", {}, true};
 // By StalePlaces.
 inline constexpr LeftOutReason kStalePlace = {
     "whose place stays exactly the same for more than 3 s though their speed is more than 3 m/s",

@@ -121,6 +121,7 @@ struct Recording {
   // present moment. Of several inputs the latest.
   std::optional<double> written_s = {};
   bool of_aircraft = false;  // its format or its columns say so
+  bool of_animals = false;   // some of it is, by what wrote it
   bool of_drones = false;    // all of it is what autopilots logged
   // It says how each flies from its last fix on, as a scenario of a simulator does: none is ever
   // out of reach.

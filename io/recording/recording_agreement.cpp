@@ -67,6 +67,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
     }
     recording_.units = facts.units;
     recording_.of_aircraft = facts.of_aircraft;
+    recording_.of_animals = facts.of_animals;
     recording_.of_drones = facts.of_drones;
     recording_.flies_on = facts.flies_on;
     return agree_on_heights(facts.heights);
@@ -125,6 +126,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   // The least that any of them says.
   facts_->naming = std::min(facts_->naming, facts.naming);
   recording_.of_aircraft = recording_.of_aircraft || facts.of_aircraft;
+  recording_.of_animals = recording_.of_animals || facts.of_animals;
   recording_.of_drones = recording_.of_drones && facts.of_drones;
   recording_.flies_on = recording_.flies_on && facts.flies_on;
   if (auto error = agree_on_heights(facts.heights)) return error;

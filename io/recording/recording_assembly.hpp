@@ -57,6 +57,7 @@ struct SourceFacts {
   bool begins_at_zero = false;                // the first one is 0
   bool small_times = false;                   // TimeChoice::is_small
   bool of_aircraft = false;                   // by its format, or what its columns are called
+  bool of_animals = false;                    // what is known to write tables of animals wrote it
   bool of_drones = false;                     // what their autopilots logged
   bool flies_on = false;                      // Recording::flies_on
   bool names_bees = false;                    // by an id: there may be several in it

@@ -367,6 +367,14 @@ Result<TableLayout> find_table(std::string_view text, bool skip_bad) {
     offset = line.next;
     ++layout.lines_before;
   }
+  const auto pass_over = [&](const TitleLines& titles) {
+    if (titles.lines == 0) return;
+    layout.notes.push_back("what stands above the header is passed over: " + excerpt(titles.first));
+    layout.lines_before += titles.lines;
+    offset = titles.offset;
+    line = line_at(text, offset, layout.line_end);
+  };
+  pass_over(titles_by_their_word(text, offset, layout));
   auto samples = sample_lines(text, offset, layout.line_end);
   layout.delimiter = named ? *named : find_delimiter(samples);
   layout.contents = look_at_records(samples, 0, layout.delimiter);
@@ -376,14 +384,8 @@ Result<TableLayout> find_table(std::string_view text, bool skip_bad) {
     *error.location.line += layout.lines_before;
     return error;
   }
-  if (titles->lines > 0) {
-    layout.notes.push_back("what stands above the header is passed over: " +
-                           excerpt(titles->first));
-    layout.lines_before += titles->lines;
-    offset = titles->offset;
-    line = line_at(text, offset, layout.line_end);
-    samples = sample_lines(text, offset, layout.line_end);
-  }
+  pass_over(*titles);
+  if (titles->lines > 0) samples = sample_lines(text, offset, layout.line_end);
   layout.data_offset = offset;
   const std::uint64_t line_number = layout.lines_before + 1;
   if (auto error = read_header_line(samples, comments, line, skip_bad, layout)) {

@@ -62,8 +62,8 @@ TableSource flightradar24() {
 // Telonics: its Data Converter (TDC), complete or condensed reports; the position is that of the
 // acquisition time. Wildlife Computers: -Locations.csv of its data portal, whose times are UTC.
 // Axy-Trek of TechnoSmart: X, Y, Z are accelerations.
-const std::array<TableSource, 16>& known_sources() {
-  static const std::array<TableSource, 16> sources = {
+const std::array<TableSource, 17>& known_sources() {
+  static const std::array<TableSource, 17> sources = {
       TableSource{"traffic",
                   kNotOfTraffic,
                   {{"icao24"},
@@ -192,6 +192,18 @@ const std::array<TableSource, 16>& known_sources() {
                    {"gps_longitude"}},
                   false,
                   true},
+      TableSource{
+          "Ornitela",
+          "",
+          {{"device_id", Role::kId},
+           {"utc_datetime", Role::kTime},
+           {"datatype"},
+           {"satcount"},
+           {"latitude"},
+           {"longitude"},
+           perhaps("msl_altitude_m", Role::kHeight, Unit::kMetre, HeightDatum::kMeanSeaLevel)},
+          true,
+          true},
       TableSource{"Wildlife Computers",
                   "",
                   {{"deployid", Role::kId},

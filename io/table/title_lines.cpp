@@ -5,6 +5,8 @@
 #include "io/problems/excerpt.hpp"
 #include "io/table/fields.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <string>
 
 namespace beespace::io {
@@ -31,7 +33,39 @@ LineContent content_of_line(std::string_view line, char delimiter) {
   return content;
 }
 
+// Of the line that says in which line the header is: "Headers Row,24".
+std::optional<std::uint64_t> stated_header_line(std::string_view line) {
+  constexpr std::string_view kSays = "Headers Row";
+  const std::string_view text = without_padding(line);
+  if (!text.starts_with(kSays) || text.size() < kSays.size() + 2) return std::nullopt;
+  double number = 0.0;
+  const std::string_view said = without_padding(text.substr(kSays.size() + 1));
+  if (parse_number(said, number) != NumberKind::kNumber || !(number >= 2.0)) return std::nullopt;
+  return static_cast<std::uint64_t>(std::min(number, 1e6));
+}
+
 }  // namespace
+
+TitleLines titles_by_their_word(std::string_view text, std::size_t offset,
+                                const TableLayout& layout) {
+  constexpr std::uint64_t kLookedAt = 64;
+  TitleLines titles;
+  std::optional<std::uint64_t> header;
+  for (; offset < text.size() && titles.lines < kLookedAt; ++titles.lines) {
+    const std::uint64_t number = layout.lines_before + titles.lines + 1;
+    const Line line = line_at(text, offset, layout.line_end);
+    if (line.text.size() > kLongestLine) break;
+    if (header == number) {
+      titles.offset = offset;
+      return is_blank_line(line.text) ? TitleLines() : titles;
+    }
+    if (!header) header = stated_header_line(line.text);
+    if (header && *header <= number) break;
+    if (titles.first.empty()) titles.first = line.text;
+    offset = line.next;
+  }
+  return {};
+}
 
 Result<TitleLines> titles_above(std::string_view text, std::size_t offset,
                                 const TableLayout& layout) {

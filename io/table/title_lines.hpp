@@ -17,6 +17,11 @@ struct TitleLines {
   std::string_view first = {};  // the first of them
 };
 
+// Of lines above a header of which one says in which line of the file that is, as reports of
+// Telonics have them; none otherwise.
+TitleLines titles_by_their_word(std::string_view text, std::size_t offset,
+                                const TableLayout& layout);
+
 // Of the lines of `text` from `offset` on, where something stands. `layout` says how they are
 // split, and by its contents how many columns the records have. Titles are only seen where a header
 // of so many known names comes behind them. Errors: kMalformedRecord, with the line counted from

@@ -12,10 +12,19 @@
 #include <string_view>
 
 namespace beespace::io {
+namespace {
+
+// As Ornitela calls them: "SENSORS", "SEN_ALL_20Hz".
+bool is_of_sensors(std::string_view datatype) {
+  return without_padding(datatype).starts_with("SEN");
+}
+
+}  // namespace
 
 // Of what aircraft say of themselves: what is not known is no mistake.
 const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
   if (is_outlier()) return &kOutlier;
+  if (layout_.sensor && is_of_sensors(fields_[TrackSlot::kSensor].text)) return &kSensorsOnly;
   if (layout_.quality && says_no_fix(*layout_.quality, fields_[TrackSlot::kQuality].text)) {
     return &kNoFix;
   }

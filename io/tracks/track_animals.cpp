@@ -4,7 +4,28 @@
 #include "io/table/column_names.hpp"
 #include "io/table/table_sources.hpp"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 namespace beespace::io {
+
+namespace {
+
+// Collars by other makers: "CollarID", "Collar ID"; "Fix Status", as Lotek says of each place.
+bool names_collars(const Header& header) {
+  for (const std::string& name : header.table().names) {
+    const auto words = split_words(name);
+    if (std::find(words.begin(), words.end(), "collar") != words.end() ||
+        std::find(words.begin(), words.end(), "collarid") != words.end() ||
+        words == std::vector<std::string>{"fix", "status"}) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
 
 void settle_animals(const Header& header, TrackLayout& layout) {
   if (layout.of_aircraft || !layout.time) return;
@@ -12,6 +33,7 @@ void settle_animals(const Header& header, TrackLayout& layout) {
   const bool of_animals = source != nullptr && source->of_animals;
   // Who tells how fast it is is no animal in a picture: it should know where it is.
   layout.places_may_be_unknown = of_animals || !layout.velocity;
+  layout.of_animals = of_animals || names_collars(header);
   if (!of_animals) return;
   layout.no_height = &kUnknownHeight;
   layout.without_id = &kNoAnimal;
@@ -23,6 +45,9 @@ void settle_animals(const Header& header, TrackLayout& layout) {
     // "Argos" or "FastGPS"
     const bool of_seals = source->name == "Wildlife Computers";
     if (of_seals && words == std::vector<std::string>{"type"}) layout.sensor = i;
+    if (source->name == "Ornitela" && words == std::vector<std::string>{"datatype"}) {
+      layout.sensor = i;
+    }
     if (words.size() == 3 && words[1] == "marked" && words[2] == "outlier" &&
         layout.marked.size() < TrackSlot::kMostMarked) {
       layout.marked.push_back(i);

@@ -97,6 +97,7 @@ struct TrackLayout {
   // Of aircraft, what may be unknown is left out where it is: a record without a place is no
   // mistake.
   bool of_aircraft = false;
+  bool of_animals = false;  // what wrote it is known to write tables of animals
   // Of other recordings, a record that says that its place is unknown ("NA") is no mistake either:
   // it is as good as none.
   bool places_may_be_unknown = false;

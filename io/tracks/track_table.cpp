@@ -157,6 +157,7 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   facts.small_times = layout.time && layout.time->is_small;
   facts.begins_at_zero = layout.time && layout.time->begins_at_zero;
   facts.of_aircraft = tells_of_aircraft(layout);
+  facts.of_animals = layout.of_animals;
   facts.names_bees = choice.id.has_value();
   if (layout.time && layout.time->form == TimeForm::kNumbers) facts.time_unit = layout.time->unit;
   facts.trials.column = columns_of_trials(layout);

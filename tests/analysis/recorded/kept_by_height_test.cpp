@@ -39,24 +39,53 @@ TEST(KeptByHeight, CountsPairsThatAreCloseOverGround) {
   const io::Recording recording = layers();
   const KeptByHeight kept = kept_in(recording, {});
   EXPECT_EQ(kept.pairs, 3u);
-  EXPECT_EQ(kept.on_surface, 0u);
+  EXPECT_EQ(kept.unsure, 0u);
   EXPECT_EQ(kept.vertical_m, 100.0);
   ASSERT_TRUE(kept.closest);
   EXPECT_EQ(kept.closest->closest_m, 2.0);
   EXPECT_EQ(kept_by_height_text(kept, recording, 5.0),
             "3 pairs come closer than 5 m over ground, and only their heights keep them apart (a "
             "and c: 2.000 m at 0.00 s); --vertical 100 counts them");
-  EXPECT_TRUE(kept_on_surface_text(kept).empty());
+  EXPECT_TRUE(unsure_heights_text(kept).empty());
 }
 
 TEST(KeptByHeight, OfRoversAndBoatsItIsNoAllClear) {
   io::Recording recording = layers();
   recording.bees[0].on_surface = true;
-  EXPECT_EQ(kept_in(recording, {}).on_surface, 0u) << "the other one may fly";
+  EXPECT_EQ(kept_in(recording, {}).unsure, 0u) << "the other one may fly";
   recording.bees[1].on_surface = true;
   const KeptByHeight kept = kept_in(recording, {});
-  EXPECT_EQ(kept.on_surface, 1u);
-  EXPECT_EQ(kept_on_surface_text(kept), "1 pair of rovers or boats is kept apart by heights alone");
+  EXPECT_EQ(kept.unsure, 1u);
+  EXPECT_EQ(unsure_heights_text(kept), "1 pair of rovers or boats is kept apart by heights alone");
+}
+
+TEST(KeptByHeight, OfAnimalsItIsNoAllClear) {
+  io::Recording recording = layers();
+  recording.of_animals = true;
+  const KeptByHeight kept = kept_in(recording, {});
+  EXPECT_EQ(kept.unsure, 3u);
+  EXPECT_EQ(unsure_heights_text(kept), "3 pairs of animals are kept apart by heights alone");
+}
+
+// Their heights waver: they are close over ground all the time, and in space for a part of it.
+TEST(KeptByHeight, OfAnimalsInConflictItIsToldWhereTheyAreCloseForLonger) {
+  io::Recording recording = layers();
+  const std::vector<Conflict> in_space = {{0, 1, 0.0, 0.0, 3.0, 0.001},
+                                          {0, 2, 0.0, 0.0, 3.0, 0.001}};
+  recording.frame = io::Frame::kWgs84;
+  for (io::RecordedBee& bee : recording.bees) {
+    for (Fix& fix : bee.fixes) {
+      fix.position.x *= 1e-6;
+      fix.position.y *= 1e-6;
+    }
+  }
+  EXPECT_EQ(kept_in(recording, in_space).longer, 0u);
+  recording.of_animals = true;
+  const KeptByHeight kept = kept_in(recording, in_space);
+  EXPECT_EQ(kept.longer, 2u);
+  EXPECT_NE(kept_by_height_text(kept, recording, 5.0)
+                .find("2 pairs are closer than 5 m over ground for longer than with heights"),
+            std::string::npos);
 }
 
 TEST(KeptByHeight, IsNotLookedAtWhereHeightsSayNothingOrAreAskedFor) {

@@ -344,6 +344,23 @@ TEST(NoFalseAllClear, PlacesWithoutAUnitAreAskedAboutBesideASmallThreshold) {
                {"places are taken as metres, as --crs metres says, beside a threshold"});
 }
 
+TEST(NoFalseAllClear, AnimalsKeptApartByHeightsAloneAreNone) {
+  std::string storks =
+      "event-id,visible,timestamp,location-long,location-lat,height-above-ellipsoid,"
+      "sensor-type,individual-local-identifier\n";
+  for (int minute = 10; minute < 20; ++minute) {
+    const std::string time = ",true,2015-09-10 07:" + std::to_string(minute) + ":00.000,";
+    storks += "1" + std::to_string(minute) + time + "9.1701,47.7,400,gps,Anna\n";
+    storks += "2" + std::to_string(minute) + time + "9.1702,47.7,480,gps,Bert\n";
+  }
+  const Finished found = run({"replay", "--threshold", "50", "--fail-on-risk"}, storks);
+  EXPECT_EQ(found.exit_code, 1) << found.err;
+  expect_parts(found.err, {"1 pair of animals is kept apart by heights alone", "--vertical 100"});
+  EXPECT_EQ(
+      run({"replay", "--threshold", "50", "--vertical", "50", "--fail-on-risk"}, storks).exit_code,
+      0);
+}
+
 // Heights by satellites, off by tens of metres, of two that stand beside each other.
 TEST(NoFalseAllClear, WhomHeightsAloneKeepApartIsToldWithTheOptionThatCountsThem) {
   std::string cows = "id,time_s,lon,lat,height_m\n";

@@ -30,6 +30,36 @@ TEST(FormatsOfAnimals, TelonicsIsRead) {
   EXPECT_TRUE(has_note(recording, "column 1 'Acquisition Time'"));
 }
 
+TEST(FormatsOfAnimals, LinesAboveTheHeaderAreAsManyAsTheySay) {
+  std::string report = "TDC Version,2.50\n\nHeaders Row,24\nCTN,724101A\nTime Zone,UTC\n";
+  for (int line = 6; line < 24; ++line) report += "Setting" + std::to_string(line) + ",x\n";
+  const auto header = kTelonics.find("Acquisition Time");
+  const auto recording = recording_of(record(report + kTelonics.substr(header)));
+  ASSERT_EQ(recording.bees.size(), 1U);
+  EXPECT_EQ(recording.bees[0].fixes.size(), 2U);
+  // What is wrong is named by its line in the file.
+  const auto bad = record(report + kTelonics.substr(header) + "2024.08.01 03:00:00,x\n");
+  ASSERT_FALSE(bad);
+  EXPECT_EQ(bad.error().location.line, 28u);
+}
+
+// Between two places of a tag there are records of its sensors.
+TEST(FormatsOfAnimals, RecordsOfSensorsAreNoLostPlaces) {
+  std::string table =
+      "device_id,UTC_datetime,datatype,satcount,hdop,Latitude,Longitude,MSL_altitude_m,acc_x\n";
+  for (int minute = 10; minute < 20; ++minute) {
+    const std::string time = "24101,2023-05-01 00:" + std::to_string(minute);
+    table += time + ":00,GPS,7,1.1,47.5001,9.0001,397,500\n";
+    table += time + ":20,SENSORS,0,0.0,,,,500\n" + time + ":40,SENSORS,0,0.0,,,,500\n";
+  }
+  const auto recording = recording_of(record(table));
+  ASSERT_EQ(recording.bees.size(), 1U);
+  EXPECT_EQ(recording.bees[0].fixes.size(), 10U);
+  EXPECT_TRUE(recording.bees[0].lost.empty());
+  EXPECT_TRUE(recording.of_animals);
+  EXPECT_TRUE(has_note(recording, "20 records of sensors alone"));
+}
+
 const std::string kSeals =
     "DeployID,Ptt,Instr,Date,Type,Quality,Latitude,Longitude,Error radius,Error Semi-major axis,"
     "Error Semi-minor axis,Error Ellipse orientation,Offset,Offset orientation,GPE MSD,GPE "
