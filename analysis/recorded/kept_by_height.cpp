@@ -89,7 +89,8 @@ Result<std::optional<KeptByHeight>> kept_by_height(const io::Recording& recordin
     return std::optional(kept);
   }
   if (!found) return std::move(found).error();
-  leave_out_standing(recording, found->conflicts);
+  const auto left_out = leave_out_standing(recording, *tracks, over_ground, found->conflicts);
+  if (!left_out) return left_out.error();
   // Both are in the order of pairs.
   auto in_space = conflicts.begin();
   std::optional<std::pair<PointId, PointId>> last;
