@@ -228,8 +228,9 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
                      moving.ignore_below_m || asks_of_curves(request.limits);
   const auto times_s = asked ? Result<std::vector<double>>(std::vector<double>())
                              : analysis::common_times(*recording);
-  // In steps nothing is known of who stands on the ground.
-  const bool lands = recording->bees.size() > 1 && analysis::says_who_has_landed(*recording);
+  // In steps nothing is known of who stands on the ground, and logs are judged as by `replay`.
+  const bool lands = recording->bees.size() > 1 &&
+                     (recording->of_drones || analysis::says_who_has_landed(*recording));
   if (asked || ((!times_s || lands) && goes_along_curves(*recording))) {
     return verify_along_curves(request, *recording, *obstacles, *output, progress, watch);
   }
