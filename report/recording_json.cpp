@@ -288,7 +288,8 @@ void write_risk(io::JsonWriter& json, const RecordingFacts& facts, double begins
   if (!facts.unknown.empty()) json.member("unknown", facts.unknown);
   if (facts.closest) {
     write_closest(json, "closest", *facts.closest, facts.closest_apart, begins_s);
-    if (facts.closest_stands) json.member("stands", true);
+    // Or both do, which the closest in the air is told beside, too.
+    if (facts.closest_stands || facts.closest_in_the_air) json.member("stands", true);
     json.end();
   }
   if (facts.closest_in_the_air) {

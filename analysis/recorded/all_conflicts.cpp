@@ -45,7 +45,9 @@ Result<AllConflicts> all_conflicts(const io::Recording& recording, const std::ve
     found.curves = *std::move(curves);
     conflicts = merged(std::move(conflicts), found.curves.conflicts);
   }
-  leave_out_standing(recording, conflicts);
+  const auto left_out = leave_out_standing(recording, tracks, options, conflicts);
+  if (!left_out) return left_out.error();
+  found.standing_count = *left_out;
   auto closest = closest_or_encounter(conflicts, tracks, options);
   if (!closest) return std::move(closest).error();
   found.closest = *closest;
@@ -53,6 +55,13 @@ Result<AllConflicts> all_conflicts(const io::Recording& recording, const std::ve
   if (recording.show && conflicts.empty() && found.closest && !options.inclusive &&
       !options.vertical_m) {
     found.closest->closest_m = std::max(found.closest->closest_m, options.threshold_m);
+  }
+  if (conflicts.empty() && found.closest && both_stand(recording, *found.closest)) {
+    auto flying =
+        closest_of_flying(recording, tracks, options.max_gap_s, {options.threads, options.stop});
+    if (!flying) return std::move(flying).error();
+    found.closest_in_the_air = *flying;
+    return found;
   }
   const auto& standing = found.with_standing;
   if (std::find(standing.begin(), standing.end(), found.closest) == standing.end()) return found;

@@ -13,6 +13,7 @@
 #include <beespace/result.hpp>
 #include <beespace/track.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -25,8 +26,10 @@ struct AllConflicts {
   // The closest of the conflicts; where there is none, of all encounters, if there is no vertical
   // threshold, with which how far apart two are in a straight line says little.
   std::optional<Conflict> closest;
-  // Where that is with a drone on the ground: the same of two in the air.
+  // Where that is with a drone on the ground, or of two that stand: the same of two in the air.
   std::optional<Conflict> closest_in_the_air;
+  // Left out: conflicts of two that both say that they have landed.
+  std::size_t standing_count = 0;
 };
 
 // `tracks` are those of the recording in this geometry. With `straight` velocities are not looked

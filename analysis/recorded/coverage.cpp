@@ -125,7 +125,10 @@ double grounded(const std::optional<double>& ground_s, double end_s, double whol
 
 // A drone of a show is known while it stands on the ground. Those in degrees report each at times
 // of its own: one is cut off where it is not heard of for longer than that is usual.
-std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s) {
+// What is shorter than `interval_s`, the typical time between two fixes, is no part of the
+// recording of its own, unless one is in the air then.
+std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s,
+                                double interval_s) {
   const double usual_s = recording.frame == io::Frame::kWgs84 ? max_gap_s : 0.0;
   const auto whole = whole_time(recording);
   const double ground_m = ground_of(recording);
@@ -146,6 +149,7 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
     const double known_s = end == beside ? 0.0 : usual_s;
     const double height_m = end.position.z - ground_m;
     if (recording.show && height_m <= kStandsWithin_m) return;
+    const double before_s = of.seconds;
     of.seconds += seconds;
     const bool stands =
         height_m <= kLoggedTolerance_m && rests(end, beside, recording.frame, kMostAtRest_mps);
@@ -156,7 +160,10 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
     const bool must_move = !recording.flat || recording.frame == io::Frame::kWgs84;
     const bool lost = (in_a_plane || recording.flat) && seconds > max_gap_s && !may_leave &&
                       (moves || !must_move);
-    if (!recording.show && !lost && !(flies && !stands && seconds > known_s)) return;
+    if (!recording.show && !lost && !(flies && !stands && seconds > known_s)) {
+      if (end != beside && seconds < interval_s) of.seconds = before_s;
+      return;
+    }
     of.cut_off = true;
     of.hidden.push_back(away);
   };
@@ -201,13 +208,25 @@ std::vector<Gap> apart_from_each_other(std::vector<Gap> all) {
   return apart;
 }
 
+// So many as are named, the longest first.
+std::vector<Gap> longest_of(std::vector<Gap> gaps) {
+  const auto named =
+      gaps.begin() + static_cast<std::ptrdiff_t>(std::min(Coverage::kMostNamed, gaps.size()));
+  std::partial_sort(gaps.begin(), named, gaps.end(), [](const Gap& a, const Gap& b) {
+    if (length_of(a) != length_of(b)) return length_of(a) > length_of(b);
+    return a.track != b.track ? a.track < b.track : a.begins_s < b.begins_s;
+  });
+  gaps.erase(named, gaps.end());
+  return gaps;
+}
+
 }  // namespace
 
 std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps,
                                     const MaxGap& max_gap) {
   std::vector<double> unknown_s;
   constexpr double kAny = std::numeric_limits<double>::infinity();
-  for (const Outside& outside : outside_of(recording, kAny)) {
+  for (const Outside& outside : outside_of(recording, kAny, 0.0)) {
     unknown_s.push_back(outside.seconds);
   }
   // A long gap may be within a doubtful span, or across its ends.
@@ -219,7 +238,7 @@ std::vector<double> unknown_times_s(const io::Recording& recording, const std::v
 std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector<Gap>& gaps,
                                const MaxGap& max_gap) {
   std::vector<Gap> all = joined_gaps(gaps, doubtful_spans(recording, max_gap));
-  const auto outside = outside_of(recording, max_gap.seconds);
+  const auto outside = outside_of(recording, max_gap.seconds, max_gap.typical_s.value_or(0.0));
   for (std::size_t track = 0; track < outside.size(); ++track) {
     for (const TimeSpan& span : outside[track].hidden) {
       all.push_back({static_cast<PointId>(track), span.begins_s, span.ends_s});
@@ -253,21 +272,21 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& lon
     coverage.slow.push_back(gaps[i].track);
     coverage.slowest_interval_s = std::max(coverage.slowest_interval_s, median_s);
   }
-  coverage.longest = gaps;
-  const auto named = coverage.longest.begin() +
-                     static_cast<std::ptrdiff_t>(std::min(Coverage::kMostNamed, gaps.size()));
-  std::partial_sort(coverage.longest.begin(), named, coverage.longest.end(),
-                    [](const Gap& a, const Gap& b) {
-                      if (length_of(a) != length_of(b)) return length_of(a) > length_of(b);
-                      return a.track != b.track ? a.track < b.track : a.begins_s < b.begins_s;
-                    });
-  coverage.longest.erase(named, coverage.longest.end());
-  for (const Outside& outside : outside_of(recording, max_gap.seconds)) {
+  coverage.longest = longest_of(gaps);
+  std::vector<Gap> hidden;
+  PointId bee = 0;
+  for (const Outside& outside :
+       outside_of(recording, max_gap.seconds, max_gap.typical_s.value_or(0.0))) {
     coverage.outside_s += outside.seconds;
     if (outside.seconds > 0.0) ++coverage.bees_partly;
     if (outside.cut_off) ++coverage.bees_cut_off;
     if (outside.unplaced) ++coverage.bees_unplaced;
+    for (const TimeSpan& span : outside.hidden) {
+      hidden.push_back({bee, span.begins_s, span.ends_s});
+    }
+    ++bee;
   }
+  coverage.longest_outside = longest_of(std::move(hidden));
   coverage.in_a_plane = is_in_a_plane(recording) || recording.flat;
   coverage.instants_only = is_of_instants(recording);
   coverage.missing = recording.missing;
@@ -288,9 +307,14 @@ std::string unknown_text(const Coverage& coverage) {
     append(io::counted(coverage.bees_partly, "bee", "bees") + " known for " +
            (coverage.instants_only ? "an instant only, each" : "a part of the recording only"));
     if (coverage.bees_cut_off > 0) {
-      text += " (" + io::grouped(std::uint64_t{coverage.bees_cut_off}) +
-              (coverage.in_a_plane ? " of which appear or vanish on their way)"
-                                   : " of which begin or end in the air while others fly)");
+      const bool one = coverage.bees_cut_off == 1;
+      text += " (" + io::grouped(std::uint64_t{coverage.bees_cut_off}) + " of which ";
+      if (coverage.in_a_plane) {
+        text += one ? "appears or vanishes on its way)" : "appear or vanish on their way)";
+      } else {
+        text +=
+            std::string(one ? "begins or ends" : "begin or end") + " in the air while others fly)";
+      }
     }
     if (coverage.bees_unplaced > 0) {
       append(io::grouped(std::uint64_t{coverage.bees_unplaced}) +

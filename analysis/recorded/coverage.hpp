@@ -50,6 +50,8 @@ struct Coverage {
   // Each bee is known for an instant, while time goes on: that of two bees at one is chance.
   bool instants_only = false;
   double outside_s = 0.0;  // before the first and after the last fix, summed over the bees
+  // Of the times before and after in which some are there: the longest, at most kMostNamed.
+  std::vector<Gap> longest_outside = {};
   io::MissingRecords missing;
 
   static constexpr std::size_t kMostNamed = 3;

@@ -68,7 +68,7 @@ std::string_view known_by_heights(io::Frame frame, io::Unit unit, io::HeightDatu
 }  // namespace
 
 DefaultThreshold default_threshold(const io::Recording& recording, double otherwise_m) {
-  if (recording.declared_threshold_m) {
+  if (recording.declared_threshold_m.value_or(0.0) > 0.0) {
     return {*recording.declared_threshold_m, ", as the input declares"};
   }
   if (recording.show) {
@@ -82,6 +82,12 @@ DefaultThreshold default_threshold(const io::Recording& recording, double otherw
 
 std::optional<Error> threshold_needed(const io::Recording& recording,
                                       const std::optional<io::StatedLength>& typed) {
+  if (!typed && recording.declared_threshold_m == 0.0) {
+    return Error{ErrorCode::kInvalidThreshold,
+                 "the show declares a least distance of 0 (settings.validation.minDistance), which "
+                 "no two can fall short of: say how close is too close, as in --threshold 2",
+                 {}};
+  }
   if (says_enough(typed) || recording.show) return std::nullopt;
   if (!typed && recording.declared_threshold_m) return std::nullopt;
   const std::string_view by =

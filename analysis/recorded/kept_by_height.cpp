@@ -108,7 +108,8 @@ Result<std::optional<KeptByHeight>> kept_by_height(const io::Recording& recordin
     return std::optional(kept);
   }
   if (!found) return std::move(found).error();
-  leave_out_standing(recording, found->conflicts);
+  const auto left_out = leave_out_standing(recording, *tracks, over_ground, found->conflicts);
+  if (!left_out) return left_out.error();
   constexpr double kLonger = 1.01;  // than what rounding makes of it
   const TimeOfPairs in_space_s = time_in_conflict(conflicts);
   const auto is_in_space = [&](const Conflict& conflict) {

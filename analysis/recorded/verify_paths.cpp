@@ -5,6 +5,7 @@
 #include "analysis/recorded/earth_flights.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/flights.hpp"
+#include "analysis/recorded/landed_times.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
 
@@ -32,7 +33,7 @@ class PathVerification {
                            : flights_of(recording, question.with_velocities, question.max_gap_s)) {}
 
   Result<PathVerdict> operator()(const std::function<void(double)>& progress) {
-    const bool as_replayed = on_earth_ || question_.vertical;
+    const bool as_replayed = on_earth_ || question_.vertical || says_who_has_landed(recording_);
     if (auto error = as_replayed ? replay_pairs() : check_pairs()) return *std::move(error);
     if (question_.ignore_below_m) {
       verdict_.low = leave_out_low(recording_, *question_.ignore_below_m, verdict_.losses);
@@ -78,9 +79,12 @@ class PathVerification {
     verdict_.losses = std::move(found->recorded.conflicts);
     verdict_.with_standing = std::move(found->with_standing);
     verdict_.closest = found->closest;
+    verdict_.standing_count = found->standing_count;
     const auto& standing = verdict_.with_standing;
-    const bool stands = found->closest && std::find(standing.begin(), standing.end(),
-                                                    *found->closest) != standing.end();
+    const bool stands =
+        found->closest &&
+        (std::find(standing.begin(), standing.end(), *found->closest) != standing.end() ||
+         (verdict_.losses.empty() && both_stand(recording_, *found->closest)));
     verdict_.closest_in_the_air = stands ? found->closest_in_the_air : found->closest;
     verdict_.lines = *std::move(tracks);
     verdict_.curves = std::move(found->curves);

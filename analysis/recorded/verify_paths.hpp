@@ -46,8 +46,9 @@ struct PathVerdict {
   std::optional<Conflict> closest;  // of all; nothing where no two are there at the same time
   // The same of two in the air; it differs where `closest` is with a drone on the ground.
   std::optional<Conflict> closest_in_the_air;
-  LowConflicts low;         // that are left out of the losses, as the question asks
-  bool encounters = false;  // some two are there at the same time
+  std::size_t standing_count = 0;  // left out: of two that both say that they have landed
+  LowConflicts low;                // that are left out of the losses, as the question asks
+  bool encounters = false;         // some two are there at the same time
   // Distances that were decided as `beespace replay` does: the lines and the curves along which.
   std::vector<Track> lines = {};
   VelocityCurves curves = {};
@@ -67,8 +68,9 @@ struct PathVerdict {
   }
 };
 
-// In degrees, and with a vertical threshold, distances are decided as `beespace replay` does: along
-// straight lines, and as possible along the curves with the given velocities.
+// In degrees, with a vertical threshold, and where drones say that they have landed, distances are
+// decided as `beespace replay` does: along straight lines, and as possible along the curves with
+// the given velocities.
 struct PathQuestion {
   // In metres all fixes then have one.
   bool with_velocities = false;

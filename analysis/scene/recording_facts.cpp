@@ -283,7 +283,9 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   if (!curves) return curves.error();
   recorded->conflicts = merged(std::move(recorded->conflicts), curves->conflicts);
   recorded->conflicts = merged(std::move(recorded->conflicts), *standing);
-  facts.standing_count = leave_out_standing(recording, recorded->conflicts);
+  const auto left_out = leave_out_standing(recording, tracks, options, recorded->conflicts);
+  if (!left_out) return left_out.error();
+  facts.standing_count = *left_out;
   if (facts.standing_count > 0) {
     facts.swarm.notes.push_back("conflicts of two that both stand on the ground, left out: " +
                                 io::grouped(facts.standing_count));
@@ -298,6 +300,12 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
         closest_of(without(recorded->conflicts, *standing), *in_space, max_gap.seconds, request);
     if (!in_the_air) return in_the_air.error();
     facts.closest_in_the_air = *in_the_air;
+  } else if (recorded->conflicts.empty() && facts.closest &&
+             both_stand(recording, *facts.closest)) {
+    const auto flying =
+        closest_of_flying(recording, *in_space, max_gap.seconds, {request.threads, request.stop});
+    if (!flying) return flying.error();
+    facts.closest_in_the_air = *flying;
   }
   // It was decided that they are not closer than that, whatever rounding makes of it.
   if (recording.show && recorded->conflicts.empty() && facts.closest && !options.inclusive &&

@@ -55,6 +55,9 @@ void append_coverage(std::string& out, const analysis::Coverage& coverage,
             (coverage.bees_unplaced == 0 ? ""
                                          : "; " + red(io::grouped(coverage.bees_unplaced)) +
                                                " of them there then, in records without a place"));
+    for (const Gap& gap : coverage.longest_outside) {
+      append_summary_line(out, "", printable(analysis::gap_text(gap, recording)));
+    }
   }
   append_missing(out, coverage.missing);
 }

@@ -152,7 +152,15 @@ void append_losses(std::string& out, const PathFindings& findings, const Distanc
   }
   const std::size_t in_the_air = losses.size();
   losses.insert(losses.end(), standing.begin(), standing.end());
-  if (losses.empty()) return append_summary_line(out, "losses", bold("none"));
+  const std::size_t on_ground = findings.verdict.standing_count;
+  if (losses.empty()) {
+    return append_summary_line(
+        out, "losses",
+        bold("none") + (on_ground == 0
+                            ? ""
+                            : " (left out: " + io::counted(on_ground, "conflict", "conflicts") +
+                                  " of two that both stand on the ground)"));
+  }
   append_summary_line(out, "losses",
                       red(io::counted(losses.size(), "conflict", "conflicts")) +
                           (standing.empty() ? ""
@@ -177,12 +185,9 @@ void append_closest(std::string& out, const PathFindings& findings, const Distan
                                alone ? kNoPair : "no two are there at the same time");
   }
   std::string text = encounter_text(*verdict.closest, findings.recording, distances);
-  const auto stands = [&](PointId bee) {
-    return analysis::has_landed(findings.recording, bee, verdict.closest->closest_s);
-  };
-  if (stands(verdict.closest->first) && stands(verdict.closest->second)) {
-    text += ", both on the ground";
-  }
+  const bool both_stand =
+      verdict.losses.empty() && analysis::both_stand(findings.recording, *verdict.closest);
+  if (both_stand) text += ", both on the ground";
   if (verdict.closest == verdict.closest_in_the_air) {
     return append_summary_line(out, "closest", text);
   }
@@ -190,8 +195,8 @@ void append_closest(std::string& out, const PathFindings& findings, const Distan
     append_summary_line(out, "closest",
                         encounter_text(*verdict.closest_in_the_air, findings.recording, distances));
   }
-  append_summary_line(out, verdict.closest_in_the_air ? "" : "closest",
-                      text + ", " + kWithStanding);
+  if (!both_stand) text += ", " + std::string(kWithStanding);
+  append_summary_line(out, verdict.closest_in_the_air ? "" : "closest", text);
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -365,7 +370,7 @@ void write_verdict(io::JsonWriter& json, const PathFindings& findings,
   }
   json.member("breach_count", verdict.breaches.size());
   write_pair(json, "closest", verdict.closest, recording);
-  if (verdict.with_standing.empty()) return;
+  if (verdict.with_standing.empty() && verdict.closest == verdict.closest_in_the_air) return;
   json.member("with_standing_count", verdict.with_standing.size());
   write_pair(json, "closest_in_the_air", verdict.closest_in_the_air, recording);
 }

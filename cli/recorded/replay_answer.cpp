@@ -88,9 +88,9 @@ void write_findings(io::JsonWriter& json, const analysis::Findings& findings,
     write_row(json, row.columns, row.rows.front());
   };
   write("closest", findings.closest);
-  if (findings.with_standing.empty()) return;
-  json.member("with_standing_count", findings.with_standing.size());
   const auto& in_the_air = findings.closest_in_the_air;
+  if (findings.with_standing.empty() && !in_the_air) return;
+  json.member("with_standing_count", findings.with_standing.size());
   write("closest_in_the_air", in_the_air ? in_the_air : findings.closest);
 }
 

@@ -135,25 +135,22 @@ void append_closest(std::string& out, const analysis::Findings& findings,
   const bool conflict = std::count(conflicts.begin(), conflicts.end(), *findings.closest) > 0;
   std::string text = encounter_text(*findings.closest, findings.recording, distances,
                                     conflict ? Told::kConflict : Told::kDistance);
-  const auto stands = [&](PointId bee) {
-    return analysis::has_landed(findings.recording, bee, findings.closest->closest_s);
-  };
-  if (stands(findings.closest->first) && stands(findings.closest->second)) {
-    text += ", both on the ground";
-  }
+  const bool both_stand =
+      conflicts.empty() && analysis::both_stand(findings.recording, *findings.closest);
+  if (both_stand) text += ", both on the ground";
   const auto& low = findings.low.left_out;
   if (std::find(low.begin(), low.end(), *findings.closest) != low.end()) text += ", left out";
-  if (!std::count(findings.with_standing.begin(), findings.with_standing.end(),
-                  *findings.closest)) {
-    return append_summary_line(out, "closest", text);
-  }
+  const auto& standing = findings.with_standing;
+  const bool one_stands =
+      std::find(standing.begin(), standing.end(), *findings.closest) != standing.end();
+  if (!one_stands && !both_stand) return append_summary_line(out, "closest", text);
+  if (one_stands) text += ", " + std::string(kWithStanding);
   if (findings.closest_in_the_air) {
     append_summary_line(
         out, "closest",
         encounter_text(*findings.closest_in_the_air, findings.recording, distances));
   }
-  append_summary_line(out, findings.closest_in_the_air ? "" : "closest",
-                      text + ", " + kWithStanding);
+  append_summary_line(out, findings.closest_in_the_air ? "" : "closest", text);
 }
 
 void append_worst(std::string& out, const analysis::Findings& findings,

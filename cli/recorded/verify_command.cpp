@@ -5,6 +5,7 @@
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/earth_flights.hpp"
 #include "analysis/recorded/gaps.hpp"
+#include "analysis/recorded/landed_times.hpp"
 #include "analysis/recorded/verify_paths.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/progress_bar.hpp"
@@ -227,7 +228,10 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
                      moving.ignore_below_m || asks_of_curves(request.limits);
   const auto times_s = asked ? Result<std::vector<double>>(std::vector<double>())
                              : analysis::common_times(*recording);
-  if (asked || (!times_s && goes_along_curves(*recording))) {
+  // In steps nothing is known of who stands on the ground, and logs are judged as by `replay`.
+  const bool lands = recording->bees.size() > 1 &&
+                     (recording->of_drones || analysis::says_who_has_landed(*recording));
+  if (asked || ((!times_s || lands) && goes_along_curves(*recording))) {
     return verify_along_curves(request, *recording, *obstacles, *output, progress, watch);
   }
   if (!times_s) return times_s.error();

@@ -158,8 +158,13 @@ class FlightReading {
           "this PX4 log has no time of GPS (vehicle_gps_position), only one since the drone "
           "was switched on, so that it shares no clock with other inputs; read it alone, leave it "
           "out, or, if you know how far the clocks are apart, make tables with a common time: "
-          "ulog2csv -m vehicle_local_position FILE (pip install pyulog), add that to timestamp; "
-          "docs/recipes/px4-logs.md has the lines",
+          "ulog2csv -m vehicle_local_position FILE (pip install pyulog), and of each, with what "
+          "its "
+          "clock is ahead, awk -F, -v ahead_s=SECONDS "
+          "'NR==1{for(i=1;i<=NF;i++)c[$i]=i;print\"time_s,x_m,y_m,z_m\";next}"
+          "{printf\"%.6f,%s,%s,%.9g\\n\",$c[\"timestamp\"]/"
+          "1e6+ahead_s,$c[\"y\"],$c[\"x\"],-$c[\"z\"]}' "
+          "FILE_vehicle_local_position_0.csv > NAME.csv (all must count metres from one place)",
           {}};
     }
     if (log_.clock->spread_micros <= kMostSpreadMicros) return std::nullopt;

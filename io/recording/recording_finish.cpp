@@ -341,8 +341,8 @@ Result<Recording> RecordingAssembly::finish() {
   if (std::any_of(recording_.bees.begin(), recording_.bees.end(),
                   [](const RecordedBee& bee) { return !bee.landed.empty(); })) {
     note(
-        "drones that say that they have landed stand on the ground: in 'replay' and on pages two "
-        "that both stand are no conflict; --grounded takes them for flying");
+        "drones that say that they have landed stand on the ground: two that both stand "
+        "are no conflict; --grounded takes them for flying");
   }
   if (auto error = doubtful_units()) return *std::move(error);
   if (recording_.height_unit == Unit::kMetre) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <string>
@@ -82,7 +83,9 @@ class LimitReader {
       error.location.source = place;
       return error;
     }
-    if (value > 0.0) return std::optional(value);
+    // A distance of zero promises none: what is too close is then asked for.
+    const bool none = value == 0.0 && if_not_above == ErrorCode::kInvalidThreshold;
+    if (value > 0.0 || none) return std::optional(std::abs(value));
     return Error{
         if_not_above, path + " is not above zero; correct it, or remove it from the show", {place}};
   }

@@ -44,6 +44,26 @@ std::string call_of(const VehicleColumns& vehicle) {
   return call + ")";
 }
 
+// The name that the time has in the long table.
+std::string time_name(const std::string& named) {
+  return means_itself(named) ? named : "time";
+}
+
+// What is asked at once otherwise, and what nothing in the long table says: drones of a show keep a
+// distance of metres.
+std::string replay_options(const std::string& time, const std::vector<VehicleColumns>& vehicles) {
+  std::string options;
+  const bool drones = std::all_of(
+      vehicles.begin(), vehicles.end(),
+      [](const VehicleColumns& vehicle) { return lower_case(vehicle.name).starts_with("drone"); });
+  if (drones) options += " --threshold 2";
+  const ColumnMeaning meaning = read_column_name(track_columns(), time);
+  if (meaning.role == Role::kFrame) return options + " --fps N (how many pictures a second has)";
+  const bool unit_is_known = meaning.unit != Unit::kUnstated || meaning.since_1970;
+  return unit_is_known ? options
+                       : options + " --time-unit s (or ms, or us: whichever '" + time + "' is in)";
+}
+
 }  // namespace
 
 std::string long_table_recipe(const TableLayout& table,
@@ -67,13 +87,14 @@ std::string long_table_recipe(const TableLayout& table,
   text += "' '{sub(/\\r$/,\"\")}";
   text += std::string("function p(i,a,b") + (high ? ",c" : "") + "){if($a!=\"\")print $" +
           std::to_string(*time + 1) + "\",\"i\",\"$a\",\"$b" + (high ? "\",\"$c" : "") + "}";
-  text += "NR==" + std::to_string(table.lines_before) + "{print \"" +
-          (means_itself(named) ? named : "time") + ",id,x" + end + ",y" + end +
-          (high ? ",z" + end : "") + "\"}NR>" + std::to_string(table.lines_before) + "{";
+  text += "NR==" + std::to_string(table.lines_before) + "{print \"" + time_name(named) + ",id,x" +
+          end + ",y" + end + (high ? ",z" + end : "") + "\"}NR>" +
+          std::to_string(table.lines_before) + "{";
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     text += (i == 0 ? "" : ";") + call_of(vehicles[i]);
   }
-  return text + "}' FILE > long.csv";
+  return text + "}' FILE > long.csv, and then beespace replay long.csv" +
+         replay_options(time_name(named), vehicles);
 }
 
 }  // namespace beespace::io

@@ -125,6 +125,13 @@ std::optional<Error> nameless_position(const Header& header) {
   }
   if (auto problem = nested_problem(table)) return problem;
   if (auto problem = lights_problem(table)) return problem;
+  if (table.names.size() == 1 && table.columns == 1) {
+    return missing("the first line has one cell, '" + table.names.front() +
+                   "', and no header that tells the columns: if it is the name of the drone, leave "
+                   "it out, as by sed 1d FILE > plain/FILE in a new folder 'plain', and say which "
+                   "columns are which, as in beespace replay plain --columns "
+                   "frame=1,x=2,y=3,z=4 --fps N, or time=1,x=2,y=3,z=4");
+  }
   if (!table.names.empty()) {
     const std::string metric = offered_columns(header, false);
     return missing("the header names no position (x and y, or longitude and latitude)" +
@@ -137,7 +144,8 @@ std::optional<Error> nameless_position(const Header& header) {
   }
   return missing(std::string("there is no header that tells the columns") +
                  (table.columns >= 5 ? "; say which is which, for example with --columns "
-                                       "id=1,time=2,x=3,y=4,z=5 ("
+                                       "id=1,time=2,x=3,y=4,z=5, or, where each file is one bee, "
+                                       "time=1,x=2,y=3,z=4, or frame=1,x=2,y=3,z=4 with --fps N ("
                                      : "; needed are columns of numbers for the time, for x and y "
                                        "or longitude and latitude, and perhaps for an id and the "
                                        "height; name them in a header or with --columns (") +

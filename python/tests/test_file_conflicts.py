@@ -281,7 +281,7 @@ def test_curves_are_followed_as_closely_as_is_asked(tolerance):
     [
         ("fine", ""),
         ("gap", "2 bees unknown for"),
-        ("cut_off", "1 of which begin or end in the air"),
+        ("cut_off", "1 of which begins or ends in the air"),
         ("zeros", "5 records were left out"),
         ("jumps", "1 bee jumps"),
         ("shared_id", "1 id seems to be of two bees"),

@@ -240,13 +240,15 @@ void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawi
   drawing.shapes.emplace_back(line);
   // Where heights are compared apart, the closest two in conflict need not be on the line.
   if (facts.closest && (!facts.swarm.vertical_m || facts.conflicts.empty())) {
-    const Conflict& closest = *facts.closest;
+    // Two that both stand are not on the line.
+    const bool both_stand = facts.closest_in_the_air && !facts.closest_stands;
+    const Conflict& closest = both_stand ? *facts.closest_in_the_air : *facts.closest;
+    const auto& apart = both_stand ? facts.closest_in_the_air_apart : facts.closest_apart;
     const Spot at = {panel.across.scale(closest.closest_s), panel.upwards.scale(closest.closest_m)};
-    const double baseline =
-        draw_ring(box, at,
-                  apart_words(facts.swarm, closest.closest_m, facts.closest_apart) +
-                      (facts.closest_stands ? kWithOneOnTheGround : ""),
-                  drawing, panel.upwards.scale(facts.swarm.threshold_m));
+    const double baseline = draw_ring(box, at,
+                                      apart_words(facts.swarm, closest.closest_m, apart) +
+                                          (facts.closest_stands ? kWithOneOnTheGround : ""),
+                                      drawing, panel.upwards.scale(facts.swarm.threshold_m));
     // The label of the threshold keeps off this one.
     line.runs.emplace_back(kRingSpots);
     for (std::size_t i = 0; i < kRingSpots; ++i) {

@@ -65,6 +65,20 @@ TEST(Coverage, CountsGapsAndTheTimeBeforeTheFirstAndAfterTheLastFix) {
   EXPECT_EQ(gap_text(gaps.front(), recording), "a from 1.00 s for 49 s");
 }
 
+// The first fixes of drones never fall on one instant.
+TEST(Coverage, LessThanATypicalIntervalIsNoPartOfItsOwn) {
+  io::Recording recording;
+  recording.bees = {bee_at("a", {0, 1, 2, 3}), bee_at("b", {0.5, 1.5, 2.5})};
+  const Coverage coverage = coverage_of(recording, {}, {5.0, 1.0});
+  EXPECT_EQ(coverage.bees_partly, 0U);
+  EXPECT_TRUE(coverage.complete());
+  EXPECT_EQ(unknown_text(coverage), "");
+  recording.bees[1].fixes.pop_back();
+  EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_partly, 1U);
+  recording.bees[1].fixes = {{0.5, {}}};
+  EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_partly, 1U) << "an instant only";
+}
+
 // A drone of a show that lands stands there from then on; one whose path ends in the air may be
 // anywhere.
 TEST(Coverage, DronesOfAShowAreKnownWhileTheyStandOnTheGround) {
@@ -79,7 +93,7 @@ TEST(Coverage, DronesOfAShowAreKnownWhileTheyStandOnTheGround) {
   EXPECT_EQ(coverage.bees_cut_off, 1U);
   EXPECT_TRUE(coverage.may_hide_conflicts());
   EXPECT_EQ(unknown_text(coverage),
-            "1 bee known for a part of the recording only (1 of which begin or end in the air "
+            "1 bee known for a part of the recording only (1 of which begins or ends in the air "
             "while others fly)");
 }
 
@@ -227,7 +241,7 @@ TEST(Coverage, OnTheEarthWithoutHeightsWhoVanishesOnItsWayIsLost) {
   const Coverage coverage = coverage_of(recording, {}, max_gap);
   EXPECT_EQ(coverage.bees_partly, 3U);
   EXPECT_EQ(unknown_spans(recording, {}, max_gap), (std::vector<Gap>{{2, 10.0, 20.0}}));
-  EXPECT_NE(unknown_text(coverage).find("1 of which appear or vanish on their way"),
+  EXPECT_NE(unknown_text(coverage).find("1 of which appears or vanishes on its way"),
             std::string::npos);
 }
 

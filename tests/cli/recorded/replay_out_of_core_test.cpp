@@ -336,7 +336,8 @@ TEST_F(ReplayOutOfCore, WhereBeesAreNotKnownIsNoAllClearEither) {
              std::to_string(10 * frame + 50) + "\n";
     if (frame < 30) video += "b" + at + "300," + std::to_string(300 - frame) + "\n";
   }
-  unknown(video, "1 of which appear or vanish on their way", {"--fps", "10", "--threshold", "2mm"});
+  unknown(video, "1 of which appears or vanishes on its way",
+          {"--fps", "10", "--threshold", "2mm"});
   // On the Earth, without heights.
   std::string earth = "id,time_s,lon,lat\n";
   for (int t = 0; t < 60; ++t) {
@@ -345,7 +346,7 @@ TEST_F(ReplayOutOfCore, WhereBeesAreNotKnownIsNoAllClearEither) {
              std::to_string(46.99 + 1e-3 * t) + "\n";
     if (t < 30) earth += "b" + at + std::to_string(8.001 + 1e-5 * t) + ",47.005\n";
   }
-  unknown(earth, "1 of which appear or vanish on their way");
+  unknown(earth, "1 of which appears or vanishes on its way");
   // Against stated rates: b climbs 3,000 m in a second, as it would not by its own climb rate.
   std::string rates = "id,time_s,lon,lat,height_m,ve,vn,vu\n";
   for (int t = 0; t < 40; ++t) {

@@ -57,6 +57,17 @@ TEST_F(ShowReplay, AShowThatKeepsTheDistanceThatItDeclaresIsFine) {
                 "verdict    keeps its distance\n", "closest    left and right, 3.000 m apart at "});
 }
 
+// It promises none: what is too close is asked for.
+TEST_F(ShowReplay, ADistanceOfZeroIsSettledByAThreshold) {
+  const Finished asked = replay(declaring("0"));
+  EXPECT_NE(asked.exit_code, 0);
+  expect_parts(asked.err, {"declares a least distance of 0", "as in --threshold 2"});
+  EXPECT_EQ(replay(declaring("0"), {"--threshold", "2.5", "--fail-on-risk"}).exit_code, 0);
+  const std::string show = folder_.file("show.json", declaring("0"));
+  EXPECT_EQ(run({"verify", show, "--threshold", "2.5"}).exit_code, 0);
+  EXPECT_EQ(run({"verify", show, "--threshold", "3.5"}).exit_code, 1);
+}
+
 // Where it is after the end of its path is not known: it may be in the way of the other.
 TEST_F(ShowReplay, ADroneWhosePathEndsInTheAirIsNoAllClear) {
   const std::string show =
@@ -67,7 +78,7 @@ TEST_F(ShowReplay, ADroneWhosePathEndsInTheAirIsNoAllClear) {
   expect_parts(
       finished.err,
       {"verdict    no conflict in the known time; 1 bee known for a part of the recording "
-       "only (1 of which begin or end in the air while others fly)\n",
+       "only (1 of which begins or ends in the air while others fly)\n",
        "before the first or after the last fix, for 9 s in all; 1 of them in the air then\n"});
   const Finished verified = run({"verify", folder_.file("show.json", show)});
   EXPECT_EQ(verified.exit_code, 1);

@@ -38,7 +38,11 @@ TEST(SeveralVehicles, ALineOfAwkMakesRecords) {
                {ErrorCode::kMissingColumn, "bees.csv:1",
                 "as by awk -F',' '{sub(/\\r$/,\"\")}function p(i,a,b){if($a!=\"\")print "
                 "$1\",\"i\",\"$a\",\"$b}NR==1{print \"time_s,id,x_mm,y_mm\"}NR>1{p(\"r1\",2,3);p("
-                "\"r2\",4,5)}' FILE > long.csv"});
+                "\"r2\",4,5)}' FILE > long.csv, and then beespace replay long.csv; if"});
+  expect_error(load_with("time,drone1_x,drone1_y,drone1_z,drone2_x,drone2_y,drone2_z"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "and then beespace replay long.csv --threshold 2 --time-unit s (or ms, or us: "
+                "whichever 'time' is in); if"});
 }
 
 TEST(SeveralVehicles, WhoSaysWhichColumnsIsBelieved) {
