@@ -124,7 +124,7 @@ complete -c beespace -n '__fish_seen_subcommand_from watch' -x -l max-skew -d 'C
 complete -c beespace -n '__fish_seen_subcommand_from watch' -x -l max-bees -d 'So many bees are known at a time (default: 1000000)'
 complete -c beespace -n '__fish_seen_subcommand_from watch' -x -l speed -d 'Read a recording as fast as it happened, times this'
 complete -c beespace -n '__fish_seen_subcommand_from watch' -x -l rate -d 'Read so many reports a second at most'
-complete -c beespace -n '__fish_seen_subcommand_from watch' -x -l threshold -d 'Closer than this is too close (default: 100)'
+complete -c beespace -n '__fish_seen_subcommand_from watch' -x -l threshold -d 'Closer than this is too close (default: 100; of logs of drones, 5)'
 complete -c beespace -n '__fish_seen_subcommand_from watch' -x -l vertical -d 'Too close only if closer than this in height too; the threshold is then horizontal. Of degrees, the distance shown is then hypot(ground, height)'
 complete -c beespace -n '__fish_seen_subcommand_from watch' -x -l separation -a 'enroute terminal well-clear-suas nmac' -d 'Both of these by name: enroute (5 NM, 1000 ft) and terminal (3 NM, 1000 ft) of ICAO Doc 4444, well-clear-suas (2000 ft, 250 ft) of ASTM F3442, nmac (500 ft, 100 ft) of RTCA DO-365'
 complete -c beespace -n '__fish_seen_subcommand_from watch' -x -l threads -d 'How many threads work (default: 1; 0: all)'

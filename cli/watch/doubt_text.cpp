@@ -2,6 +2,7 @@
 
 #include "cli/console/terminal.hpp"
 #include "io/bytes/number_text.hpp"
+#include "io/problems/excerpt.hpp"
 
 namespace beespace::cli {
 namespace {
@@ -32,6 +33,19 @@ std::string shared_text(const std::string& bee, const std::string& line, double 
 std::string contrary_text(const std::string& bee, double time_s) {
   return "beespace: left out: " + printable(bee) + " is said to be at two places at " +
          io::exact(time_s) + " s; the first one counts\n";
+}
+
+Error own_clocks_problem(const std::string& first, const io::ReportLine& second, bool live) {
+  const std::string arrival = live ? "take the time at which each report comes, --clock arrival"
+                                   : "of reports as they come, not of a file, take the time at "
+                                     "which each comes, --clock arrival";
+  return {ErrorCode::kInvalidArgument,
+          io::excerpt(second.own_clock) +
+              " counts from when each vehicle was switched on, but here are several (" +
+              io::excerpt(first) + ", " + io::excerpt(second.id) +
+              "): then they cannot be compared; use a time of one clock, or " + arrival +
+              ", or, if these have one clock, say so with the unit of the times, as --time-unit ms",
+          {}};
 }
 
 Error none_understood(const std::vector<Error>& errors) {

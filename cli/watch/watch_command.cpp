@@ -1,6 +1,7 @@
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/live/live_feed.hpp"
+#include "analysis/recorded/default_threshold.hpp"
 #include "cli/console/signals.hpp"
 #include "cli/console/standard_output.hpp"
 #include "cli/console/terminal.hpp"
@@ -66,6 +67,7 @@ class Watch {
       came_s_ = source->looked_s();
       if (*got == LineSource::Got::kLine || *got == LineSource::Got::kFrame) {
         const bool frame = *got == LineSource::Got::kFrame;
+        if (frame) take_default_of_drones();
         const auto read = frame ? lines_.take_frame(line) : lines_.take(line);
         if (const Status done = take(read); !done) return done.error();
       } else {
@@ -235,6 +237,7 @@ class Watch {
       if (bee) no_places_.forget(*bee);
       return std::monostate{};
     }
+    if (auto apart = clocks_apart(at)) return *std::move(apart);
     if (counts_as_none(no_places_.zero(at), at.id)) return std::monostate{};
     if (!feed_) {
       const bool asked = request_.lines.frame == io::Frame::kMetres;
@@ -298,15 +301,34 @@ class Watch {
     return came_s_ + since_1970_;
   }
 
+  // What is too close in logs of drones where nothing says it, as 'replay' has it.
+  void take_default_of_drones() {
+    if (request_.threshold || feed_) return;
+    request_.swarm.threshold_m = analysis::kDefaultDroneThreshold_m;
+    if (request_.advice) request_.advice->options.threshold_m = request_.swarm.threshold_m;
+  }
+
+  // A second vehicle whose times count from when it was switched on, as those of the first do.
+  std::optional<Error> clocks_apart(const io::ReportLine& at) {
+    if (at.own_clock.empty() || request_.by_arrival) return std::nullopt;
+    if (!own_clock_of_) own_clock_of_ = at.id;
+    if (*own_clock_of_ == at.id) return std::nullopt;
+    return placed(own_clocks_problem(*own_clock_of_, at, live_));
+  }
+
+  // Where the report is that was read last.
+  [[nodiscard]] Error placed(Error error) const {
+    error.location.source = request_.input == "-" ? "<stdin>" : request_.input;
+    (lines_.in_frames() ? error.location.record : error.location.line) = line_number();
+    return error;
+  }
+
   // The report that was read last counts as none, if there is a reason: its bee is silent.
   bool counts_as_none(const std::optional<std::string>& why, std::string_view id) {
     if (!why) return false;
     note_heard_of(id);
-    Error error{ErrorCode::kOutsideDomain,
-                "this report " + *why + " and counts as none",
-                {request_.input == "-" ? "<stdin>" : request_.input}};
-    (lines_.in_frames() ? error.location.record : error.location.line) = line_number();
-    note_bad(error);
+    note_bad(
+        placed({ErrorCode::kOutsideDomain, "this report " + *why + " and counts as none", {}}));
     return true;
   }
 
@@ -395,7 +417,7 @@ class Watch {
                           perhaps_frozen_});
   }
 
-  const WatchRequest& request_;
+  WatchRequest request_;
   io::ReportLines lines_;
   Pace pace_;
   io::Frame frame_ = io::Frame::kMetres;  // once there is a feed
@@ -404,7 +426,8 @@ class Watch {
   std::optional<analysis::LiveFeed> feed_;
   std::optional<LiveAdvice> advice_;
   WatchTally tally_;
-  std::vector<Error> not_understood_;  // before the first that was
+  std::optional<std::string> own_clock_of_;  // the first bee, where each has a zero of its own
+  std::vector<Error> not_understood_;        // before the first that was
   bool live_ = false;
   double came_s_ = 0.0;      // when the last line came, or nothing did
   double reported_s_ = 0.0;  // when the last report that advice was told of came

@@ -56,10 +56,12 @@ std::string watch_summary(const WatchFacts& facts) {
       out, "bees",
       io::grouped(counts.agents) + " heard of, " + io::grouped(counts.stale) + " stale");
   if (facts.feed != nullptr) facts.tally.append_unknown(out, *facts.feed);
+  const bool of_drones = facts.lines.in_frames() && !request.threshold;
   append_summary_line(out, "threshold",
                       separation_text(request.swarm.threshold_m, request.swarm.vertical_m, false,
                                       request.threshold, request.vertical) +
-                          usual_text(request.separation));
+                          usual_text(request.separation) +
+                          (of_drones ? ", the default of logs of drones (--threshold)" : ""));
   if (facts.feed != nullptr) facts.tally.append_events(out, *facts.feed, left_out);
   if (facts.advice != nullptr) append_advice_counts(out, facts);
   return out;

@@ -28,6 +28,13 @@ double unknown_s(const std::vector<Silence>& silences) {
   return sum_s;
 }
 
+// Whose clocks differ: where these bees were at one moment is not known; or nothing.
+std::string clocks_text(const analysis::LiveFeed& feed) {
+  if (feed.apart() == 0) return {};
+  return several(feed.apart(), "bee's clock differs from the others'",
+                 "bees' clocks differ from those of the others");
+}
+
 // What has been heard and is not in the answer.
 std::vector<std::string> untaken(const analysis::LiveFeed& feed, const LeftOutOfWatch& left_out) {
   std::vector<std::string> texts;
@@ -56,8 +63,6 @@ std::vector<std::string> doubtful(const analysis::LiveFeed& feed, const LeftOutO
     if (count > 0) texts.push_back(several(count, one, many));
   };
   add(feed.clocks().named(), "bee's clock was off", "bees' clocks were off");
-  add(feed.apart(), "bee's clock differs from the others'",
-      "bees' clocks differ from those of the others");
   if (left_out.feet_doubted) texts.emplace_back("heights may be in metres, not in feet");
   if (feed.begun_anew() > 0) texts.emplace_back("all clocks began anew");
   if (feed.heard_of() == 1 && left_out.nowhere == 0) {
@@ -80,6 +85,7 @@ std::vector<std::string> doubtful(const analysis::LiveFeed& feed, const LeftOutO
 
 bool WatchTally::risk(const analysis::LiveFeed& feed, const LeftOutOfWatch& left_out) const {
   if (!untaken(feed, left_out).empty() || !doubtful(feed, left_out).empty()) return true;
+  if (feed.apart() > 0) return true;
   return told(EventKind::kEntered) > 0 || told(EventKind::kLost) > 0 ||
          told(EventKind::kPossible) > 0 || told(EventKind::kOverloaded) > 0 ||
          (told(EventKind::kStale) > 0 && !speed_stated_);
@@ -155,9 +161,13 @@ void WatchTally::append_events(std::string& out, const analysis::LiveFeed& feed,
 
 std::string WatchTally::verdict(const analysis::LiveFeed& feed,
                                 const LeftOutOfWatch& left_out) const {
+  const std::string clocks = clocks_text(feed);
+  const bool known = clocks.empty() || told(EventKind::kEntered) > 0;
   std::string text;
   if (told(EventKind::kEntered) > 0) {
     text = red(several(told(EventKind::kEntered), "conflict", "conflicts"));
+  } else if (!known) {
+    text = "not known, as " + red(clocks);
   } else {
     text = "no conflict";
   }
@@ -176,6 +186,7 @@ std::string WatchTally::verdict(const analysis::LiveFeed& feed,
     if (!speed_stated_) text += " (state --max-speed, and it is said whom they may have met)";
   }
   const char* before = "; ";
+  if (known && !clocks.empty()) text += std::exchange(before, ", ") + red(clocks);
   for (const auto& reasons : {left, doubtful(feed, left_out)}) {
     for (const std::string& reason : reasons) {
       text += std::exchange(before, ", ") + red(reason);

@@ -10,6 +10,7 @@
 #include "io/live/line_reader.hpp"
 #include "io/live/report_layout.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/problems/skipped_records.hpp"
 #include "io/problems/unplaced.hpp"
 #include "io/recording/address_names.hpp"
 #include "io/recording/ros_frames.hpp"
@@ -41,7 +42,7 @@ ColumnContent content_of(JsonElement value) {
 std::string field_text(JsonElement value) {
   std::string_view text;
   if (double number = 0.0; value.get(number)) return exact(number);
-  if (!value.get(text)) return value.is_null() ? "" : "?";
+  if (!value.get(text)) return value.is_null() ? "" : std::string(json_kind(value));
   std::string field(text.substr(0, 40));
   for (char& c : field) {
     if (c == '"' || static_cast<unsigned char>(c) < ' ') c = '?';
@@ -176,7 +177,8 @@ class JsonLines final : public LineReader {
   }
 
   // The layout counts columns; here they are keys.
-  static Error of_keys(Error error) {
+  static Error of_keys(Error problem) {
+    Error error = without_advice(std::move(problem));
     error.location.column.reset();
     if (error.code == ErrorCode::kMissingColumn) {
       error.message.insert(0,
@@ -197,6 +199,7 @@ class JsonLines final : public LineReader {
     ReportLine report;
     report.frame = layout_.frame;
     report.since_1970 = layout_.time->since_1970;
+    if (layout_.time->since_start) report.own_clock = names_[layout_.time->column];
     if (auto error = read_id(report)) return *std::move(error);
     if (layout_.ids_are_addresses) report.id = address_names_.name_of(report.id);
     last_id_ = report.id;

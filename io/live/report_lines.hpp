@@ -56,6 +56,9 @@ struct ReportLine {
   std::optional<Velocity> velocity = {};
   Velocity stated_velocity = kNoVelocity;  // the same with not-a-numbers for what is not known
   bool since_1970 = false;
+  // Which column or key the time is of, where it counts from when each vehicle was switched on, so
+  // that those of several cannot be compared; or nothing. As long as the id.
+  std::string_view own_clock = {};
   bool leaves = false;  // only the id is known: it is there no longer
 };
 

@@ -13,7 +13,10 @@
 #include "io/tracks/utm_zone.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace beespace::io {
 namespace {
@@ -136,6 +139,9 @@ class TableLines final : public LineReader {
     }
     layout_found_ = true;
     layout_ = std::move(layout).value();
+    const std::vector<std::string>& names = layout_.table.names;
+    const std::size_t time = layout_.time->column;
+    own_clock_ = time < names.size() ? names[time] : "column " + std::to_string(time + 1);
     layout_.places_may_be_unknown = false;  // who reports one does not know where it is
     reader_.emplace(layout_);
     auto report = read_record(line);
@@ -182,6 +188,7 @@ class TableLines final : public LineReader {
     report.stated_height = record_.stated_height;
     report.height_unit = layout_.table.choice.height_unit();
     report.since_1970 = layout_.time->since_1970;
+    if (layout_.time->since_start) report.own_clock = own_clock_;
     if (layout_.velocity) set_velocity(report, record_.velocity);
     return std::optional<ReportLine>(report);
   }
@@ -215,6 +222,7 @@ class TableLines final : public LineReader {
   TrackRecord record_;
   std::optional<std::string> zone_;  // of UTM
   RosFrames ros_frames_;
+  std::string own_clock_;  // what the column of the time is called
 };
 
 }  // namespace

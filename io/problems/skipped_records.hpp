@@ -17,10 +17,16 @@ namespace beespace::io {
 // How a message ends while the record is not yet left out.
 inline constexpr std::string_view kOrLeaveOut = ", or leave such records out with --skip-bad";
 
+// Of several files, which what comes line by line is not.
+inline constexpr std::string_view kAndOneClock =
+    " (and, if times of several files count from one zero, --one-clock)";
+
 // The error without that advice, where it cannot be followed.
 inline Error without_advice(Error error) {
-  const std::size_t advice = error.message.rfind(kOrLeaveOut);
-  if (advice != std::string::npos) error.message.erase(advice, kOrLeaveOut.size());
+  for (const std::string_view text : {kOrLeaveOut, kAndOneClock}) {
+    const std::size_t advice = error.message.rfind(text);
+    if (advice != std::string::npos) error.message.erase(advice, text.size());
+  }
   return error;
 }
 

@@ -65,8 +65,11 @@ LongRecords body_records(std::string_view rows, const BodyTable& table) {
         out.append("a row of ").append(std::to_string(fields.size())).append(" values\n");
         continue;
       }
-      const std::string_view time = fields[table.time];
-      if (table.pictures_per_second) {
+      const std::string_view time = table.by_line ? std::string_view() : fields[table.time];
+      if (table.by_line) {
+        const auto picture = static_cast<double>(walk.line());
+        out.append(exact(picture / *table.pictures_per_second)) += kUnitSeparator;
+      } else if (table.pictures_per_second) {
         out.append(seconds_of(time, *table.pictures_per_second)) += kUnitSeparator;
       } else {
         out.append(time) += kUnitSeparator;

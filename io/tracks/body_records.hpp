@@ -33,6 +33,7 @@ struct BodyTable {
   std::size_t columns = 0;
   std::size_t time = 0;                            // the column of seconds,
   std::optional<double> pictures_per_second = {};  // or of pictures, so many a second
+  bool by_line = false;  // without a column of pictures: each line is the next one
   bool y_is_up = false;
   std::uint64_t lines_before = 0;
 };

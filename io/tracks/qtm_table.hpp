@@ -1,9 +1,14 @@
-// Tables of rigid bodies (6D) that QTM of Qualisys exports, with tabs: lines that begin with words
-// in capitals, then
+// Tables that QTM of Qualisys exports, with tabs: lines that begin with words in capitals, then
+// rigid bodies (6D),
 //
 //   Frame  Time  robot1 X  Y  Z  Roll  Pitch  Yaw  Residual  Rot[0] ... robot2 X  Y  Z ...
 //
-// Lengths are in millimetres; a body that was not seen has a residual of -1.
+// or markers (3D), which a line MARKER_NAMES names, with or without a line of columns:
+//
+//   Frame  Time  m1 X  m1 Y  m1 Z  m2 X  m2 Y  m2 Z
+//
+// Frame and Time may be missing: then each line is a picture, of FREQUENCY a second. Lengths are in
+// millimetres; a body that was not seen has a residual of -1.
 #pragma once
 
 #include "io/recording/recording_assembly.hpp"

@@ -21,6 +21,7 @@
 #include "io/tracks/mavlogdump.hpp"
 #include "io/tracks/motion_capture.hpp"
 #include "io/tracks/offered_columns.hpp"
+#include "io/tracks/places_in_one.hpp"
 #include "io/tracks/planar_poses.hpp"
 #include "io/tracks/record_numbers.hpp"
 #include "io/tracks/ros_table.hpp"
@@ -111,12 +112,14 @@ std::optional<Error> lights_problem(const TableLayout& table) {
 }
 
 // A position must have names: it is not taken from the order of the columns.
-std::optional<Error> nameless_position(const Header& header) {
+std::optional<Error> nameless_position(std::string_view text, const Header& header) {
   const bool overridden = header.override_of(Role::kX) || header.override_of(Role::kLongitude);
   const bool named = (header.has(Role::kX) && header.has(Role::kY)) ||
                      (header.has(Role::kLongitude) && header.has(Role::kLatitude));
   if (overridden || named) return std::nullopt;
   const TableLayout& table = header.table();
+  if (auto problem = place_in_one_value(text, table)) return problem;
+  if (auto problem = columns_of_pandas(text, table)) return problem;
   if (const auto joined = column_of_joined_place(table)) {
     return missing(column_text(table, *joined) +
                    " seems to hold latitude and longitude in one; make two columns of it, as by "
@@ -306,7 +309,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   const auto id = choose_id(header, layout.notes);
   layout.joined_place = joined_place_of(header);
   if (!layout.joined_place) {
-    if (auto problem = nameless_position(header)) return *std::move(problem);
+    if (auto problem = nameless_position(text, header)) return *std::move(problem);
   }
   auto position = layout.joined_place ? choose_joined_place(header, *layout.joined_place)
                                       : choose_position(header);

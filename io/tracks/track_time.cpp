@@ -420,6 +420,7 @@ std::string no_time_text(std::string_view text, const Header& header) {
       like.push_back(i);
     }
   }
+  if (auto steps = text_of_steps(header.table())) return *std::move(steps);
   const auto names = [&header](std::string_view words) {
     return std::any_of(
         header.table().names.begin(), header.table().names.end(),

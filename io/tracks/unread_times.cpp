@@ -1,7 +1,10 @@
 #include "io/tracks/unread_times.hpp"
 
+#include "io/bytes/characters.hpp"
 #include "io/bytes/number.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/problems/skipped_records.hpp"
+#include "io/table/column_names.hpp"
 #include "io/table/column_overrides.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/tracks/excel_days.hpp"
@@ -68,8 +71,8 @@ Error unread_time(const TableLayout& table, std::size_t column, const FirstField
 Error which_unit(const TableLayout& table, std::size_t column, const FirstFields& times) {
   std::string message =
       column_text(table, column) +
-      " holds the time, but in which unit? Say it with --time-unit s, ms, us or ns (and, if times "
-      "of several files count from one zero, --one-clock), or in the header: time_s";
+      " holds the time, but in which unit? Say it with --time-unit s, ms, us or ns" +
+      std::string(kAndOneClock) + ", or in the header: time_s";
   if (may_be_excel_days(times)) message += kExcelDaysAdvice;
   if (may_be_datenums(times)) message.append("; ").append(kDatenumAdvice);
   return at_column(ErrorCode::kInvalidArgument, std::move(message), column);
@@ -110,6 +113,22 @@ std::optional<Error> pandas_timedeltas(std::string_view text, const TableLayout&
                      column);
   }
   return std::nullopt;
+}
+
+std::optional<std::string> text_of_steps(const TableLayout& table) {
+  const auto counts = [](const std::string& name) {
+    return is_one_of(
+        "step steps stepnumber step_number sim_step simstep time_step timestep tick "
+        "ticks iteration iter",
+        plain_name(name));
+  };
+  const auto steps = std::find_if(table.names.begin(), table.names.end(), counts);
+  if (steps == table.names.end()) return std::nullopt;
+  const auto column = static_cast<std::size_t>(steps - table.names.begin());
+  return column_text(table, column) +
+         " seems to count steps, and there is no time; say how many are in a second, as in "
+         "--columns frame=" +
+         std::to_string(column + 1) + " --fps 10 (" + list_columns(table) + ")";
 }
 
 }  // namespace beespace::io

@@ -30,4 +30,7 @@ Error unit_of_datenums(const TableLayout& table, std::size_t column, const First
 // 00:00:01.5".
 std::optional<Error> pandas_timedeltas(std::string_view text, const TableLayout& table);
 
+// What to say where there is no time, but a column of steps, as of a simulation; or nothing.
+std::optional<std::string> text_of_steps(const TableLayout& table);
+
 }  // namespace beespace::io

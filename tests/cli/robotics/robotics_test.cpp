@@ -92,6 +92,17 @@ TEST(Robotics, ATelemetryLogIsWatched) {
   EXPECT_EQ(piped.out, file.out) << piped.err;
 }
 
+TEST(Robotics, ATelemetryLogHasOneDefaultThreshold) {
+  const std::string threshold = "threshold  5 m (closer than), the default of logs of drones";
+  expect_parts(run({"replay", made("both.tlog")}).err, {threshold});
+  const Finished watched = run({"watch", made("both.tlog"), "--horizon", "0"});
+  expect_parts(watched.err, {threshold});
+  EXPECT_EQ(watched.out,
+            run({"watch", made("both.tlog"), "--horizon", "0", "--threshold", "5"}).out);
+  expect_parts(run({"watch", made("both.tlog"), "--threshold", "7"}).err,
+               {"threshold  7 m (closer than)\n"});
+}
+
 // Drone 2 tells no position but that of its satellites; 3 one for unmanned traffic, and a receiver
 // hears of an aircraft. None of the ground station and the devices is missed.
 TEST(Robotics, PositionsByOtherMessagesOfMavlinkAreRead) {
@@ -236,7 +247,8 @@ TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
       {"SQLite format 3", "an SQLite database, as ROS 2 records (.db3)", recipe},
       {"\xA3\x95\x80\x80\x59"
        "FMT",
-       "a DataFlash log of ArduPilot (.bin)", "mavlogdump.py --format csv"},
+       "a DataFlash log of ArduPilot (.bin)",
+       "--columns time=timestamp,lon=Lng,lat=Lat,height=Alt --threshold 5 "},
       {"MATLAB 5.0 MAT-file, Platform", "a file of MATLAB (.mat)", "scipy.io.whosmat('FILE')"},
       {"\x89HDF\r\n\x1A\nrest", "an HDF5 file", "h5py.File('FILE').visititems(print)"},
       {"\x89HDF\r\n\x1A\n..pandas_type..bodyparts..", "an HDF5 file of DeepLabCut",

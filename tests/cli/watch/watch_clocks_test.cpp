@@ -141,8 +141,8 @@ TEST(WatchClocks, ThatDifferByASecondAndAHalfAreNamedAndNoAllClear) {
     expect_parts(clocks[0], {R"("id": "4", "ahead_s": )", R"("right": false, "corrected": false)"});
     expect_parts(finished.err,
                  {"clocks     1 bee's differs from the others', the last named: 4, 1.",
-                  ahead_s > 0.0 ? " s ahead\n" : " s behind, or late\n", "verdict    no conflict",
-                  "1 bee's clock differs from the others'"});
+                  ahead_s > 0.0 ? " s ahead\n" : " s behind, or late\n",
+                  "verdict    not known, as 1 bee's clock differs from the others'\n"});
   }
 }
 
@@ -195,6 +195,34 @@ TEST(WatchClocks, OfManyBeesCostNoMoreWithOneThatIsOff) {
   };
   const double right_s = seconds(right.str());
   EXPECT_LT(seconds(wrong.str()), 3.0 * right_s + 1.0);
+}
+
+// Each counts from when it was switched on, so that nothing tells where two were at one moment.
+TEST(WatchClocks, ThatCountFromWhenEachVehicleWasSwitchedOnAreRefused) {
+  const auto line = [](int id, int time_ms) {
+    return R"({"sysid": )" + std::to_string(id) + R"(, "time_boot_ms": )" +
+           std::to_string(time_ms) +
+           R"(, "lat": 473977420, "lon": 85447992, "alt": 508000, "relative_alt": 20000})" + "\n";
+  };
+  const std::string alone = line(1, 0) + line(1, 200) + line(1, 400);
+  EXPECT_EQ(run({"watch", "--threshold", "5"}, alone).exit_code, 0);
+  const std::string two = line(1, 0) + line(2, 400) + line(1, 200) + line(2, 600);
+  const TemporaryFolder folder;
+  const std::vector<std::string> asked = {"watch", "--threshold", "5", "--fail-on-risk"};
+  expect_failure(asked, two, 2,
+                 "<stdin>:2: 'time_boot_ms' counts from when each vehicle was switched on, but "
+                 "here are several ('1', '2'): then they cannot be compared; use a time of one "
+                 "clock, or take the time at which each report comes, --clock arrival");
+  expect_failure({"watch", "--threshold", "5", folder.file("two.ndjson", two)}, {}, 2,
+                 "or of reports as they come, not of a file");
+  expect_failure(asked, "id,time_boot_ms,x_m,y_m,z_m\na,0,0,0,0\nb,400,1,0,0\n", 2,
+                 "<stdin>:3: 'time_boot_ms' counts from when each vehicle was switched on");
+  for (const std::vector<std::string>& said :
+       {std::vector<std::string>{"--clock", "arrival"}, {"--time-unit", "ms"}}) {
+    std::vector<std::string> command = {"watch", "--threshold", "5"};
+    command.insert(command.end(), said.begin(), said.end());
+    expect_parts(run(command, two).out, {R"("first": "1", "second": "2")"});
+  }
 }
 
 // By the time of arrival, whatever time a report states.

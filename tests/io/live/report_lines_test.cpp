@@ -82,7 +82,8 @@ TEST(ReportLines, NumbersThatAreTooSmallCountAsZero) {
 TEST(ReportLines, WhatTheHeaderLeavesOpenIsAnErrorOfItsLine) {
   for (const auto& [header, record, code, message] :
        std::vector<std::tuple<std::string, std::string, ErrorCode, std::string>>{
-           {"id,time,x,y,z", "a,0,1,2,3", ErrorCode::kInvalidArgument, "in which unit"},
+           {"id,time,x,y,z", "a,0,1,2,3", ErrorCode::kInvalidArgument,
+            "--time-unit s, ms, us or ns, or in the header"},
            {"id,time_s,x,y,z,ref_lat,ref_lon,ref_alt", "a,0,1,2,3,47,8,400",
             ErrorCode::kUnknownFrame, "which each drone has of its own"},
            {"time_s,x,y,z", "0,1,2,3", ErrorCode::kMissingColumn, "there is no id"},
@@ -198,7 +199,13 @@ TEST(ReportLines, ObjectsThatSayTooLittle) {
            {R"({"time_s":0,"x":1,"y":2})", ErrorCode::kMissingColumn, "there is no id"},
            {R"({"id":"a","x":1,"y":2})", ErrorCode::kMissingColumn,
             "neither a time nor a velocity"},
-           {R"({"id":"a","time":0,"x":1,"y":2})", ErrorCode::kInvalidArgument, "which unit"}}) {
+           {R"({"id":"a","time_s":0,"position":[1,2,3]})", ErrorCode::kMissingColumn,
+            "'position' is an array; of three numbers"},
+           {R"({"id":"a","time_s":0,"position":{"x":1,"y":2}})", ErrorCode::kMissingColumn,
+            "jq -c '. + .position | del(.position)' FILE > flat.ndjson"},
+           // Where nothing is said of several files, which watch does not take.
+           {R"({"id":"a","time":0,"x":1,"y":2})", ErrorCode::kInvalidArgument,
+            "Say it with --time-unit s, ms, us or ns, or in the header: time_s"}}) {
     ReportLines lines;
     const auto bad = lines.take(object);
     ASSERT_FALSE(bad.has_value()) << object;

@@ -53,6 +53,21 @@ TEST(BadTrack, MissingColumnsAreNamedWithThoseThatAreThere) {
                       "\"48.166554,2.000000\"\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1",
                 "column 4 'Position' seems to hold latitude and longitude in one; make two"});
+  const auto twice = [](const std::string& object) {
+    return record(object + "\n" + object + "\n");
+  };
+  expect_error(twice(R"({"id": "a", "time_s": 0, "position": [1, 2, 3]})"),
+               {ErrorCode::kMissingColumn, "bees.csv",
+                "column 3 'position' is an array; of three numbers x, y, z make values of their "
+                "own: jq -c '. + {x: .position[0], y: .position[1], z: .position[2]} | "
+                "del(.position)' FILE > xyz.ndjson"});
+  expect_error(record("agent,A,A,A,B,B,B\ncoord,x,y,z,x,y,z\ntime,,,,,,\n0.0,1,2,3,4,5,6\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "pandas.read_csv('FILE', header=[0, 1], index_col=0).stack(0)"});
+  expect_error(record("step,agent_id,pos_x,pos_y,pos_z\n0,A,1,2,3\n1,A,1,2,3\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "column 1 'step' seems to count steps, and there is no time; say how many are in a "
+                "second, as in --columns frame=1 --fps 10 ("});
   expect_error(record("name,time_s,colour\nAnna,0,red\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1", "name its columns with --columns x=N"});
   expect_error(record("id,timestamp,lon,lat\na,2023-08-15T06:00:00Z,8,47\n"

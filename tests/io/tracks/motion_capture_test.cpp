@@ -109,10 +109,62 @@ TEST(QtmTable, BodiesAreInMillimetres) {
   EXPECT_TRUE(has_note(recording, "positions of 2 rigid bodies as QTM exports them"));
 }
 
-TEST(QtmTable, MarkersAreNotRead) {
-  expect_error(record("NO_OF_FRAMES\t2\nDATA_INCLUDED\t3D\nMARKER_NAMES\tm1\nFrame\tTime\tm1 X\tm1 "
-                      "Y\tm1 Z\n1\t0\t1\t2\t3\n"),
-               {ErrorCode::kUnsupportedFormat, "bees.csv", "an export of QTM (Qualisys)"});
+// Of two markers, with the lines and the columns that stand before the coordinates.
+std::string markers(const std::string& names, const std::string& columns, const char* first,
+                    const char* second, const std::string& rate = "FREQUENCY\t10\n") {
+  return "NO_OF_FRAMES\t2\nNO_OF_MARKERS\t2\n" + rate +
+         "TIME_STAMP\t2024-06-01, 14:00:00.000\t1234.5\nDATA_INCLUDED\t3D\nEVENT\tStart\t1\t0.0\n"
+         "MARKER_NAMES\t" +
+         names + "\nTRAJECTORY_TYPES\tMeasured\tMeasured\n" + columns + first +
+         "-6000.0\t0.0\t30.0\t6000.0\t600.0\t0.0\n" + second +
+         "-5980.0\t0.0\t30.0\t5980.0\t600.0\t0.0\n";
+}
+
+TEST(QtmTable, MarkersAreBeesWithAndWithoutColumnsOfTimeAndALineOfColumns) {
+  const std::string named = "m1 X\tm1 Y\tm1 Z\tm2 X\tm2 Y\tm2 Z\n";
+  for (const std::string& text :
+       {markers("m1\tm2", "", "", ""), markers("m1\tm2\t", named, "", ""),
+        markers("m1\tm2", "Frame\tTime\t" + named, "1\t0.0\t", "2\t0.1\t")}) {
+    const auto recording = recording_of(record(text));
+    ASSERT_EQ(ids_of(recording), (Ids{"m1", "m2"})) << text;
+    EXPECT_EQ(recording.bees[0].fixes,
+              (std::vector<Fix>{{0.0, {-6.0, 0.0, 0.03}}, {0.1, {-5.98, 0.0, 0.03}}}));
+    EXPECT_EQ(recording.bees[1].fixes,
+              (std::vector<Fix>{{0.0, {6.0, 0.6, 0.0}}, {0.1, {5.98, 0.6, 0.0}}}));
+    EXPECT_TRUE(has_note(recording, "positions of 2 markers as QTM exports them, in mm"));
+  }
+}
+
+TEST(QtmTable, APictureInWhichNothingWasSeenTakesItsTime) {
+  const std::string rows = markers("m1\tm2", "", "\t\t\t\t\t\n", "");
+  const auto recording = recording_of(record(rows));
+  EXPECT_EQ(recording.bees[0].fixes,
+            (std::vector<Fix>{{0.1, {-6.0, 0.0, 0.03}}, {0.2, {-5.98, 0.0, 0.03}}}));
+}
+
+TEST(QtmTable, BodiesWithoutColumnsOfTimeAreTimedByTheFrequency) {
+  std::string text = kSixD;
+  for (const char* part : {"Frame\tTime\t", "1\t0.00000\t", "2\t0.10000\t"}) {
+    text.erase(text.find(part), std::string(part).size());
+  }
+  const auto recording = recording_of(record(text));
+  EXPECT_EQ(recording.bees[0].fixes,
+            (std::vector<Fix>{{0.0, {-6.0, 0.0, 0.03}}, {0.1, {-5.98, 0.0, 0.03}}}));
+  EXPECT_EQ(recording.bees[1].fixes.size(), 1U);
+  EXPECT_TRUE(has_note(recording, "2 rigid bodies as QTM exports them, in mm, 10 pictures a"));
+}
+
+TEST(QtmTable, MarkersOfOneBodyOrWithoutNamesOrTimesAreRefused) {
+  expect_error(record(markers("uav - 1\tuav - 2", "", "", "")),
+               {ErrorCode::kInvalidArgument, "bees.csv", "several markers are of 'uav', one of"});
+  expect_error(record(markers("m1\tm1", "", "", "")),
+               {ErrorCode::kInvalidArgument, "bees.csv", "have one name, or none"});
+  for (const std::string& text :
+       {markers("m1\tm2", "", "", "", ""), markers("m1\tm2", "", "1\t0.0\t", "2\t0.1\t"),
+        markers("m1\tm2\tm3", "", "", "")}) {
+    expect_error(record(text),
+                 {ErrorCode::kUnsupportedFormat, "bees.csv", "an export of QTM (Qualisys)"});
+  }
 }
 
 }  // namespace
