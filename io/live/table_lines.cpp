@@ -8,6 +8,7 @@
 #include "io/recording/ros_frames.hpp"
 #include "io/recording/set_names.hpp"
 #include "io/table/fields.hpp"
+#include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_record.hpp"
 #include "io/tracks/utm_zone.hpp"
@@ -44,6 +45,7 @@ class TableLines final : public LineReader {
 
   [[nodiscard]] std::string_view last_id() const override { return record_.id; }
   [[nodiscard]] bool hides() const override { return hides_; }
+  [[nodiscard]] bool of_aircraft() const override { return of_aircraft_; }
   [[nodiscard]] bool ended() const override { return ended_; }
 
   [[nodiscard]] bool settled() const override { return layout_found_; }
@@ -136,6 +138,7 @@ class TableLines final : public LineReader {
     }
     layout_found_ = true;
     layout_ = std::move(layout).value();
+    of_aircraft_ = tells_of_aircraft(layout_);
     layout_.places_may_be_unknown = false;  // who reports one does not know where it is
     reader_.emplace(layout_);
     auto report = read_record(line);
@@ -206,6 +209,7 @@ class TableLines final : public LineReader {
   std::string text_;  // what the layout was found from: it holds views of it
   TrackLayout layout_;
   bool layout_found_ = false;
+  bool of_aircraft_ = false;
   bool ended_ = false;
   LeftOut left_out_;
   SetNames set_names_;

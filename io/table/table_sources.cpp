@@ -62,8 +62,8 @@ TableSource flightradar24() {
 // Telonics: its Data Converter (TDC), complete or condensed reports; the position is that of the
 // acquisition time. Wildlife Computers: -Locations.csv of its data portal, whose times are UTC.
 // Axy-Trek of TechnoSmart: X, Y, Z are accelerations.
-const std::array<TableSource, 16>& known_sources() {
-  static const std::array<TableSource, 16> sources = {
+const std::array<TableSource, 17>& known_sources() {
+  static const std::array<TableSource, 17> sources = {
       TableSource{"traffic",
                   kNotOfTraffic,
                   {{"icao24"},
@@ -84,6 +84,17 @@ const std::array<TableSource, 16>& known_sources() {
            {"track", Role::kTrack},
            {"vertical_rate", Role::kClimb, Unit::kFootPerMinute},
            {"altitude", Role::kHeight, Unit::kFoot, HeightDatum::kPressure}}},
+      TableSource{"traffic",  // where the column of addresses was left out
+                  kNotOfTraffic,
+                  {{"timestamp"},
+                   {"callsign"},
+                   {"latitude"},
+                   {"longitude"},
+                   {"groundspeed", Role::kGroundSpeed, Unit::kKnot},
+                   {"track", Role::kTrack},
+                   {"vertical_rate", Role::kClimb, Unit::kFootPerMinute},
+                   {"altitude", Role::kHeight, Unit::kFoot, HeightDatum::kPressure},
+                   {"geoaltitude", Role::kHeight, Unit::kFoot, HeightDatum::kEllipsoid}}},
       TableSource{"OpenSky",
                   "velocity vertrate baroaltitude",
                   {{"icao24"},
