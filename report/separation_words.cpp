@@ -19,7 +19,7 @@ constexpr double kLongInMillimetres_m = 10.0;
 std::string in_unit(double metres, double limit_m, const AxisUnit& unit, int decimals) {
   constexpr int kMostDecimals = 9;
   const double value = metres / unit.metres;
-  constexpr double kNothing = 1e-9;  // of the limit: a rounding
+  constexpr double kNothing = 1e-7;  // of the limit: a rounding of instants since 1970
   if (metres < limit_m && metres > limit_m - kNothing * limit_m) {
     return "just under " + decimal_label(limit_m / unit.metres, decimals) + " " + unit.name;
   }

@@ -2,12 +2,15 @@
 
 #include "io/bytes/number_text.hpp"
 #include "io/recording/flat_distance.hpp"
+#include "io/table/fields.hpp"
+#include "io/tracks/track_aircraft.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace beespace::analysis {
 namespace {
@@ -65,6 +68,19 @@ std::string_view known_by_heights(io::Frame frame, io::Unit unit, io::HeightDatu
   return datum == io::HeightDatum::kPressure ? ", by heights of pressure" : "";
 }
 
+constexpr std::size_t kLongestHeaderOfPoints = 10'000;
+
+bool header_names_aircraft(std::string_view header) {
+  if (header.size() > kLongestHeaderOfPoints) return false;
+  for (const char delimiter : {',', ';', '\t'}) {
+    io::FieldCursor cursor(header, delimiter);
+    std::vector<std::string> columns;
+    for (io::Field name; cursor.next(name);) columns.emplace_back(io::unquoted(name));
+    if (io::name_aircraft(columns)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 DefaultThreshold default_threshold(const io::Recording& recording, double otherwise_m) {
@@ -99,10 +115,23 @@ std::optional<Error> threshold_needed(const io::Recording& recording,
   return aircraft_question(", higher and faster than drones fly", typed);
 }
 
-std::optional<Error> threshold_needed(const io::LoadedPoints& points, bool names_aircraft,
+std::optional<Error> threshold_needed(const io::LoadedPoints& points,
                                       const std::optional<io::StatedLength>& typed) {
-  const std::string_view by = known_by_heights(points.frame, points.height_unit, points.heights);
-  if (says_enough(typed) || (by.empty() && !names_aircraft)) return std::nullopt;
+  return threshold_needed(points, io::header_line(points), typed);
+}
+
+std::optional<Error> threshold_needed(const io::LoadedPoints& points, std::string_view header,
+                                      const std::optional<io::StatedLength>& typed) {
+  if (says_enough(typed)) return std::nullopt;
+  return threshold_needed(
+      TrafficSigns{points.frame, points.height_unit, points.heights, header_names_aircraft(header)},
+      typed);
+}
+
+std::optional<Error> threshold_needed(const TrafficSigns& signs,
+                                      const std::optional<io::StatedLength>& typed) {
+  const std::string_view by = known_by_heights(signs.frame, signs.height_unit, signs.heights);
+  if (says_enough(typed) || (by.empty() && !signs.of_aircraft)) return std::nullopt;
   return aircraft_question(by, typed);
 }
 

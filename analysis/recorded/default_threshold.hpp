@@ -1,9 +1,12 @@
 // What is too close where the command does not say: what the input declares, or what is usual.
 #pragma once
 
+#include "io/frames/coordinate_frame.hpp"
 #include "io/points/loaded_points.hpp"
 #include "io/recording/recording.hpp"
+#include "io/units/heights.hpp"
 #include "io/units/stated_length.hpp"
+#include "io/units/units.hpp"
 
 #include <beespace/result.hpp>
 
@@ -31,10 +34,22 @@ DefaultThreshold default_threshold(const io::Recording& recording, double otherw
 // what to type where nothing was, or a bare number that is less than any of them, as one of miles
 // that would be taken for metres. Nothing for what is no air traffic, as far as is known: by its
 // format, by what columns are called, by units, or as nothing else is so high and so fast.
-// Of points the caller looks at what columns are called.
 std::optional<Error> threshold_needed(const io::Recording& recording,
                                       const std::optional<io::StatedLength>& typed);
-std::optional<Error> threshold_needed(const io::LoadedPoints& points, bool names_aircraft,
+std::optional<Error> threshold_needed(const io::LoadedPoints& points,
+                                      const std::optional<io::StatedLength>& typed);
+// The same of points of which the header is known, but perhaps no record is in memory.
+std::optional<Error> threshold_needed(const io::LoadedPoints& points, std::string_view header,
+                                      const std::optional<io::StatedLength>& typed);
+
+// What tells of air traffic where reports come one by one.
+struct TrafficSigns {
+  io::Frame frame;
+  io::Unit height_unit;
+  io::HeightDatum heights;
+  bool of_aircraft;  // its format or its columns say so
+};
+std::optional<Error> threshold_needed(const TrafficSigns& signs,
                                       const std::optional<io::StatedLength>& typed);
 
 }  // namespace beespace::analysis

@@ -3,13 +3,16 @@
 #include "analysis/recorded/last_climb.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "io/bytes/number_text.hpp"
+#include "io/recording/moment_text.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace beespace::analysis {
 namespace {
@@ -162,6 +165,19 @@ Result<double> present_time(const io::Recording& recording) {
   return time_s;
 }
 
+std::optional<double> passed_over_since(const io::Recording& recording, double now_s) {
+  if (!recording.flies_on) return std::nullopt;
+  std::vector<double> created_s;
+  for (const io::RecordedBee& bee : recording.bees) {
+    if (!bee.fixes.empty() && bee.fixes.front().time_s < now_s) {
+      created_s.push_back(bee.fixes.front().time_s);
+    }
+  }
+  if (created_s.size() < 2) return std::nullopt;
+  std::nth_element(created_s.begin(), created_s.begin() + 1, created_s.end());
+  return created_s[1];
+}
+
 }  // namespace
 
 MoversView Snapshot::view() const {
@@ -193,6 +209,7 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
   if (!now) return now.error();
   Snapshot snapshot;
   snapshot.time_s = *now;
+  snapshot.passed_over_since_s = passed_over_since(recording, *now);
   std::optional<Error> no_velocity;
   for (std::size_t i = 0; i < recording.bees.size(); ++i) {
     const io::RecordedBee& bee = recording.bees[i];
@@ -233,6 +250,12 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
   const bool now_will_do = wanted == Wanted::kMotionOrNow && has_velocities(recording);
   if (snapshot.movers.empty() && no_velocity && !now_will_do) return *std::move(no_velocity);
   return snapshot;
+}
+
+std::string passed_over_text(const Snapshot& snapshot, const io::Recording& recording) {
+  if (!snapshot.passed_over_since_s) return {};
+  return "from " + io::moment_text(*snapshot.passed_over_since_s, recording) + " to " +
+         io::moment_text(snapshot.time_s, recording) + " not looked at";
 }
 
 }  // namespace beespace::analysis

@@ -10,6 +10,8 @@
 #include <beespace/result.hpp>
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace beespace::analysis {
@@ -27,6 +29,9 @@ struct Snapshot {
   std::uint64_t brought_forward = 0;
   double oldest_s = 0.0;    // of those: how far
   std::uint64_t stale = 0;  // left out
+  // Of aircraft that are created and fly on: since when there are two, where that is before now.
+  // What was between is not in here.
+  std::optional<double> passed_over_since_s = {};
   // Of these neither a velocity nor two fixes, max_age_s apart at most, tell how fast they go, or
   // nothing tells how fast they climb: they are no movers, and known only where they were last
   // heard of.
@@ -69,5 +74,8 @@ enum class Wanted : std::uint8_t {
 // Errors: kMissingColumn where no bee has a velocity that is wanted, or two fixes to tell it from.
 Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, double max_age_s,
                              Wanted wanted);
+
+// "from 0.00 s to 300.00 s not looked at"; empty where nothing was passed over.
+std::string passed_over_text(const Snapshot& snapshot, const io::Recording& recording);
 
 }  // namespace beespace::analysis

@@ -11,7 +11,6 @@
 #include "io/points/loaded_points.hpp"
 #include "io/table/column_names.hpp"
 #include "io/table/fields.hpp"
-#include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_columns.hpp"
 
 #include <algorithm>
@@ -40,17 +39,6 @@ bool has_time_column(std::string_view header) {
       if (io::read_column_name(io::track_columns(), io::unquoted(name)).role == io::Role::kTime)
         return true;
     }
-  }
-  return false;
-}
-
-bool names_aircraft(std::string_view header) {
-  if (header.size() > kLongestHeader) return false;
-  for (const char delimiter : {',', ';', '\t'}) {
-    std::vector<std::string> columns;
-    io::FieldCursor cursor(header, delimiter);
-    for (io::Field name; cursor.next(name);) columns.emplace_back(io::unquoted(name));
-    if (io::name_aircraft(columns)) return true;
   }
   return false;
 }
@@ -222,8 +210,7 @@ Result<Scene> scene_from(Result<Facts> facts) {
 Result<Scene> scene_of(const Loaded& loaded, const std::string& title,
                        const SceneRequest& request) {
   if (const auto* points = std::get_if<io::LoadedPoints>(&loaded)) {
-    if (auto needed = threshold_needed(*points, names_aircraft(io::header_line(*points)),
-                                       typed_threshold(request))) {
+    if (auto needed = threshold_needed(*points, typed_threshold(request))) {
       return *std::move(needed);
     }
     if (Status moves = check_moves(request, title); !moves) return std::move(moves).error();

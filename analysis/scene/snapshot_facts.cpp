@@ -11,6 +11,7 @@
 #include "analysis/text/bee_name.hpp"
 #include "analysis/text/unit_notes.hpp"
 #include "io/bytes/number_text.hpp"
+#include "io/recording/moment_text.hpp"
 #include "report/earth_frame.hpp"
 #include "report/local_axes.hpp"
 
@@ -169,9 +170,12 @@ std::string unknown_text(const Snapshot& snapshot, const io::Recording& recordin
   if (const std::uint64_t unseen = snapshot.stale + snapshot.unmoving.size(); unseen > 0) {
     text = io::grouped(unseen) + (unseen == 1 ? " bee is" : " bees are") + " left out";
   }
-  const std::string missing = missing_text(recording.missing);
-  if (!text.empty() && !missing.empty()) text += ", ";
-  return text + missing;
+  for (const std::string& more :
+       {missing_text(recording.missing), passed_over_text(snapshot, recording)}) {
+    if (!text.empty() && !more.empty()) text += ", ";
+    text += more;
+  }
+  return text;
 }
 
 void note_unknown(const std::string& unknown, std::vector<std::string>& notes) {
@@ -242,6 +246,9 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
   note_skipped(recording.skipped_count, swarm.notes);
   const auto snapshot = snapshot_of(recording, Geometry::kSpace, kMaxAge_s, Wanted::kPlaces);
   if (!snapshot) return snapshot.error();
+  if (snapshot->passed_over_since_s) {
+    swarm.notes.push_back("shown is one moment, " + io::moment_text(snapshot->time_s, recording));
+  }
   note_ages(*snapshot, swarm.notes);
   facts.unknown = unknown_text(*snapshot, recording);
   note_unknown(facts.unknown, swarm.notes);

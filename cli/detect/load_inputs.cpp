@@ -1,6 +1,7 @@
 #include "cli/detect/load_inputs.hpp"
 
 #include "analysis/geometry/scale_doubt.hpp"
+#include "analysis/recorded/default_threshold.hpp"
 #include "analysis/snapshot/recording_check.hpp"
 #include "analysis/text/unit_notes.hpp"
 #include "cli/command_line/option_values.hpp"
@@ -14,6 +15,7 @@
 #include "io/table/column_overrides.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/position_columns.hpp"
+#include "io/units/stated_length.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -44,11 +46,13 @@ std::optional<Error> doubt_of_feet(const io::LoadedPoints& loaded, const std::st
   return doubt;
 }
 
-Result<io::LoadedPoints> load_snapshot(const std::string& path, const io::LoadOptions& options) {
+Result<io::LoadedPoints> load_snapshot(const std::string& path, const io::LoadOptions& options,
+                                       const std::optional<io::StatedLength>& threshold) {
   auto loaded = io::load_points(path, options);
   if (!loaded) return analysis::or_recording(std::move(loaded).error(), path, options);
   if (auto problem = analysis::recording_problem(*loaded, path, options))
     return *std::move(problem);
+  if (auto needed = analysis::threshold_needed(*loaded, threshold)) return *std::move(needed);
   const bool is_said = options.units.convention == io::UnitConvention::kAviation;
   if (auto doubt = doubt_of_feet(*loaded, path); doubt && !is_said) return *std::move(doubt);
   return loaded;
@@ -161,7 +165,7 @@ Error repeated_error(const io::RepeatedIds& repeated, const std::string& path) {
 Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) {
   io::LoadOptions options = request.load;
   options.progress = &progress.reading();
-  auto ours = load_snapshot(request.input(), options);
+  auto ours = load_snapshot(request.input(), options, request.threshold);
   if (!ours) return std::move(ours).error();
   if (auto doubt = analysis::doubt_of_scale(*ours, options.frame, request.threshold)) {
     return *std::move(doubt);
@@ -176,7 +180,7 @@ Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) 
   Inputs inputs{*std::move(ours), std::nullopt};
   inputs.our_repeated = *std::move(our_repeated);
   if (!request.others) return inputs;
-  auto others = load_snapshot(*request.others, options);
+  auto others = load_snapshot(*request.others, options, request.threshold);
   if (!others) return std::move(others).error();
   if (auto doubt = analysis::doubt_of_scale(*others, options.frame, request.threshold)) {
     return *std::move(doubt);

@@ -141,7 +141,9 @@ bool in_feet(const MovingRequest& request, double threshold_m) {
 
 // Below a limit by what says nothing: a rounding, in units in which both are rounded.
 bool is_just_under(double metres, double limit_m) {
-  constexpr double kNothing = 1e-9;
+  // Instants since 1970 are rounded to 0.2 us, in which heights change by some millionths of a
+  // foot.
+  constexpr double kNothing = 1e-7;
   return metres < limit_m && metres > limit_m - kNothing * limit_m;
 }
 

@@ -3,6 +3,7 @@
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/created_flights.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/last_climb.hpp"
 #include "analysis/recorded/last_snapshot.hpp"
@@ -16,11 +17,14 @@
 #include "io/load_recording.hpp"
 #include "io/recording/moment_text.hpp"
 
+#include <beespace/find_conflicts.hpp>
 #include <beespace/predict_conflicts.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace beespace::cli {
 namespace {
@@ -47,6 +51,19 @@ Result<std::vector<Conflict>> conflicts_of(const analysis::Snapshot& snapshot,
   return conflicts;
 }
 
+// The same of aircraft that are created one after the other, from the first on.
+Result<std::vector<Conflict>> conflicts_of(const std::vector<Track>& flights,
+                                           const PredictOptions& options) {
+  auto found = find_conflicts(flights, {.threshold_m = options.threshold_m,
+                                        .vertical_m = options.vertical_m,
+                                        .inclusive = options.inclusive,
+                                        .threads = options.threads,
+                                        .max_results = options.max_results,
+                                        .height_unit_m = options.height_unit_m});
+  if (!found) return std::move(found).error();
+  return std::move(found->conflicts);
+}
+
 // Conflicts name bees of the recording, and times are those of its clock.
 void translate(std::vector<Conflict>& conflicts, const analysis::Snapshot& snapshot) {
   const std::vector<std::uint32_t> bees = snapshot.present().bees;
@@ -70,13 +87,15 @@ struct Prediction {
   double threshold_m;
   const std::vector<Conflict>& conflicts;
   const Distances& distances;
+  std::optional<double> looked_since_s;  // where that is before now
 
   // Whether there are two, as far as they are known.
   [[nodiscard]] bool compares() const {
     return snapshot.movers.size() + snapshot.unmoving.size() > 1;
   }
-  // Whether it is known of every bee where it goes.
-  [[nodiscard]] bool complete() const {
+  // Whether it is known of every bee where it goes, and all of the time was looked at.
+  [[nodiscard]] bool complete() const { return bees_are_known() && !snapshot.passed_over_since_s; }
+  [[nodiscard]] bool bees_are_known() const {
     return snapshot.stale == 0 && snapshot.unmoving.empty() && recording.missing.none();
   }
 };
@@ -95,6 +114,7 @@ std::string unknown_text(const Prediction& prediction) {
     append(io::grouped(count) + (count == 1 ? " bee is" : " bees are") + " left out");
   }
   append(analysis::missing_text(prediction.recording.missing));
+  append(analysis::passed_over_text(prediction.snapshot, prediction.recording));
   return text;
 }
 
@@ -104,9 +124,13 @@ std::string found_line(const Prediction& prediction) {
            (prediction.complete() ? "" : "; " + unknown_text(prediction));
   }
   if (prediction.conflicts.empty()) {
-    return prediction.complete()
-               ? bold("none")
-               : bold("none of those that are known") + "; " + unknown_text(prediction);
+    if (prediction.complete()) return bold("none");
+    const std::string found =
+        prediction.bees_are_known()
+            ? "none from " + io::moment_text(prediction.snapshot.time_s, prediction.recording) +
+                  " on"
+            : std::string("none of those that are known");
+    return bold(found) + "; " + unknown_text(prediction);
   }
   std::vector<PointId> bees;
   for (const Conflict& conflict : prediction.conflicts) {
@@ -159,7 +183,13 @@ void append_ages(std::string& out, const Prediction& prediction, const PredictRe
     text += snapshot.brought_forward == 1 ? " was" : " were";
     text += created ? " let fly on as created, for up to " : " brought forward, by up to ";
     text += io::grouped(snapshot.oldest_s, 2) + " s";
-    if (created) text += "; conflicts before now are not looked for";
+    if (created && prediction.looked_since_s) {
+      text += "; conflicts are looked for from " +
+              io::moment_text(*prediction.looked_since_s, prediction.recording) + " on";
+    } else if (created) {
+      text +=
+          "; conflicts before now are not looked for: replay the log of the simulation (CRELOG)";
+    }
     append_summary_line(out, "note", text);
   }
   if (snapshot.stale == 0) return;
@@ -170,6 +200,11 @@ void append_ages(std::string& out, const Prediction& prediction, const PredictRe
                                          " before now (--max-age), of which it is not known how "
                                          "they fly from there"
                                    : ", not heard of for " + age + " (--max-age)"));
+}
+
+std::string when_text(double from_now_s) {
+  if (from_now_s < 0.0) return io::grouped(-from_now_s, 2) + " s before now";
+  return "in " + io::grouped(from_now_s, 2) + " s";
 }
 
 std::string summary(const Prediction& prediction, const PredictRequest& request, double search_s) {
@@ -198,8 +233,8 @@ std::string summary(const Prediction& prediction, const PredictRequest& request,
         conflicts.begin(), conflicts.end(),
         [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });
     append_summary_line(out, "soonest",
-                        pair_text(*soonest, prediction.recording) + ", in " +
-                            io::grouped(soonest->begins_s - snapshot.time_s, 2) + " s");
+                        pair_text(*soonest, prediction.recording) + ", " +
+                            when_text(soonest->begins_s - snapshot.time_s));
     append_summary_line(
         out, "closest",
         encounter_text(*closest, prediction.recording, prediction.distances, Told::kConflict));
@@ -239,7 +274,7 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
     return *std::move(needed);
   }
   const analysis::Geometry geometry = analysis::geometry_for(*recording, moving.vertical);
-  const auto snapshot =
+  auto snapshot =
       snapshot_of(*recording, geometry, request.max_age_s, analysis::Wanted::kMotionOrNow);
   if (!snapshot) return snapshot.error();
 
@@ -247,14 +282,18 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
   Stopwatch watch;
   const double threshold_m = moving.threshold_m.value_or(
       analysis::default_threshold(*recording, kDefaultThreshold_m).metres);
-  auto conflicts = conflicts_of(
-      *snapshot, {.threshold_m = threshold_m,
-                  .vertical_m = vertical_in(geometry, moving.vertical, recording->height_unit),
-                  .horizon_s = request.horizon_s,
-                  .inclusive = moving.inclusive,
-                  .threads = moving.threads,
-                  .max_results = moving.max_results,
-                  .height_unit_m = height_unit_m(geometry, recording->height_unit)});
+  const PredictOptions options{
+      .threshold_m = threshold_m,
+      .vertical_m = vertical_in(geometry, moving.vertical, recording->height_unit),
+      .horizon_s = request.horizon_s,
+      .inclusive = moving.inclusive,
+      .threads = moving.threads,
+      .max_results = moving.max_results,
+      .height_unit_m = height_unit_m(geometry, recording->height_unit)};
+  const auto flights = analysis::created_flights(*recording, *snapshot, request.horizon_s);
+  auto conflicts = flights ? conflicts_of(*flights, options) : conflicts_of(*snapshot, options);
+  const std::optional<double> looked_since_s =
+      flights ? std::exchange(snapshot->passed_over_since_s, std::nullopt) : std::nullopt;
   if (!conflicts) return in_words_of_the_command(std::move(conflicts).error(), moving);
   const double search_s = watch.lap();
   translate(*conflicts, *snapshot);
@@ -265,7 +304,8 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
     // Times of conflicts lie within those of the outlook, in which all fly straight.
     distances.least_height = analysis::least_height_of(distances.apart);
   }
-  const Prediction prediction{*recording, *snapshot, threshold_m, *conflicts, distances};
+  const Prediction prediction{*recording, *snapshot, threshold_m,
+                              *conflicts, distances, looked_since_s};
   const auto head = [&](io::JsonWriter& json) { write_outlook(json, prediction, request); };
   write_answer(conflict_rows(*conflicts, *recording, false, distances), moving, head, "conflicts",
                *output);

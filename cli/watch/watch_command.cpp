@@ -247,6 +247,7 @@ class Watch {
       }
       begin(at.frame, at.height_unit);
     }
+    if (auto needed = threshold_needed(at)) return *std::move(needed);
     const auto metres = in_metres(at.position, at.velocity, at.frame, geometry_,
                                   {at.stated_height, at.height_unit});
     if (!metres) {
@@ -285,6 +286,17 @@ class Watch {
       note_heard_of(at.id);
     }
     return std::monostate{};
+  }
+
+  // Asked of the first report, and where a later one is the first to show that these are aircraft.
+  std::optional<Error> threshold_needed(const io::ReportLine& at) {
+    const bool of_aircraft = lines_.of_aircraft();
+    if (traffic_looked_for_ && of_aircraft == of_aircraft_) return std::nullopt;
+    traffic_looked_for_ = true;
+    of_aircraft_ = of_aircraft;
+    return analysis::threshold_needed(
+        analysis::TrafficSigns{at.frame, at.height_unit, lines_.heights(), of_aircraft},
+        request_.threshold);
   }
 
   // A line before any that is a report, or may be: a damaged one, as in the middle of a stream; or
@@ -420,6 +432,8 @@ class Watch {
   WatchRequest request_;
   io::ReportLines lines_;
   Pace pace_;
+  bool traffic_looked_for_ = false;
+  bool of_aircraft_ = false;
   io::Frame frame_ = io::Frame::kMetres;  // once there is a feed
   io::Unit height_unit_ = io::Unit::kMetre;
   analysis::Geometry geometry_ = analysis::Geometry::kSpace;

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <string>
 
 namespace beespace::io {
 namespace {
@@ -70,14 +72,26 @@ std::optional<Error> read_field(const Fields& fields, std::size_t column, std::s
   return number_problem(kind, text, name, kMotionDomain, column);
 }
 
-// "2024/05/01" and "12:00:00.250".
-std::optional<Error> read_time(const Fields& fields, double& time_s) {
+// "2024/05/01" and "12:00:00.250", on clocks of the zone.
+std::optional<Error> read_time(const Fields& fields, const std::optional<TimeZone>& zone,
+                               double& time_s) {
   if (fields[kDate].empty() || fields[kTime].empty()) return std::nullopt;
   std::string text(fields[kDate]);
   std::replace(text.begin(), text.end(), '/', '-');
-  text.append("T").append(fields[kTime]).append("Z");
-  const std::string_view problem = parse_iso_time(text, time_s);
-  if (problem.empty()) return std::nullopt;
+  text.append("T").append(fields[kTime]);
+  WallTime clock;
+  if (parse_wall_time(text, clock).empty() && !clock.offset_s) {
+    std::int64_t offset_s = 0;
+    std::string doubt = zone ? zone->offset_of_local(clock.seconds, offset_s) : std::string();
+    if (!doubt.empty()) {
+      return at_column(ErrorCode::kNotANumber,
+                       excerpt(fields[kDate]) + ", " + excerpt(fields[kTime]) + ": " + doubt,
+                       kDate);
+    }
+    clock.seconds -= offset_s;
+    time_s = seconds_after(clock, 0);
+    return std::nullopt;
+  }
   return at_column(ErrorCode::kNotANumber,
                    excerpt(fields[kDate]) + ", " + excerpt(fields[kTime]) +
                        " is no date and time; write it as 2024/05/01,12:00:00.250" +
@@ -86,10 +100,11 @@ std::optional<Error> read_time(const Fields& fields, double& time_s) {
 }
 
 // Everything that a message may say, whatever its kind.
-std::optional<Error> read_values(const Fields& fields, AircraftReport& now) {
+std::optional<Error> read_values(const Fields& fields, const std::optional<TimeZone>& zone,
+                                 AircraftReport& now) {
   double speed = AircraftReport::kUnknown;
   double climb = AircraftReport::kUnknown;
-  if (auto error = read_time(fields, now.time_s)) return error;
+  if (auto error = read_time(fields, zone, now.time_s)) return error;
   if (auto error = read_field(fields, kAltitude, "altitude", now.pressure_height)) return error;
   if (auto error = read_field(fields, kSpeed, "speed", speed)) return error;
   if (auto error = read_field(fields, kTrack, "track", now.track_deg)) return error;
@@ -161,8 +176,13 @@ std::optional<Error> base_station_problem(const RecordingOptions& options) {
   return aircraft_problem(options, "BaseStation messages");
 }
 
-std::string_view BaseStation::note() {
-  return "times are taken for UTC: BaseStation messages name no time zone";
+std::string BaseStation::note() const {
+  if (zone_) {
+    return "times are those of " + zone_->name() +
+           ", as --time-zone says: BaseStation messages name no time zone";
+  }
+  return "times are taken for UTC: BaseStation messages name no time zone (--time-zone says "
+         "which)";
 }
 
 BaseStation::Heard& BaseStation::heard_of(const std::string& address) {
@@ -189,7 +209,7 @@ std::optional<Error> BaseStation::take(std::string_view line, const AircraftRepo
 
   AircraftReport now;
   address_ = normal_address(fields[kAddress]);
-  if (auto error = read_values(fields, now)) return error;
+  if (auto error = read_values(fields, zone_, now)) return error;
   Heard& heard = heard_of(now.id);
   if (!fields[kCallsign].empty()) heard.callsign = fields[kCallsign].substr(0, kLongestCallsign);
   const bool has_velocity = !std::isnan(now.ground_speed_mps) && !std::isnan(now.track_deg);

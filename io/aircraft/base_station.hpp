@@ -2,10 +2,12 @@
 //
 // An aircraft tells its position in one kind of message and its velocity in another, so the last
 // velocity of each is kept, and joined to positions that follow within kVelocityLasts_s. Times are
-// those at which the message was generated, taken for UTC: the format names no time zone.
+// those at which the message was generated. The format names no time zone: they are taken for those
+// of clocks where the caller says, or for UTC.
 #pragma once
 
 #include "io/aircraft/aircraft_report.hpp"
+#include "io/units/time_zone.hpp"
 
 #include <beespace/result.hpp>
 
@@ -14,6 +16,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 namespace beespace::io {
 
@@ -28,8 +31,10 @@ class BaseStation {
   static constexpr double kVelocityLasts_s = 10.0;
   static constexpr std::size_t kMostAircraft = std::size_t{1} << 16;  // that are kept apart
 
+  explicit BaseStation(std::optional<TimeZone> zone = std::nullopt) : zone_(std::move(zone)) {}
+
   // What is to be told.
-  static std::string_view note();
+  [[nodiscard]] std::string note() const;
 
   // `line` has no line end. Sets `report` where the message completes a position, to nothing where
   // it does not; what it points to holds until the next call. Errors with column, without line:
@@ -50,6 +55,7 @@ class BaseStation {
 
   Heard& heard_of(const std::string& address);
 
+  std::optional<TimeZone> zone_;
   AircraftReport report_;
   std::string address_;
   std::unordered_map<std::string, Heard> heard_;

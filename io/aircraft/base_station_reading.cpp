@@ -35,8 +35,8 @@ std::optional<Error> read_base_station(std::string_view bytes, RecordingAssembly
   if (auto error = base_station_problem(options)) return error;
   AircraftGathering gathering({HeightSource::kPressure, options.grounded}, assembly);
   if (auto error = gathering.begin("BaseStation messages", Unit::kFoot, 0.0)) return error;
-  assembly.note(std::string(BaseStation::note()));
-  BaseStation station;
+  BaseStation station(options.time_zone);
+  assembly.note(station.note());
   std::unordered_map<std::string, bool> heard;  // whether it tells positions
   const std::string_view text = without_byte_order_mark(bytes);
   RecordWalk walk(text, 0, '\n');

@@ -35,6 +35,7 @@ class AircraftLines final : public LineReader {
   [[nodiscard]] std::string_view last_id() const override { return last_id_; }
 
   [[nodiscard]] bool hides() const override { return hides_; }
+  [[nodiscard]] bool of_aircraft() const override { return true; }
 
   [[nodiscard]] LineFacts facts() const override {
     LineFacts facts{"readsb JSON", choice_.datum(), left_out_.notes()};

@@ -13,7 +13,9 @@ namespace {
 class BaseStationLines final : public LineReader {
  public:
   explicit BaseStationLines(const RecordingOptions& options)
-      : options_(options), choice_(HeightSource::kPressure, options.grounded) {}
+      : options_(options),
+        choice_(HeightSource::kPressure, options.grounded),
+        station_(options.time_zone) {}
 
   Result<std::optional<ReportLine>> read(std::string_view line) override {
     if (auto problem = base_station_problem(options_)) return *std::move(problem);
@@ -35,10 +37,11 @@ class BaseStationLines final : public LineReader {
 
   [[nodiscard]] std::string_view last_id() const override { return station_.address(); }
   [[nodiscard]] bool hides() const override { return hides_; }
+  [[nodiscard]] bool of_aircraft() const override { return true; }
 
   [[nodiscard]] LineFacts facts() const override {
     LineFacts facts{"BaseStation messages", choice_.datum(), {choice_.note()}};
-    facts.notes.emplace_back(BaseStation::note());
+    facts.notes.push_back(station_.note());
     facts.units = AircraftChoice::units(Unit::kFoot, facts.description);
     for (std::string& note : left_out_.notes()) facts.notes.push_back(std::move(note));
     return facts;

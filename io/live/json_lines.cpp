@@ -15,6 +15,7 @@
 #include "io/recording/address_names.hpp"
 #include "io/recording/ros_frames.hpp"
 #include "io/table/coordinate_units.hpp"
+#include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
@@ -70,6 +71,7 @@ class JsonLines final : public LineReader {
   [[nodiscard]] bool settled() const override { return chosen_; }
   [[nodiscard]] std::string_view last_id() const override { return last_id_; }
   [[nodiscard]] bool hides() const override { return hides_; }
+  [[nodiscard]] bool of_aircraft() const override { return of_aircraft_; }
 
   [[nodiscard]] LineFacts facts() const override {
     LineFacts facts;
@@ -154,6 +156,7 @@ class JsonLines final : public LineReader {
     if (auto problem = live_problem(*layout, options_.frame)) return problem;
     if (chosen_ && !goes_on(*layout)) return std::nullopt;
     layout_ = std::move(layout).value();
+    of_aircraft_ = tells_of_aircraft(layout_);
     chosen_ = true;
     slots_ = slots_of(layout_);
     return std::nullopt;
@@ -340,6 +343,7 @@ class JsonLines final : public LineReader {
   std::vector<std::uint8_t> slots_;  // by key: which value it is
   TrackLayout layout_;
   bool chosen_ = false;
+  bool of_aircraft_ = false;  // by its keys
   LeftOut left_out_;
   AddressNames address_names_;
   RosFrames ros_frames_;

@@ -39,6 +39,8 @@ class LineReader {
   [[nodiscard]] virtual std::string_view last_id() const { return {}; }
   // Of a line that is no report: whether it speaks of a bee that flies, and does not say where.
   [[nodiscard]] virtual bool hides() const { return false; }
+  // Whether its format, or what its columns are called so far, says that these are aircraft.
+  [[nodiscard]] virtual bool of_aircraft() const { return false; }
   // Whether the last error is about all lines to come: they cannot be understood as those before.
   [[nodiscard]] virtual bool ended() const { return false; }
 };

@@ -160,6 +160,10 @@ HeightDatum ReportLines::heights() const {
   return reader_ ? reader_->facts().heights : HeightDatum::kUnstated;
 }
 
+bool ReportLines::of_aircraft() const {
+  return reader_ && reader_->of_aircraft();
+}
+
 std::vector<UnitTaken> ReportLines::units() const {
   return reader_ ? reader_->facts().units : std::vector<UnitTaken>();
 }

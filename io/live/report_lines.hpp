@@ -104,6 +104,8 @@ class ReportLines {
   [[nodiscard]] bool in_frames() const { return in_frames_; }
   [[nodiscard]] std::string description() const;  // "text, comma-separated", "readsb JSON", ...
   [[nodiscard]] HeightDatum heights() const;
+  // Whether the format, or what columns are called so far, says that these are aircraft.
+  [[nodiscard]] bool of_aircraft() const;
   [[nodiscard]] std::vector<UnitTaken> units() const;
   // What was decided, and how much was left out so far, to be told.
   [[nodiscard]] std::vector<std::string> notes() const;

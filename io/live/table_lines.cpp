@@ -8,6 +8,7 @@
 #include "io/recording/ros_frames.hpp"
 #include "io/recording/set_names.hpp"
 #include "io/table/fields.hpp"
+#include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_record.hpp"
 #include "io/tracks/utm_zone.hpp"
@@ -47,6 +48,7 @@ class TableLines final : public LineReader {
 
   [[nodiscard]] std::string_view last_id() const override { return record_.id; }
   [[nodiscard]] bool hides() const override { return hides_; }
+  [[nodiscard]] bool of_aircraft() const override { return of_aircraft_; }
   [[nodiscard]] bool ended() const override { return ended_; }
 
   [[nodiscard]] bool settled() const override { return layout_found_; }
@@ -142,6 +144,7 @@ class TableLines final : public LineReader {
     const std::vector<std::string>& names = layout_.table.names;
     const std::size_t time = layout_.time->column;
     own_clock_ = time < names.size() ? names[time] : "column " + std::to_string(time + 1);
+    of_aircraft_ = tells_of_aircraft(layout_);
     layout_.places_may_be_unknown = false;  // who reports one does not know where it is
     reader_.emplace(layout_);
     auto report = read_record(line);
@@ -213,6 +216,7 @@ class TableLines final : public LineReader {
   std::string text_;  // what the layout was found from: it holds views of it
   TrackLayout layout_;
   bool layout_found_ = false;
+  bool of_aircraft_ = false;
   bool ended_ = false;
   LeftOut left_out_;
   SetNames set_names_;

@@ -2,6 +2,7 @@
 
 #include "io/frames/coordinate_frame.hpp"
 #include "io/recording/flat_distance.hpp"
+#include "io/table/table_sources.hpp"
 #include "io/units/units.hpp"
 
 #include <algorithm>
@@ -36,7 +37,9 @@ std::string three_digits(double value) {
 
 bool FeetDoubt::concerns(const std::vector<UnitTaken>& units) {
   return std::any_of(units.begin(), units.end(), [](const UnitTaken& taken) {
+    // What Flightradar24 exports has its place in one column, as nothing else has.
     return taken.evidence == UnitEvidence::kSource &&
+           taken.reason.find(kFlightradar24) == std::string::npos &&
            (taken.unit == Unit::kFoot || taken.unit == Unit::kKnot);
   });
 }

@@ -150,12 +150,24 @@ Listed listed(const std::string& folder) {
   return found;
 }
 
-// Folders below this one that have something that is read, at most `depth` levels deep: the first.
+// "traces/12, or all of one time, traces/*"; the first alone where nothing is read of the others.
+std::string with_those_beside(const std::string& first, const std::string& folder,
+                              const std::vector<std::string>& folders) {
+  const bool several = std::any_of(folders.begin(), folders.end(), [&](const std::string& other) {
+    return other != first && !listed(other).chosen().empty();
+  });
+  if (!several) return first;
+  return first + ", or " + (std::filesystem::path(folder) / "*").string() +
+         " for all of them, if they are of one time";
+}
+
+// Folders below this one that have something that is read, at most `depth` levels deep: the first,
+// and all beside it where there are several.
 std::string first_folder_with_recordings(const std::string& folder, int depth) {
   Listed found = listed(folder);
   std::sort(found.folders.begin(), found.folders.end());
   for (const std::string& inside : found.folders) {
-    if (!listed(inside).chosen().empty()) return inside;
+    if (!listed(inside).chosen().empty()) return with_those_beside(inside, folder, found.folders);
     if (depth == 1) continue;
     if (std::string deeper = first_folder_with_recordings(inside, depth - 1); !deeper.empty()) {
       return deeper;

@@ -56,7 +56,8 @@ const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
   if (layout_.age && is_old()) return &kOldPlace;
   const bool height = layout_.table.choice.dimensions == 3;
   if (layout_.joined_place && says_no(fields_[TrackSlot::kPosition + 2].text)) {
-    return flies() ? &kNoPressureHeight : &kOnGround;
+    if (flies()) return &kNoPressureHeight;
+    if (!layout_.keeps_grounded) return &kOnGround;
   }
   if (height && unknown(TrackSlot::kPosition + 2)) return layout_.no_height;
   return height && layout_.other_height && heights_contradict() ? &kHeightsContradict : nullptr;

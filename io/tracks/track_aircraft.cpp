@@ -142,6 +142,7 @@ void settle_aircraft(const Header& header, const RecordingOptions& options, Trac
   for (std::size_t i = 0; i < header.size(); ++i) {
     if (plain_name(layout.table.names[i]) == "seen_pos") layout.age = i;
   }
+  layout.keeps_grounded = options.grounded;
   if (!options.grounded) layout.on_ground = choose_on_ground(header);
 }
 

@@ -140,6 +140,7 @@ struct TrackLayout {
   // Of Flightradar24: "48.0,2.0", latitude and longitude in one column. Heights of 0 are of no
   // one that flies: on the ground, or where the height is not known.
   std::optional<std::size_t> joined_place = {};
+  bool keeps_grounded = false;        // aircraft on the ground count, too
   std::vector<UnitTaken> units = {};  // of positions and velocities
   // Of a beginning whose ids come once each: what is wrong if those of the whole do.
   std::optional<Error> perhaps_numbers = {};

@@ -2,6 +2,7 @@
 
 #include "analysis/geometry/ground_places.hpp"
 #include "analysis/geometry/scale_doubt.hpp"
+#include "analysis/recorded/default_threshold.hpp"
 #include "analysis/snapshot/shown_ids.hpp"
 #include "analysis/text/unit_notes.hpp"
 #include "cli/command_line/option_values.hpp"
@@ -39,6 +40,12 @@ std::string one_has(const LargeFile& with, const LargeFile& without, const char*
 Result<LargeFile> LargeInput::open_file(const std::string& path) const {
   auto stream = io::PointStream::open(path, request_->load, block_bytes_);
   if (!stream) return std::move(stream).error();
+  const io::TableLayout* const layout = stream->table();
+  if (auto needed = analysis::threshold_needed(
+          stream->facts(), layout != nullptr ? std::string_view(layout->header) : "",
+          request_->threshold)) {
+    return *std::move(needed);
+  }
   LargeFile file{.path = path};
   file.facts = stream->facts();
   file.state = stream->state();

@@ -89,6 +89,37 @@ TEST(Encounters, AircraftOfAScenarioFlyOnAsTheyWereCreated) {
                 "which it is not known how they fly from there\n"});
 }
 
+// Two are in conflict before a third one is created far away.
+TEST(Encounters, WhatWasBeforeTheLastIsCreatedIsLookedAt) {
+  const std::string first = "00:00:00.00>CRE AFR123,B738,48.000000,1.813317,90,FL350,M.78\n";
+  const std::string crossing = "00:00:00.00>CRE BAW456,B738,47.930602,2.000000,0,FL350,M.78\n";
+  const std::string far = "00:00:00.00>CRE BAW456,B738,40.930602,2.000000,0,FL350,M.78\n";
+  const std::string third = "00:05:00.00>CRE XX1,B738,52,10,90,FL350,M.78\n";
+  const Arguments predict{"predict", "--separation", "enroute", "--fail-on-risk"};
+  const Finished met = run(predict, first + crossing + third);
+  EXPECT_EQ(met.exit_code, 1) << met.err;
+  expect_parts(met.err, {"conflicts are looked for from 0.00 s on", "conflicts  1, of 2 bees\n",
+                         "AFR123 and BAW456, 277."});
+  expect_parts(met.err, {" s before now\n"});
+  const Finished apart = run(predict, first + far + third);
+  EXPECT_EQ(apart.exit_code, 0) << apart.err;
+  expect_parts(apart.err, {"conflicts  none\n"});
+}
+
+TEST(Encounters, WhatAPictureDoesNotShowIsNoAllClear) {
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.file("third.scn",
+                  "00:00:00.00>CRE AFR123,B738,48.000000,1.813317,90,FL350,M.78\n"
+                  "00:00:00.00>CRE BAW456,B738,47.930602,2.000000,0,FL350,M.78\n"
+                  "00:05:00.00>CRE XX1,B738,52,10,90,FL350,M.78\n");
+  const Finished shown = run(
+      {"plot", file, "--separation", "enroute", "--fail-on-risk", "-o", folder.path("third.svg")});
+  EXPECT_EQ(shown.exit_code, 1) << shown.err;
+  expect_parts(shown.err,
+               {"shown is one moment, 300.00 s", "from 0.00 s to 300.00 s not looked at"});
+}
+
 // Where aircraft begin is no flight: no verdict about one follows from it.
 TEST(Encounters, AScenarioIsNoFlight) {
   for (const char* const command : {"replay", "verify"}) {

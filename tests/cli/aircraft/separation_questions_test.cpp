@@ -45,6 +45,60 @@ TEST(SeparationOfAircraft, InMetresIsAskedForByAllCommands) {
   EXPECT_LT(run({"verify", file, "--separation", "enroute"}).exit_code, 2);
 }
 
+// Two that fly 2 NM beside each other, as a receiver sends them.
+std::string messages() {
+  std::string text;
+  for (int t = 0; t < 4; ++t) {
+    const std::string time = "2024/06/05,10:00:0" + std::to_string(t) + ".000";
+    for (const auto* const at : {"3944EF|47.00000", "4008F6|47.03333"}) {
+      const std::string of(at);
+      text += "MSG,3,1,1," + of.substr(0, 6) + ",1," + time + "," + time + ",,35000,,," +
+              of.substr(7) + ",8.50000,,,0,0,0,0\n";
+    }
+  }
+  return text;
+}
+
+TEST(SeparationOfAircraft, IsAskedForByWatch) {
+  const std::string question = ": how close is too close? Say --separation enroute";
+  const std::string keys =
+      R"({"icao24":"4b1814","callsign":"A","time":1714564800,"lat":47,"lon":8.5,"altitude_m":9000})";
+  for (const std::string& input : {messages(), in_metres(), keys + "\n"}) {
+    const Finished asked = run({"watch"}, input);
+    EXPECT_EQ(asked.exit_code, 2) << asked.err;
+    EXPECT_EQ(asked.out, "");
+    expect_parts(asked.err, {"these are aircraft", question});
+    const Finished bare = run({"watch", "--threshold", "5"}, input);
+    EXPECT_EQ(bare.exit_code, 2) << bare.err;
+    expect_parts(bare.err, {"say --threshold 5NM if it is in nautical miles"});
+  }
+  const Finished found = run({"watch", "--separation", "enroute", "--fail-on-risk"}, messages());
+  EXPECT_EQ(found.exit_code, 1) << found.err;
+  expect_parts(found.err, {"entered    1\n"});
+}
+
+TEST(SeparationOfAircraft, IsAskedForByDetect) {
+  const TemporaryFolder folder;
+  const std::string feet =
+      "icao24,callsign,latitude,longitude,altitude,geoaltitude,groundspeed\n"
+      "3944ef,AFR123,48.0,1.968886,35000.0,35300.0,450.0\n"
+      "4008f6,BAW456,48.030072,2.0,35200.0,35500.0,430.0\n";
+  const std::string metres =
+      "icao24,callsign,lat,lon,geoaltitude_m\n3944ef,A,48.0,1.968886,10668\n"
+      "4008f6,B,48.030072,2.0,10729\n";
+  for (const std::string& input : {feet, metres}) {
+    const std::string file = folder.file("one.csv", input);
+    for (const Arguments& more : {Arguments{}, Arguments{"--memory", "1GB"}}) {
+      const Finished asked = run(Arguments{"detect", file} + more);
+      EXPECT_EQ(asked.exit_code, 2) << asked.err;
+      expect_parts(asked.err, {"these are aircraft", "how close is too close? Say --separation"});
+      const Finished found =
+          run(Arguments{"detect", file, "--separation", "enroute", "--fail-on-risk"} + more);
+      EXPECT_EQ(found.exit_code, 1) << found.err;
+    }
+  }
+}
+
 TEST(SeparationOfAircraft, IsAskedForWhereNothingElseFliesSo) {
   const Finished asked = run({"replay"}, in_metres("time_s,id,lat,lon,height_m"));
   EXPECT_EQ(asked.exit_code, 2) << asked.err;

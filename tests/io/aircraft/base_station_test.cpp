@@ -47,6 +47,17 @@ TEST(BaseStation, UnitsOfAviationBecomeMetresAndSeconds) {
   EXPECT_TRUE(has_note(recording, "times are taken for UTC"));
 }
 
+// Receivers write the time of the place where they are.
+TEST(BaseStation, TimesAreOfTheZoneThatTheCallerSays) {
+  RecordingOptions options;
+  const auto paris = TimeZone::find("Europe/Paris");
+  ASSERT_TRUE(paris);
+  options.time_zone = *paris;
+  const auto recording = recording_of(record(airborne("4B1814", "12:00:00.250"), options));
+  EXPECT_EQ(times_of(recording.bees[0]), Times{1714564800.25 - 7200.0});
+  EXPECT_TRUE(has_note(recording, "times are those of Europe/Paris, as --time-zone says"));
+}
+
 // As what records it is stopped.
 TEST(BaseStation, ALastLineThatIsCutIsCounted) {
   const std::string all = airborne("A", "12:00:00.000") + airborne("A", "12:00:01.000");

@@ -41,6 +41,18 @@ TEST(Flightradar24, AHeightOfZeroIsOfTheGroundOrOfNone) {
   EXPECT_EQ(recording.missing.count, 1u);
 }
 
+TEST(Flightradar24, AHeightOfZeroOnTheGroundIsKeptWhereThatIsAskedFor) {
+  RecordingOptions grounded;
+  grounded.grounded = true;
+  const auto recording = recording_of(
+      record(kFlightHeader + "1719835206,2024-07-01T12:00:06Z,BAW9,\"50.5,9.73\",0,12,270\n" +
+                 "1719835221,2024-07-01T12:00:21Z,BAW9,\"50.5,9.63\",0,450,270\n",
+             grounded));
+  ASSERT_EQ(recording.bees.size(), 1u);
+  EXPECT_EQ(recording.bees[0].fixes, (std::vector<Fix>{{1719835206, {9.73, 50.5, 0.0}}}));
+  EXPECT_EQ(recording.missing.count, 1u);  // who flies has no height there
+}
+
 TEST(Flightradar24, WhatIsNoPlaceIsTold) {
   expect_error(
       record(kFlightHeader + "1719835207,2024-07-01T12:00:07Z,BAW9,\"50.5,east\",36000,450,270\n"),
