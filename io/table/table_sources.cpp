@@ -62,8 +62,8 @@ TableSource flightradar24() {
 // Telonics: its Data Converter (TDC), complete or condensed reports; the position is that of the
 // acquisition time. Wildlife Computers: -Locations.csv of its data portal, whose times are UTC.
 // Axy-Trek of TechnoSmart: X, Y, Z are accelerations.
-const std::array<TableSource, 17>& known_sources() {
-  static const std::array<TableSource, 17> sources = {
+const std::array<TableSource, 18>& known_sources() {
+  static const std::array<TableSource, 18> sources = {
       TableSource{"traffic",
                   kNotOfTraffic,
                   {{"icao24"},
