@@ -99,7 +99,7 @@ TEST(Encounters, WhatWasBeforeTheLastIsCreatedIsLookedAt) {
   const Finished met = run(predict, first + crossing + third);
   EXPECT_EQ(met.exit_code, 1) << met.err;
   expect_parts(met.err, {"conflicts are looked for from 0.00 s on", "conflicts  1, of 2 bees\n",
-                         "AFR123 and BAW456, 277."});
+                         "AFR123 and BAW456, 278."});
   expect_parts(met.err, {" s before now\n"});
   const Finished apart = run(predict, first + far + third);
   EXPECT_EQ(apart.exit_code, 0) << apart.err;

@@ -80,9 +80,9 @@ TEST(SeparationOfAircraft, IsAskedForByWatch) {
 TEST(SeparationOfAircraft, IsAskedForByDetect) {
   const TemporaryFolder folder;
   const std::string feet =
-      "icao24,callsign,latitude,longitude,altitude,geoaltitude,groundspeed\n"
-      "3944ef,AFR123,48.0,1.968886,35000.0,35300.0,450.0\n"
-      "4008f6,BAW456,48.030072,2.0,35200.0,35500.0,430.0\n";
+      "icao24,callsign,latitude,longitude,geoaltitude_ft,groundspeed\n"
+      "3944ef,AFR123,48.0,1.968886,35300.0,450.0\n"
+      "4008f6,BAW456,48.030072,2.0,35500.0,430.0\n";
   const std::string metres =
       "icao24,callsign,lat,lon,geoaltitude_m\n3944ef,A,48.0,1.968886,10668\n"
       "4008f6,B,48.030072,2.0,10729\n";

@@ -138,7 +138,8 @@ TEST_F(OutOfCoreFiles, WhatCannotBeTakenTogetherIsRefused) {
   expect_refused({"-", metres, "-"}, 2, "read once", "x_m,y_m,z_m\n1,2,3\n");
   const std::string pressure = file("pressure.csv", "longitude,latitude,baroaltitude_m\n8,47,3\n");
   const std::string ellipsoid = file("ellipsoid.csv", "longitude,latitude,geoaltitude_m\n8,47,3\n");
-  expect_refused({pressure, ellipsoid, "--crs", "wgs84"}, 2, "the heights of");
+  expect_refused({pressure, ellipsoid, "--crs", "wgs84", "--threshold", "100m"}, 2,
+                 "the heights of");
   // Without --memory one file is read.
   const Finished several = run({"detect", metres, turned});
   EXPECT_EQ(several.exit_code, 2);

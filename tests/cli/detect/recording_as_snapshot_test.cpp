@@ -81,7 +81,9 @@ TEST(RecordingAsSnapshot, SoIsOneWhoseIdNumbersTheRecords) {
       "id,animals_id,time_s,x_m,y_m,z_m\n1,a,0,0,0,5\n2,b,0,9,0,5\n3,a,1,1,0,5\n", kBadInput,
       "column 1 'id' numbers its records, and column 2 'animals_id' has 'a' at more than "
       "one time ('0' and '1'); ask 'beespace replay'");
-  expect_answer("icao24,time_s,x [m],y [m],z [m]\na,0,0,0,0\nb,1,50,0,0\nc,2,900,0,0\n", "a\nb\n");
+  const std::string_view aircraft =
+      "icao24,time_s,x [m],y [m],z [m]\na,0,0,0,0\nb,1,50,0,0\nc,2,900,0,0\n";
+  EXPECT_EQ(run({"detect", "--threshold", "100m"}, aircraft).out, "a\nb\n");
 }
 
 TEST(RecordingAsSnapshot, HeightsAboveEachTakeOffAreRefusedLikewise) {

@@ -82,13 +82,14 @@ TEST(Units, EveryDoorAsksForTheUnitOfHeightsOfAircraft) {
 }
 
 TEST(Units, TheSummaryAndTheDocumentSayWhichUnitWasTakenAndWhy) {
-  const Finished finished = run({"detect", "--units", "height=ft", "--json"}, kAsked);
+  const Finished finished =
+      run({"detect", "--threshold", "100m", "--units", "height=ft", "--json"}, kAsked);
   EXPECT_TRUE(is_json(finished.out)) << finished.out;
   expect_parts(
       finished.out,
       {R"("units": [{"of": "heights", "unit": "ft", "reason": "asked for with --units"}])"});
   expect_parts(finished.err, {"units      heights in ft: asked for with --units\n"});
-  expect_parts(run({"detect"}, "lat,lon,alt_ft\n48,2,1\n").err,
+  expect_parts(run({"detect", "--threshold", "100m"}, "lat,lon,alt_ft\n48,2,1\n").err,
                {"heights in ft: the header names it: 'alt_ft'"});
   expect_parts(run({"detect"}, "x,y,z\n48,200,1\n4800,2,1\n").err,
                {"x, y and z in m: no unit is named, and nothing speaks of aviation"});
@@ -96,7 +97,8 @@ TEST(Units, TheSummaryAndTheDocumentSayWhichUnitWasTakenAndWhy) {
       run({"replay", "--threshold", "100", "--json"}, "id,time_s,lat,lon,alt_ft\na,0,48,2,1\n");
   EXPECT_TRUE(is_json(replayed.out)) << replayed.out;
   expect_parts(replayed.out, {R"("units": [{"of": "heights", "unit": "ft", )"});
-  const Finished watched = run({"watch"}, "id,time_s,lat,lon,alt_ft\na,0,48,2,1\n");
+  const Finished watched =
+      run({"watch", "--threshold", "100m"}, "id,time_s,lat,lon,alt_ft\na,0,48,2,1\n");
   expect_parts(watched.err, {"heights in ft: the header names it: 'alt_ft'"});
 }
 
@@ -105,8 +107,10 @@ TEST(Units, TheSuggestedThresholdIsTheOneThatWasGiven) {
   const std::string levels = "id,lat,lon,altitude [FL]\na,48,2,310\nb,48,2,320\n";
   expect_parts(run({"detect", "--threshold", "5NM", "--vertical", "304.8"}, levels).err,
                {"(--vertical 10FL)"});
-  expect_parts(run({"detect", "--vertical", "304.8"}, "id,lat,lon,alt_ft\na,48,2,1\n").err,
-               {"(--vertical 1000ft)"});
+  expect_parts(
+      run({"detect", "--threshold", "100m", "--vertical", "304.8"}, "id,lat,lon,alt_ft\na,48,2,1\n")
+          .err,
+      {"(--vertical 1000ft)"});
 }
 
 // 16 of 39 flight levels were in conflict at 304.8 m.
@@ -123,10 +127,13 @@ TEST(Units, AThousandFeetAreExactInSnapshots) {
   Arguments closer = question;
   closer[4] = "1000.5ft";
   EXPECT_EQ(rows_of(run(closer, table("id,lat,lon,alt_ft")).out), kLevels);
-  expect_parts(run({"detect", "--vertical", "1000ft"}, table("id,lat,lon,alt_ft")).err,
-               {"vertical   1000 ft, compared with heights in ft as they stand\n"});
-  expect_parts(run({"detect", "--vertical", "304.8"}, table("id,lat,lon,alt_ft")).err,
-               {"compared in metres, to which heights in ft are rounded"});
+  expect_parts(
+      run({"detect", "--threshold", "100m", "--vertical", "1000ft"}, table("id,lat,lon,alt_ft"))
+          .err,
+      {"vertical   1000 ft, compared with heights in ft as they stand\n"});
+  expect_parts(
+      run({"detect", "--threshold", "100m", "--vertical", "304.8"}, table("id,lat,lon,alt_ft")).err,
+      {"compared in metres, to which heights in ft are rounded"});
 }
 
 // A hundred feet are a flight level: the one is as exact as the other.

@@ -218,15 +218,15 @@ TEST(WatchAdvice, IsEastNorthAndUpBetweenDegrees) {
 }
 
 TEST(WatchAdvice, NamesFlightsAsEventsDo) {
-  const Finished finished =
-      watched({"--advise"}, R"({"hex": "a1b2c3", "flight": "UAL123  ", "lat": 50, )"
-                            R"("lon": 10, "alt_geom": 2000, "gs": 0, "track": 0, )"
-                            R"("geom_rate": 0, "seen_pos": 0, "now": 100})"
-                            "\n"
-                            R"({"hex": "d4e5f6", "lat": 50.00001, "lon": 10, )"
-                            R"("alt_geom": 2000, "gs": 0, "track": 0, )"
-                            R"("geom_rate": 0, "seen_pos": 0, "now": 100})"
-                            "\n");
+  const Finished finished = run({"watch", "--threshold", "5m", "--horizon", "0", "--advise"},
+                                R"({"hex": "a1b2c3", "flight": "UAL123  ", "lat": 50, )"
+                                R"("lon": 10, "alt_geom": 2000, "gs": 0, "track": 0, )"
+                                R"("geom_rate": 0, "seen_pos": 0, "now": 100})"
+                                "\n"
+                                R"({"hex": "d4e5f6", "lat": 50.00001, "lon": 10, )"
+                                R"("alt_geom": 2000, "gs": 0, "track": 0, )"
+                                R"("geom_rate": 0, "seen_pos": 0, "now": 100})"
+                                "\n");
   const auto lines = told(finished).bees;
   ASSERT_EQ(lines.size(), 2u) << finished.out << finished.err;
   expect_parts(lines[0], {R"("id": "a1b2c3")", R"("certified": false, )", R"("label": "UAL123"})"});

@@ -173,9 +173,10 @@ TEST(Watch, TheSummarySaysTheFrameTheHeightsAndTheThreshold) {
       R"({"now":1000000.5,"hex":"4B1814","alt_baro":9000,"alt_geom":10000,)"
       R"("lat":47.25,"lon":8.5,"seen_pos":0})"
       "\n";
-  expect_parts(watched(aircraft).err, {"frame      WGS84 longitude, latitude, height\n",
-                                       "heights    above the WGS84 ellipsoid\n"});
-  expect_parts(watched(aircraft, {"--heights", "pressure"}).err,
+  expect_parts(
+      watched(aircraft, {"--threshold", "5NM"}).err,
+      {"frame      WGS84 longitude, latitude, height\n", "heights    above the WGS84 ellipsoid\n"});
+  expect_parts(watched(aircraft, {"--threshold", "5NM", "--heights", "pressure"}).err,
                {"heights    pressure altitude\n"});
 }
 
@@ -212,7 +213,8 @@ TEST(Watch, AStreamMayBeJoinedInTheMiddleOfALine) {
       "\":47.25,\"lon\":8.5,\"seen_pos\":0}\n"
       R"({"now":1000000.5,"hex":"4B1814","alt_geom":10000,"lat":47.25,"lon":8.5,)"
       R"("seen_pos":0})"
-      "\n");
+      "\n",
+      {"--threshold", "5NM"});
   const Finished headed = watched("0,0\n" + std::string(kTogether));
   EXPECT_EQ(headed.exit_code, 0) << headed.err;
   EXPECT_EQ(headed.out, kEnteredAndEnded);
