@@ -85,7 +85,7 @@ void add_search_options(Command& detect, DetectRequest& request) {
   detect.choice("--report", request.report, words, "What to find, see below (default: at-risk)",
                 "WHAT");
   detect.option("--threshold", "LENGTH", request.threshold, read_stated_threshold,
-                "Closer than this is too close (default: 100)");
+                "Closer than this is too close (default: 100; of\naircraft it is asked for)");
   detect.option("--vertical", "LENGTH", request.vertical, read_vertical,
                 "Too close only if closer than this in height too;\nthe threshold is then "
                 "horizontal. The distance shown\nis still that in a straight line, and the "

@@ -248,6 +248,7 @@ void write_outlook(io::JsonWriter& json, const Prediction& prediction,
   const analysis::Snapshot& snapshot = prediction.snapshot;
   write_head(json, prediction.recording, request.moving, prediction.threshold_m);
   json.member("now_s", snapshot.time_s).member("horizon_s", request.horizon_s);
+  json.member("looked_since_s", prediction.looked_since_s.value_or(snapshot.time_s));
   json.member("movers", snapshot.movers.size()).member("stale", snapshot.stale);
   json.member("without_velocity", snapshot.unmoving.size());
   json.begin_object("known").member("complete", prediction.complete());

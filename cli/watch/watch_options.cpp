@@ -106,7 +106,8 @@ void add_input_options(Command& watch, Asked& asked) {
                "Read so many reports a second at most");
   watch.group("Separation");
   watch.option("--threshold", "LENGTH", request.threshold, read_stated_threshold_in_motion,
-               "Closer than this is too close (default: 100; of logs of\ndrones, 5)");
+               "Closer than this is too close (default: 100; of logs of\ndrones, 5; of aircraft it "
+               "is asked for)");
   watch.option("--vertical", "LENGTH", request.vertical, read_vertical_in_motion, kVerticalHelp);
   add_usual_separation_option(watch, request.separation);
   watch.option("--threads", "N", request.swarm.threads, read_threads,

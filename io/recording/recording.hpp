@@ -116,7 +116,7 @@ struct Recording {
   HeightDatum heights = HeightDatum::kUnstated;
   Unit height_unit = Unit::kMetre;             // of RecordedBee::stated_heights
   std::vector<UnitTaken> units;                // of what was read; heights (or z) are among them
-  std::optional<double> declared_threshold_m;  // the least distance that a show promises
+  std::optional<double> declared_threshold_m;  // the least distance that a show promises; 0: none
   // When the input itself was written, where it says so beside the times of its positions: its
   // present moment. Of several inputs the latest.
   std::optional<double> written_s = {};

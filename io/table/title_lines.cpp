@@ -93,9 +93,7 @@ Result<TitleLines> titles_above(std::string_view text, std::size_t offset,
     }
     // A record, or a header whose words are not known.
     if (content.filled >= columns || names) return TitleLines();
-    // Lines of it name the collar, and in which line the header is.
-    const bool of_telonics = titles.first.starts_with("Telonics Data Report");
-    if (content.numbers > 0 && !doubt && !of_telonics) {
+    if (content.numbers > 0 && !doubt) {
       doubt = Error{ErrorCode::kMalformedRecord,
                     excerpt(line.text) +
                         " stands above the header and has values in it; if it is no part of the "

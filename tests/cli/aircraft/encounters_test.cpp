@@ -101,6 +101,8 @@ TEST(Encounters, WhatWasBeforeTheLastIsCreatedIsLookedAt) {
   expect_parts(met.err, {"conflicts are looked for from 0.00 s on", "conflicts  1, of 2 bees\n",
                          "AFR123 and BAW456, 278."});
   expect_parts(met.err, {" s before now\n"});
+  expect_parts(run(predict + Arguments{"--json"}, first + crossing + third).out,
+               {R"("now_s": 300)", R"("looked_since_s": 0)"});
   const Finished apart = run(predict, first + far + third);
   EXPECT_EQ(apart.exit_code, 0) << apart.err;
   expect_parts(apart.err, {"conflicts  none\n"});
