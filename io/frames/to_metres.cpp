@@ -5,6 +5,7 @@
 #include <beespace/geodesy.hpp>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <utility>
@@ -39,11 +40,12 @@ constexpr std::string_view kUnknownAdvice =
 
 // 999, -9999.99: nines alone, as many tools write where they know nothing.
 bool stands_for_unknown(double value) {
+  constexpr std::array<double, 8> kNines = {999.0,     9999.0,     99999.0,     999999.0,
+                                            9999999.0, 99999999.0, 999999999.0, 9999999999.0};
   const double magnitude = std::abs(value);
-  for (double nines = 999.0; nines < 1e10; nines = nines * 10.0 + 9.0) {
-    if (magnitude >= nines && magnitude < nines + 1.0) return true;
-  }
-  return false;
+  return std::any_of(kNines.begin(), kNines.end(), [magnitude](double nines) {
+    return magnitude >= nines && magnitude < nines + 1.0;
+  });
 }
 
 }  // namespace

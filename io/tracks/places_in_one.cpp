@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace beespace::io {
 namespace {
@@ -36,17 +37,27 @@ std::optional<Error> place_in_one_value(std::string_view text, const TableLayout
       continue;
     }
     if (begins_with(table, text, i, "an array")) {
-      const std::string at = "." + name;
-      return missing_column(column_text(table, i) +
-                            " is an array; of three numbers x, y, z make values of their own: "
-                            "jq -c '. + {x: " +
-                            at + "[0], y: " + at + "[1], z: " + at + "[2]} | del(" + at +
-                            ")' FILE > xyz.ndjson (or lon, lat, height, where these are degrees)");
+      std::string message = column_text(table, i);
+      message.append(" is an array; of three numbers x, y, z make values of their own: ")
+          .append("jq -c '. + {x: .")
+          .append(name)
+          .append("[0], y: .")
+          .append(name)
+          .append("[1], z: .")
+          .append(name)
+          .append("[2]} | del(.")
+          .append(name)
+          .append(")' FILE > xyz.ndjson (or lon, lat, height, where these are degrees)");
+      return missing_column(std::move(message));
     }
     if (begins_with(table, text, i, "an object")) {
-      return missing_column(column_text(table, i) +
-                            " is an object; put what it holds beside the others: jq -c '. + ." +
-                            name + " | del(." + name + ")' FILE > flat.ndjson");
+      std::string message = column_text(table, i);
+      message.append(" is an object; put what it holds beside the others: jq -c '. + .")
+          .append(name)
+          .append(" | del(.")
+          .append(name)
+          .append(")' FILE > flat.ndjson");
+      return missing_column(std::move(message));
     }
   }
   return std::nullopt;

@@ -45,10 +45,12 @@ void find_bodies(const std::vector<std::string>& names, BodyTable& table) {
     if (names[i] == "Residual" && !table.bodies.empty()) table.bodies.back().residual = i;
     if (i + 2 >= names.size() || names[i].size() <= 2 || !names[i].ends_with(" X")) continue;
     const std::string name = names[i].substr(0, names[i].size() - 2);
-    const auto is_axis = [&name](const std::string& cell, const std::string& axis) {
-      return cell == axis || cell == name + " " + axis;
+    const auto is_axis = [&name](std::string_view cell, char axis) {
+      if (cell.empty() || cell.back() != axis) return false;
+      cell.remove_suffix(1);
+      return cell.empty() || (cell.ends_with(' ') && cell.substr(0, cell.size() - 1) == name);
     };
-    if (is_axis(names[i + 1], "Y") && is_axis(names[i + 2], "Z")) {
+    if (is_axis(names[i + 1], 'Y') && is_axis(names[i + 2], 'Z')) {
       table.bodies.push_back({name, {i, i + 1, i + 2}});
     }
   }

@@ -37,7 +37,7 @@ std::string number_behind(char letter, std::string_view name) {
   constexpr std::string_view kArena = "_arena";
   const std::string lower = lower_case(without_padding(name));
   if (lower.size() < 2 || lower.front() != letter) return {};
-  const std::string behind = lower.substr(1);
+  std::string behind = lower.substr(1);
   const auto begins = [&behind](std::size_t at) {
     return behind.find_first_not_of("0123456789", at);
   };
