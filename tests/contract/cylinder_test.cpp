@@ -1,7 +1,7 @@
 // Searches with a vertical threshold: every variant and every question against integers of any
 // size, at the thresholds, an ulp beside them, and at all magnitudes.
-#include "tests/contract/answer.hpp"
 #include "tests/contract/backward_crew.hpp"
+#include "tests/contract/cylinder_variants.hpp"
 #include "tests/support/exact_cylinder_oracle.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/scene_maker.hpp"
@@ -13,246 +13,16 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <map>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace beespace::test {
 namespace {
 
 using search::TuningOverrides;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double above(double value) {
-  return std::nextafter(value, kInfinity);
-}
-double below(double value) {
-  return std::nextafter(value, -kInfinity);
-}
-
-using Answers = std::map<std::string, Answer>;
-
-// "The root of the sum of the squares", each step rounded.
-double line_of(const CylinderScene& scene, std::size_t i, std::size_t j) {
-  const bool two = scene.two_sets;
-  const Point& p = scene.points[i];
-  const Point& q = two ? scene.others[j] : scene.points[j];
-  const double x = p.x - q.x;
-  const double y = p.y - q.y;
-  if (!scene.apart()) return std::sqrt(x * x + y * y + (p.z - q.z) * (p.z - q.z));
-  const double z = p.z - q.z;
-  const double up =
-      (scene.heights[i] - (two ? scene.other_heights : scene.heights)[j]) * scene.height_unit_m;
-  return std::sqrt(x * x + y * y + z * z + up * up);
-}
-
-Answers expected(const CylinderScene& scene, const ExactCylinders& exact, bool inclusive) {
-  const auto rows = exact.rows(inclusive);
-  std::vector<PointId> at_risk;
-  std::vector<std::uint32_t> counts;
-  std::vector<Pair> pairs;
-  IdRows neighbors;
-  neighbors.offsets.push_back(0);
-  std::vector<Nearest> nearest(rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto id = static_cast<PointId>(i);
-    if (!rows[i].empty()) at_risk.push_back(id);
-    counts.push_back(static_cast<std::uint32_t>(rows[i].size()));
-    for (const PointId j : rows[i]) {
-      if (scene.two_sets || id < j) pairs.push_back({id, j});
-    }
-    neighbors.ids.insert(neighbors.ids.end(), rows[i].begin(), rows[i].end());
-    neighbors.offsets.push_back(neighbors.ids.size());
-    if (const auto j = exact.nearest(i, rows[i])) nearest[i] = {*j, line_of(scene, i, *j)};
-  }
-  Answers answers = {{"at risk", flat(at_risk)},
-                     {"counts", flat(counts)},
-                     {"pairs", flat(pairs)},
-                     {"neighbours", flat(neighbors)},
-                     {"nearest", flat(nearest)}};
-  if (scene.two_sets) return answers;
-  // Flood fill.
-  IdRows groups;
-  groups.offsets.push_back(0);
-  std::vector<bool> seen(rows.size());
-  for (PointId first = 0; first < rows.size(); ++first) {
-    if (seen[first] || rows[first].empty()) continue;
-    std::vector<PointId> group = {first};
-    seen[first] = true;
-    for (std::size_t k = 0; k < group.size(); ++k) {
-      for (const PointId j : rows[group[k]]) {
-        if (!seen[j]) group.push_back(j);
-        seen[j] = true;
-      }
-    }
-    std::sort(group.begin(), group.end());
-    groups.ids.insert(groups.ids.end(), group.begin(), group.end());
-    groups.offsets.push_back(groups.ids.size());
-  }
-  answers["groups"] = flat(groups);
-  answers["visited pairs"] = answers["pairs"];
-  return answers;
-}
-
-Answer visited(const Result<bool>& all, std::vector<Pair> pairs) {
-  if (!all || !*all) return {0, 0, 0};
-  std::sort(pairs.begin(), pairs.end());
-  return flat(pairs);
-}
-
-PairVisitor into(std::vector<Pair>& pairs) {
-  return [&pairs](std::span<const Pair> batch) {
-    pairs.insert(pairs.end(), batch.begin(), batch.end());
-    return true;
-  };
-}
-
-Answers by_functions(const CylinderScene& scene, const SearchOptions& options) {
-  const PointsView points = scene.view();
-  if (scene.two_sets) {
-    const PointsView others = scene.other_view();
-    return {{"at risk", flat(find_at_risk_between(points, others, options))},
-            {"counts", flat(count_neighbors_between(points, others, options))},
-            {"pairs", flat(find_pairs_between(points, others, options))},
-            {"neighbours", flat(find_neighbors_between(points, others, options))},
-            {"nearest", flat(find_nearest_within_between(points, others, options))}};
-  }
-  std::vector<Pair> seen;
-  const auto all = visit_pairs(points, options, into(seen));
-  return {{"at risk", flat(find_at_risk(points, options))},
-          {"counts", flat(count_neighbors(points, options))},
-          {"pairs", flat(find_pairs(points, options))},
-          {"visited pairs", visited(all, seen)},
-          {"neighbours", flat(find_neighbors(points, options))},
-          {"groups", flat(find_conflict_groups(points, options))},
-          {"nearest", flat(find_nearest_within(points, options))}};
-}
-
-Answers by_brute_force(const CylinderScene& scene, const SearchOptions& options) {
-  namespace brute = brute_force;
-  const PointsView points = scene.view();
-  if (scene.two_sets) {
-    const PointsView others = scene.other_view();
-    return {{"at risk", flat(brute::find_at_risk_between(points, others, options))},
-            {"counts", flat(brute::count_neighbors_between(points, others, options))},
-            {"pairs", flat(brute::find_pairs_between(points, others, options))},
-            {"neighbours", flat(brute::find_neighbors_between(points, others, options))},
-            {"nearest", flat(brute::find_nearest_within_between(points, others, options))}};
-  }
-  return {{"at risk", flat(brute::find_at_risk(points, options))},
-          {"counts", flat(brute::count_neighbors(points, options))},
-          {"pairs", flat(brute::find_pairs(points, options))},
-          {"neighbours", flat(brute::find_neighbors(points, options))},
-          {"groups", flat(brute::find_conflict_groups(points, options))},
-          {"nearest", flat(brute::find_nearest_within(points, options))}};
-}
-
-// With the method forced.
-Answers by_method(const CylinderScene& scene, const SearchOptions& options,
-                  TuningOverrides::Crowds crowds, unsigned workers) {
-  BackwardCrew crew(workers);
-  core::Memory memory;
-  const core::Resources with{crew, memory};
-  TuningOverrides tuning;
-  tuning.crowds = crowds;
-  const PointsView points = scene.view();
-  const PointsView others = scene.other_view();
-  const search::CylinderSearch search(points, scene.two_sets ? &others : nullptr, options, with,
-                                      tuning);
-  std::vector<PointId> ids;
-  std::vector<std::uint32_t> counts;
-  std::vector<Pair> pairs;
-  std::vector<Pair> seen;
-  std::vector<Nearest> nearest;
-  IdRows neighbors;
-  IdRows groups;
-  search::PairVector pair_answer(pairs);
-  search::RowVectors row_answer(neighbors, points.size());
-  Answers answers = {{"at risk", flat_if(search.find_at_risk(ids), ids)},
-                     {"counts", flat_if(search.count_neighbors(counts), counts)},
-                     {"pairs", flat_if(search.find_pairs(pair_answer), pairs)},
-                     {"neighbours", flat_if(search.find_neighbors(row_answer), neighbors)},
-                     {"nearest", flat_if(search.find_nearest(nearest), nearest)}};
-  if (scene.two_sets) return answers;
-  answers["groups"] = flat_if(search.find_groups(groups), groups);
-  const auto all = search.visit_pairs(into(seen));
-  answers["visited pairs"] = visited(all, seen);
-  return answers;
-}
-
-void expect_same(const Answers& answers, const Answers& right, const std::string& variant) {
-  for (const auto& [question, answer] : answers) {
-    EXPECT_EQ(answer, right.at(question)) << variant << ": " << question;
-  }
-}
-
-// Every variant of every question; returns how many pairs there are.
-std::size_t check(const CylinderScene& scene, bool inclusive, const std::string& name) {
-  SCOPED_TRACE(name + (inclusive ? ", inclusive" : ", strict"));
-  const ExactCylinders exact(scene);
-  const Answers right = expected(scene, exact, inclusive);
-  expect_same(by_brute_force(scene, scene.options(inclusive)), right, "brute force");
-  for (const unsigned threads : {1U, 3U}) {
-    const SearchOptions options = scene.options(inclusive, threads);
-    expect_same(by_functions(scene, options), right, "functions");
-    expect_same(by_method(scene, options, TuningOverrides::Crowds::kNever, threads), right, "rows");
-    expect_same(by_method(scene, options, TuningOverrides::Crowds::kAlways, threads), right,
-                "tree");
-  }
-  return right.at("pairs").size();
-}
-
-// The same scene with its thresholds an ulp either side.
-std::size_t check_around(CylinderScene scene, const std::string& name) {
-  std::size_t pairs = 0;
-  const double threshold = scene.threshold_m;
-  const double vertical = scene.vertical_m;
-  for (const double wide : {below(threshold), threshold, above(threshold)}) {
-    for (const double high : {below(vertical), vertical, above(vertical)}) {
-      scene.threshold_m = wide;
-      scene.vertical_m = high;
-      for (const bool inclusive : {false, true}) pairs += check(scene, inclusive, name);
-    }
-  }
-  return pairs;
-}
-
-// Heights that were z are given apart, upon positions that lie in no plane.
-CylinderScene apart(CylinderScene scene, double unit) {
-  const auto move = [](std::vector<Point>& points, std::vector<double>& heights) {
-    for (Point& p : points) {
-      heights.push_back(p.z);
-      p.z = 0.0;
-      std::swap(p.x, p.z);
-    }
-  };
-  move(scene.points, scene.heights);
-  if (scene.two_sets) move(scene.others, scene.other_heights);
-  scene.height_unit_m = unit;
-  return scene;
-}
-
-CylinderScene in_two_sets(CylinderScene scene) {
-  scene.two_sets = true;
-  std::vector<Point> all = std::move(scene.points);
-  scene.points.clear();
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    (i % 3 == 0 ? scene.others : scene.points).push_back(all[i]);
-  }
-  return scene;
-}
-
-std::size_t check_all_forms(const CylinderScene& scene, const std::string& name) {
-  std::size_t pairs = check_around(scene, name);
-  pairs += check_around(apart(scene, 1.0), name + ", heights apart");
-  pairs += check_around(in_two_sets(scene), name + ", two sets");
-  pairs += check_around(apart(in_two_sets(scene), 0.3048), name + ", two sets, heights apart");
-  return pairs;
-}
 
 // Many pairs are exactly the thresholds apart: 3, 4, 5 and 5, 12, 13 on a lattice of powers of two.
 TEST(CylinderContract, OnLattices) {
@@ -337,7 +107,7 @@ double just_inside(double from, double vertical) {
            WideInteger(scaled(vertical, -200));
   };
   double height = from + vertical;
-  while (!is_inside(height)) height = below(height);
+  while (!is_inside(height)) height = one_ulp_below(height);
   return height;
 }
 
@@ -350,7 +120,8 @@ TEST_P(CornerEncounters, AreAllFound) {
     scene.threshold_m = make.between(50.0, 200.0);
     scene.vertical_m = GetParam().vertical * make.between(0.7, 1.5);
     const double low = GetParam().height * make.between(1.0, 1.001);
-    scene.points = {{0, 0, low}, {below(scene.threshold_m), 0, just_inside(low, scene.vertical_m)}};
+    scene.points = {{0, 0, low},
+                    {one_ulp_below(scene.threshold_m), 0, just_inside(low, scene.vertical_m)}};
     const SearchOptions options = scene.options(false);
     ASSERT_TRUE(ExactCylinders(scene).in_cylinder(0, 1, false));
     for (const auto crowds : {TuningOverrides::Crowds::kNever, TuningOverrides::Crowds::kAlways}) {
@@ -386,7 +157,7 @@ TEST(CylinderContract, AtTheBordersOfCells) {
     const double size = axis == 2 ? kVertical : kThreshold;
     for (const double wider : {-0x1p-18, -0x1p-20, -0x1p-30, 0.0, 0x1p-30, 0x1p-20, 0x1p-18}) {
       for (double cell = 1.0; cell < 1'500; cell = std::ceil(cell * 1.05)) {
-        const double first = below(cell * (size * (1.0 + wider)));
+        const double first = one_ulp_below(cell * (size * (1.0 + wider)));
         const double second = just_inside(first, size);
         CylinderScene scene;
         scene.threshold_m = kThreshold;
@@ -513,60 +284,6 @@ TEST(CylinderContract, AVisitorThatHasSeenEnoughEndsIt) {
     EXPECT_FALSE(*all);
     EXPECT_LT(seen, 20'000U);
   }
-}
-
-TEST(CylinderRefusals, SayWhichSetAndWhichHeight) {
-  const std::vector<Point> two = {{0, 0, 0}, {1, 0, 0}};
-  const std::vector<Point> three = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-  const std::vector<double> of_two = {1, 2};
-  const std::vector<double> bad = {1, 2, std::nan("")};
-  using Heights = std::vector<double>;
-  SearchOptions options{.threshold_m = 5.0, .vertical_m = 5.0};
-  const auto refused = [&](const Heights& ours, const Heights& theirs, ErrorCode code,
-                           const std::string& array) {
-    const PointsView points = PointsView(two).with_heights(ours);
-    const PointsView others = PointsView(three).with_heights(theirs);
-    const auto found = find_pairs_between(points, others, options);
-    const auto brute = brute_force::find_pairs_between(points, others, options);
-    ASSERT_FALSE(found);
-    ASSERT_FALSE(brute);
-    EXPECT_EQ(found.error().code, code);
-    EXPECT_EQ(found.error().location.array, array);
-    EXPECT_EQ(flat(found.error()), flat(brute.error()));
-  };
-  refused(of_two, {}, ErrorCode::kInvalidArgument, "others");  // no heights of the others
-  refused(of_two, of_two, ErrorCode::kInvalidArgument, "others");
-  refused(of_two, bad, ErrorCode::kNotFinite, "others");
-  refused({}, bad, ErrorCode::kInvalidArgument, "points");
-  options.height_unit_m = 0.3048;  // of z
-  refused({}, {}, ErrorCode::kInvalidArgument, "");
-  options.height_unit_m = 1.0;
-  EXPECT_TRUE(find_pairs_between(two, three, options));
-  options.vertical_m.reset();
-  refused(of_two, {1, 2, 3}, ErrorCode::kInvalidArgument, "");
-}
-
-// A search without a vertical threshold does not pass over heights in silence.
-TEST(CylinderRefusals, OfHeightsThatNothingCompares) {
-  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}};
-  const std::vector<double> heights = {1, 2};
-  const PointsView apart = PointsView(points).with_heights(heights);
-  const auto refused = [](const auto& found, const char* array) {
-    ASSERT_FALSE(found);
-    EXPECT_EQ(found.error().code, ErrorCode::kInvalidArgument);
-    EXPECT_EQ(found.error().location.array, array);
-  };
-  refused(find_nearest(apart), "points");
-  refused(find_nearest_between(points, apart), "others");
-  refused(find_k_nearest(apart, 1), "points");
-  refused(find_closest_pair(apart), "points");
-  refused(find_closest_pair_between(points, apart), "others");
-  refused(brute_force::find_nearest(apart), "points");
-  refused(Index::build(apart), "points");
-  const Index index = *Index::build(points);
-  refused(index.find_around(apart, {1.0}), "places");
-  refused(index.k_nearest(apart, 1), "places");
-  refused(predict_pairs(MoversView(apart, points), {.threshold_m = 1.0}), "");
 }
 
 }  // namespace
