@@ -38,6 +38,12 @@ struct HeightWords {
   bool unstated = false;     // what they are counted from is not said
 };
 
+// What is recorded, as people call it: an aircraft, a drone, an animal; where nothing tells, a bee.
+struct Noun {
+  std::string one = "bee";
+  std::string several = "bees";
+};
+
 struct SwarmFacts {
   std::string title;   // the file's name
   std::string source;  // what it was read as
@@ -50,7 +56,9 @@ struct SwarmFacts {
   std::optional<Placement> placed = {};
   HeightWords heights = {};
   bool aviation = false;  // figures tell distances in nautical miles and feet
-  bool flat = false;      // the input has no heights: those of positions are 0, and are not shown
+  Noun noun = {};
+  bool y_is_down = false;  // positions are those of a picture, whose origin is the corner above
+  bool flat = false;       // the input has no heights: those of positions are 0, and are not shown
   double threshold_m = 0.0;
   std::string threshold_words = {};  // where it comes from, behind it: ", as the input declares"
   std::optional<double> vertical_m = {};

@@ -93,8 +93,8 @@ std::string count_label(std::uint64_t count) {
   return grouped(std::to_string(count));
 }
 
-std::string count_label(std::uint64_t count, const char* one, const char* several) {
-  return count_label(count) + ' ' + (count == 1 ? one : several);
+std::string count_label(std::uint64_t count, std::string_view one, std::string_view several) {
+  return count_label(count).append(" ").append(count == 1 ? one : several);
 }
 
 std::string decimal_label(double value, int decimals) {

@@ -3,13 +3,14 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace beespace::report {
 
 // "1,234,567".
 std::string count_label(std::uint64_t count);
 // "1 pair", "1,234 pairs".
-std::string count_label(std::uint64_t count, const char* one, const char* several);
+std::string count_label(std::uint64_t count, std::string_view one, std::string_view several);
 
 // With a fixed number of decimals: "\u22121,234.50"; very large ones as "1.2e+15". Never "-0".
 std::string decimal_label(double value, int decimals);

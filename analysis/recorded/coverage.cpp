@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -220,6 +221,32 @@ std::vector<Gap> longest_of(std::vector<Gap> gaps) {
   return gaps;
 }
 
+// How far apart the bursts of fixes are of which its track is made, as collars take them by a
+// schedule: nearly all of its time lies between them, and nearly all gaps are of one length. An
+// outage of a drone is none.
+using GapIterator = std::vector<Gap>::const_iterator;
+std::optional<double> interval_of_bursts(const io::RecordedBee& bee, GapIterator first,
+                                         GapIterator last) {
+  constexpr double kNearlyAll = 0.9;
+  constexpr double kDiffer = 0.1;
+  std::vector<double> lengths_s;
+  lengths_s.reserve(static_cast<std::size_t>(last - first));
+  for (auto gap = first; gap != last; ++gap) lengths_s.push_back(length_of(*gap));
+  if (lengths_s.size() < kFixesToTell || bee.fixes.empty()) return std::nullopt;
+  const double all_s = bee.fixes.back().time_s - bee.fixes.front().time_s;
+  if (std::accumulate(lengths_s.begin(), lengths_s.end(), 0.0) < kNearlyAll * all_s) {
+    return std::nullopt;
+  }
+  std::sort(lengths_s.begin(), lengths_s.end());
+  const double usual_s = lengths_s[(lengths_s.size() - 1) / 2];
+  const auto alike = std::count_if(lengths_s.begin(), lengths_s.end(), [usual_s](double length_s) {
+    return std::abs(length_s - usual_s) <= kDiffer * usual_s;
+  });
+  const bool regular =
+      static_cast<double>(alike) >= kNearlyAll * static_cast<double>(lengths_s.size());
+  return regular ? std::optional(usual_s) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps,
@@ -263,14 +290,22 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& lon
   Coverage coverage;
   coverage.max_gap = max_gap;
   coverage.gaps = gaps.size();
-  for (std::size_t i = 0; i < gaps.size(); ++i) {
-    coverage.in_gaps_s += length_of(gaps[i]);
-    if (i > 0 && gaps[i - 1].track == gaps[i].track) continue;
+  for (auto first = gaps.cbegin(); first != gaps.cend();) {
+    const PointId track = first->track;
+    const auto last =
+        std::find_if(first, gaps.cend(), [track](const Gap& gap) { return gap.track != track; });
+    for (auto gap = first; gap != last; ++gap) coverage.in_gaps_s += length_of(*gap);
     ++coverage.bees_with_gaps;
-    const auto& [fixes, median_s] = intervals[gaps[i].track];
-    if (fixes < kFixesToTell || !(median_s > max_gap.seconds)) continue;
-    coverage.slow.push_back(gaps[i].track);
-    coverage.slowest_interval_s = std::max(coverage.slowest_interval_s, median_s);
+    const auto& [fixes, median_s] = intervals[track];
+    const auto apart_s = fixes >= kFixesToTell && median_s > max_gap.seconds
+                             ? std::optional(median_s)
+                             : interval_of_bursts(recording.bees[track], first, last);
+    if (apart_s) {
+      coverage.bursts = coverage.bursts || apart_s != median_s;
+      coverage.slow.push_back(track);
+      coverage.slowest_interval_s = std::max(coverage.slowest_interval_s, *apart_s);
+    }
+    first = last;
   }
   coverage.longest = longest_of(gaps);
   std::vector<Gap> hidden;
@@ -380,10 +415,13 @@ std::string slow_text(const Coverage& coverage, const io::Recording& recording) 
       coverage.slow.size() - std::min(coverage.slow.size(), Coverage::kMostNamed);
   if (more > 0) names += " and " + io::grouped(std::uint64_t{more}) + " more";
   const bool one = coverage.slow.size() == 1;
-  return names + (one ? " has a fix every " : " have fixes as far apart as ") +
-         io::time_span(coverage.slowest_interval_s) + ", which is more than the max gap, and " +
-         (one ? "is" : "are") + " hardly ever known: --max-gap " +
-         io::exact(max_gap_for(coverage.slowest_interval_s)) +
+  const std::string has = coverage.bursts ? (one ? " has bursts of fixes as far apart as "
+                                                 : " have bursts of fixes as far apart as ")
+                          : one           ? " has a fix every "
+                                          : " have fixes as far apart as ";
+  return names + has + io::time_span(coverage.slowest_interval_s) +
+         ", which is more than the max gap, and " + (one ? "is" : "are") +
+         " hardly ever known: --max-gap " + io::exact(max_gap_for(coverage.slowest_interval_s)) +
          " joins such fixes by straight lines";
 }
 

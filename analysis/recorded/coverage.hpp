@@ -39,9 +39,11 @@ struct Coverage {
   std::size_t bees_with_gaps = 0;
   double in_gaps_s = 0.0;    // summed over the bees
   std::vector<Gap> longest;  // of the gaps, at most kMostNamed
-  // Who is heard of so seldom that as a rule its fixes are farther apart than max_gap.
+  // Who is heard of so seldom that as a rule its fixes, or bursts of them, are farther apart than
+  // max_gap.
   std::vector<PointId> slow = {};
   double slowest_interval_s = 0.0;  // of these, the longest one
+  bool bursts = false;              // some of these have several fixes at a time
   std::size_t bees_partly =
       0;  // whose first fix is later, or whose last is earlier, than of others
   std::size_t bees_cut_off = 0;   // of these: in the air then, or on their way in a plane

@@ -66,10 +66,21 @@ TimeOfPairs time_in_conflict(const std::vector<Conflict>& conflicts) {
   return times_s;
 }
 
-std::string longer_text(const KeptByHeight& kept, double threshold_m) {
+// " (Wolf1 and Wolf2: 2 h, not 53 min 37 s)".
+std::string longest_text(const KeptByHeight& kept, const io::Recording& recording) {
+  if (!kept.longest) return {};
+  const KeptByHeight::Longer& longest = *kept.longest;
+  return " (" + text_of(name_of(longest.first, recording)) + " and " +
+         text_of(name_of(longest.second, recording)) + ": " + io::time_span(longest.over_ground_s) +
+         ", not " + io::time_span(longest.in_space_s) + ")";
+}
+
+std::string longer_text(const KeptByHeight& kept, const io::Recording& recording,
+                        double threshold_m) {
   if (kept.longer == 0) return {};
   return io::counted(kept.longer, "pair is", "pairs are") + " closer than " +
-         io::exact(threshold_m) + " m over ground for longer than with heights";
+         io::exact(threshold_m) + " m over ground for longer than with heights" +
+         longest_text(kept, recording);
 }
 
 }  // namespace
@@ -124,6 +135,8 @@ Result<std::optional<KeptByHeight>> kept_by_height(const io::Recording& recordin
       kept.unsure += unsure ? 1 : 0;
     } else if (unsure && seconds > kLonger * in_space->second) {
       ++kept.longer;
+      const KeptByHeight::Longer longer{pair.first, pair.second, seconds, in_space->second};
+      if (!kept.longest || longer.by_s() > kept.longest->by_s()) kept.longest = longer;
     }
   }
   for (const Conflict& conflict : found->conflicts) {
@@ -135,7 +148,7 @@ Result<std::optional<KeptByHeight>> kept_by_height(const io::Recording& recordin
 
 std::string kept_by_height_text(const KeptByHeight& kept, const io::Recording& recording,
                                 double threshold_m) {
-  const std::string longer = longer_text(kept, threshold_m);
+  const std::string longer = longer_text(kept, recording, threshold_m);
   if (kept.pairs == 0 && longer.empty()) return {};
   const std::string but = " over ground, and only their heights keep them apart";
   const std::string option = "--vertical " + io::exact(kept.vertical_m);

@@ -24,6 +24,15 @@ struct KeptByHeight {
   std::uint64_t unsure = 0;
   bool of_animals = false;
   std::uint64_t longer = 0;  // likewise: of pairs in conflict, which are so for longer over ground
+  // Of the latter that for which it makes the greatest difference.
+  struct Longer {
+    PointId first = 0;
+    PointId second = 0;
+    double over_ground_s = 0.0;
+    double in_space_s = 0.0;
+    [[nodiscard]] double by_s() const { return over_ground_s - in_space_s; }
+  };
+  std::optional<Longer> longest = {};
   std::optional<Conflict> closest = {};  // over ground
   double vertical_m = 0.0;               // a vertical threshold with which all of them count
 };

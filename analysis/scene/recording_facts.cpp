@@ -11,6 +11,7 @@
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "analysis/scene/height_words.hpp"
+#include "analysis/scene/noun.hpp"
 #include "analysis/scene/pair_ways.hpp"
 #include "analysis/scene/separation.hpp"
 #include "analysis/scene/show_limits.hpp"
@@ -224,6 +225,8 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   swarm.origin = request.origin;
   swarm.source = recording.format_description;
   swarm.flat = recording.flat;
+  swarm.noun = noun_of(recording);
+  swarm.y_is_down = recording.y_is_down;
   swarm.heights = height_words(recording.height_unit, recording.heights);
   swarm.aviation = speaks_of_feet(swarm.heights, request.threshold_unit, request.vertical);
   const DefaultThreshold otherwise = default_threshold(recording, kDefaultThreshold_m);

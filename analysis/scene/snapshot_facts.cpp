@@ -4,6 +4,7 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/last_snapshot.hpp"
 #include "analysis/scene/height_words.hpp"
+#include "analysis/scene/noun.hpp"
 #include "analysis/scene/uprights.hpp"
 #include "analysis/snapshot/closest_in_conflict.hpp"
 #include "analysis/snapshot/shown_ids.hpp"
@@ -210,6 +211,9 @@ Result<report::SnapshotFacts> snapshot_facts(const io::LoadedPoints& loaded,
   swarm.source = loaded.format_description;
   swarm.heights = height_words(loaded.height_unit, loaded.heights);
   swarm.aviation = speaks_of_feet(swarm.heights, request.threshold_unit, request.vertical);
+  swarm.y_is_down =
+      std::any_of(loaded.units.begin(), loaded.units.end(),
+                  [](const io::UnitTaken& taken) { return taken.unit == io::Unit::kPixel; });
   note_units(loaded.units, request.vertical, loaded.height_unit, swarm.notes);
   swarm.notes.insert(swarm.notes.end(), loaded.notes.begin(), loaded.notes.end());
   if (const io::RepeatedIds repeated = io::find_repeated_ids(loaded); repeated.count > 0) {
@@ -239,6 +243,8 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
   report::SnapshotFacts facts = begun(title, request);
   report::SwarmFacts& swarm = facts.swarm;
   swarm.source = recording.format_description;
+  swarm.noun = noun_of(recording);
+  swarm.y_is_down = recording.y_is_down;
   swarm.heights = height_words(recording.height_unit, recording.heights);
   swarm.aviation = speaks_of_feet(swarm.heights, request.threshold_unit, request.vertical);
   note_units(recording.units, request.vertical, recording.height_unit, swarm.notes);

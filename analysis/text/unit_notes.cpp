@@ -3,7 +3,6 @@
 #include "io/bytes/number_text.hpp"
 #include "io/problems/excerpt.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace beespace::analysis {
@@ -39,14 +38,6 @@ void note_units(const std::vector<io::UnitTaken>& units,
                 const std::optional<io::StatedLength>& vertical, io::Unit height_unit,
                 std::vector<std::string>& notes) {
   for (const io::UnitTaken& taken : units) notes.push_back(text_of(taken));
-  const bool in_pixels = std::any_of(units.begin(), units.end(), [](const io::UnitTaken& taken) {
-    return taken.unit == io::Unit::kPixel;
-  });
-  if (in_pixels) {
-    notes.emplace_back(
-        "y is drawn upwards; of a picture whose y counts downwards this is the mirror image, with "
-        "the same distances");
-  }
   std::string note = vertical_note(vertical, height_unit);
   if (!note.empty()) notes.push_back("--vertical " + std::move(note));
 }

@@ -123,6 +123,7 @@ struct Recording {
   bool of_aircraft = false;  // its format or its columns say so
   bool of_animals = false;   // some of it is, by what wrote it
   bool of_drones = false;    // all of it is what autopilots logged
+  bool y_is_down = false;    // all of it is counted as in a picture, from the corner above
   // It says how each flies from its last fix on, as a scenario of a simulator does: none is ever
   // out of reach.
   bool flies_on = false;

@@ -50,6 +50,13 @@ bool is_plain(std::string_view text) {
   });
 }
 
+// How to read one of several parts, and no other.
+std::string one_at_a_time(const SourceFacts::Parts& parts, const std::string& part) {
+  std::string text = "read one at a time";
+  if (parts.advice.empty() || !is_plain(part)) return text;
+  return text.append(", as by ").append(parts.advice).append(part).append("\"' FILE > one.csv");
+}
+
 }  // namespace
 
 std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
@@ -69,6 +76,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
     recording_.of_aircraft = facts.of_aircraft;
     recording_.of_animals = facts.of_animals;
     recording_.of_drones = facts.of_drones;
+    recording_.y_is_down = facts.y_is_down;
     recording_.flies_on = facts.flies_on;
     return agree_on_heights(facts.heights);
   }
@@ -128,9 +136,11 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   recording_.of_aircraft = recording_.of_aircraft || facts.of_aircraft;
   recording_.of_animals = recording_.of_animals || facts.of_animals;
   recording_.of_drones = recording_.of_drones && facts.of_drones;
+  recording_.y_is_down = recording_.y_is_down && facts.y_is_down;
   recording_.flies_on = recording_.flies_on && facts.flies_on;
   if (auto error = agree_on_heights(facts.heights)) return error;
   if (facts_->trials.column.empty()) facts_->trials = facts.trials;
+  if (facts_->scenes.column.empty()) facts_->scenes = facts.scenes;
   if (facts_->tags.column.empty()) facts_->tags = facts.tags;
   agree_on_units(facts);
   if (facts.description != facts_->description) facts_->description = "several formats";
@@ -210,18 +220,43 @@ std::optional<Error> RecordingAssembly::agree_on_origins(const SourceFacts& fact
 
 // What happened in one trial did not happen beside another one.
 std::optional<Error> RecordingAssembly::overlapping_trials() const {
-  const auto both = trials_.overlapping();
+  const auto both = options_.one_clock ? std::nullopt : trials_.overlapping();
   if (!both || !facts_) return std::nullopt;
   const auto& [first, second] = *both;
-  std::string message = "the times of " + excerpt(first.part) + " and " + excerpt(second.part) +
-                        ", which " + facts_->trials.column +
-                        " tells apart, begin again or overlap: trials are not compared with each "
-                        "other; read one at a time";
-  if (!facts_->trials.advice.empty() && is_plain(second.part)) {
-    message += ", as by " + facts_->trials.advice + second.part + "\"' FILE > one.csv";
-  }
-  return Error{ErrorCode::kTimeOrder, message + "; if all have one clock, take that column out",
+  return Error{ErrorCode::kTimeOrder,
+               "the times of " + excerpt(first.part) + " and " + excerpt(second.part) + ", which " +
+                   facts_->trials.column + " tells apart, begin again or overlap: trials are not " +
+                   "compared with each other; " + one_at_a_time(facts_->trials, second.part) +
+                   "; if all have one clock, say so with --one-clock",
                location_of(second.begins)};
+}
+
+// Who is on the other side of a comb, or before another camera, is somewhere else.
+std::optional<Error> RecordingAssembly::overlapping_scenes() const {
+  const auto both = scenes_.overlapping();
+  if (!both || !facts_) return std::nullopt;
+  const auto& [first, second] = *both;
+  return Error{ErrorCode::kUnknownFrame,
+               "places here are of " + excerpt(second.part) + ", others at the same time of " +
+                   excerpt(first.part) + ", as " + facts_->scenes.column +
+                   " tells, which may have an origin of its own: scenes are not compared with " +
+                   "each other; " + one_at_a_time(facts_->scenes, second.part) +
+                   "; if all are counted from one origin, and bees can meet, say so with --crs "
+                   "metres",
+               location_of(second.begins)};
+}
+
+// Pictures are counted from the beginning of each video.
+std::optional<Error> RecordingAssembly::overlapping_videos() const {
+  const auto both = videos_.overlapping();
+  if (!both) return std::nullopt;
+  const auto& [first, second] = *both;
+  return Error{ErrorCode::kInvalidArgument,
+               "frames here and in " + first.part +
+                   " may be counted from the beginning of a video each: then they cannot be "
+                   "compared; read the files each for itself, or, if all are of one video, say so "
+                   "with --one-clock",
+               {second.part}};
 }
 
 // Places by two tags would be mixed.

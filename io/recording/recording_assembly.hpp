@@ -59,6 +59,7 @@ struct SourceFacts {
   bool of_aircraft = false;                   // by its format, or what its columns are called
   bool of_animals = false;                    // what is known to write tables of animals wrote it
   bool of_drones = false;                     // what their autopilots logged
+  bool y_is_down = false;                     // Recording::y_is_down
   bool flies_on = false;                      // Recording::flies_on
   bool names_bees = false;                    // by an id: there may be several in it
   Unit time_unit = Unit::kUnstated;           // in which times are numbers
@@ -76,6 +77,7 @@ struct SourceFacts {
     std::string advice = {};
   };
   Parts trials = {};
+  Parts scenes = {};  // where places of each camera, side or arena may have an origin of its own
   Parts tags = {};
   // From whose beginning times count, and in whose arena places are counted, as the file says:
   // those of one trial have one clock, those of one arena one origin. Empty where it does not say.
@@ -110,6 +112,8 @@ class RecordingAssembly {
   // What to call the source in ids, the same for every call until the next source begins: `stem`,
   // or where another source has it already, all of the source's name, numbered if need be.
   std::string name_of_source(std::string stem);
+  // Whether a source is called so already.
+  [[nodiscard]] bool is_taken(const std::string& name) const { return stems_.contains(name); }
   // Of sources that are to be begun: those of one stem are called by what differs in their names.
   void expect_sources(const std::vector<std::string>& sources);
 
@@ -179,6 +183,14 @@ class RecordingAssembly {
   // A record of that trial, whose times may begin again in another one; of an animal, by that tag.
   void take_trial(std::string_view trial, double time_s, Origin origin) {
     trials_.take({}, trial, time_s, origin);
+  }
+  // A record of that scene within a trial, whose places may have an origin of their own.
+  void take_scene(std::string_view trial, std::string_view scene, double time_s, Origin origin) {
+    scenes_.take(trial, scene, time_s, origin);
+  }
+  // A record of a picture of the video that the source is of.
+  void take_picture(double time_s, Origin origin) {
+    videos_.take({}, sources_.back(), time_s, origin);
   }
   void take_tag(std::string_view id, std::string_view tag, double time_s, Origin origin) {
     tags_.take(id, tag, time_s, origin);
@@ -256,6 +268,8 @@ class RecordingAssembly {
   [[nodiscard]] std::optional<Error> agree_on_origins(const SourceFacts& facts);
   [[nodiscard]] std::optional<Error> agree_on_zeros(const SourceFacts& facts);
   [[nodiscard]] std::optional<Error> overlapping_trials() const;
+  [[nodiscard]] std::optional<Error> overlapping_scenes() const;
+  [[nodiscard]] std::optional<Error> overlapping_videos() const;
   [[nodiscard]] std::optional<Error> overlapping_tags() const;
   void agree_on_units(const SourceFacts& facts);
 
@@ -285,7 +299,9 @@ class RecordingAssembly {
   std::string source_stem_;                                   // the last of them
   SetNames set_names_;
   PartSpans trials_;
-  PartSpans tags_;  // within each animal
+  PartSpans scenes_;  // within each trial
+  PartSpans videos_;  // by source
+  PartSpans tags_;    // within each animal
   AddressNames address_names_;
   DoubledHours doubled_hours_;
   BareMidnights bare_midnights_;

@@ -291,7 +291,9 @@ Result<Recording> RecordingAssembly::finish() {
     unused_options_->location.source = facts_source_;
     return *std::move(unused_options_);
   }
+  if (auto error = overlapping_videos()) return *std::move(error);
   if (auto error = overlapping_trials()) return *std::move(error);
+  if (auto error = overlapping_scenes()) return *std::move(error);
   if (auto error = overlapping_tags()) return *std::move(error);
   if (auto error = settle_shows()) return *std::move(error);
   if (auto error = settle_frame()) return *std::move(error);

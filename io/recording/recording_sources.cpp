@@ -203,6 +203,10 @@ Error nothing_to_read(Listed found, const std::string& folder) {
   const std::string inside = first_folder_with_recordings(folder, kDepth);
   message += inside.empty() ? "; name the files, or the folder that holds them"
                             : "; folders in it are not looked into: name " + inside;
+  // As idtracker.ai writes them, in pixels.
+  if (inside.ends_with("trajectories_csv")) {
+    message += ", and say how long a pixel is, as in --scale 0.1mm";
+  }
   return {ErrorCode::kNoPoints, message, {folder}};
 }
 

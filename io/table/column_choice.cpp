@@ -141,6 +141,7 @@ Result<std::optional<std::size_t>> find_third(const Header& header, bool geograp
     if (header.source() != nullptr && header.source()->of_animals) break;
     const std::string& name = table.names[column];
     if (names_other_quantity(name) || names_set(name) || names_session(name)) continue;
+    if (names_scene(name)) continue;
     if (counts_from_takeoff(name)) return doubtful(column);
     if (names_zone(name)) continue;  // whether all are of one is asked of records
     const bool nameless = table.names[column].empty() && column + 1 == table.columns;

@@ -49,8 +49,8 @@ std::optional<Error> unit_problem(const ColumnSchema& schema, const TableLayout&
     if (!geographic && is_pixel(unit)) {
       if (pixels_are_told) continue;
       Error error{ErrorCode::kInvalidArgument,
-                  "column " + excerpt(table.names[column]) +
-                      " is in pixels: say how long one is, as in --scale 0.1mm (--scale 1 takes it "
+                  "column " + excerpt(table.names[column]) + std::string(kIsInPixels) +
+                      ": say how long one is, as in --scale 0.1mm (--scale 1 takes it "
                       "for a metre)",
                   {}};
       error.location.column = column + 1;

@@ -10,8 +10,12 @@
 #include <beespace/result.hpp>
 
 #include <optional>
+#include <string_view>
 
 namespace beespace::io {
+
+// What is said, behind its name, of a column whose unit is the pixel, where --scale is not given.
+inline constexpr std::string_view kIsInPixels = " is in pixels";
 
 // Fills in units, units_taken and datum. Errors: kInvalidArgument where a unit must be said (with
 // column), or where what is asked for does not fit; kUnsupportedFormat for a unit that is not read.

@@ -371,6 +371,7 @@ Result<TableLayout> find_table(std::string_view text, bool skip_bad) {
     if (titles.lines == 0) return;
     layout.notes.push_back("what stands above the header is passed over: " + excerpt(titles.first));
     layout.lines_before += titles.lines;
+    layout.titles_say_utc = titles.says_utc;
     offset = titles.offset;
     line = line_at(text, offset, layout.line_end);
   };

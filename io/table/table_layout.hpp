@@ -64,6 +64,7 @@ struct TableLayout {
   std::vector<ColumnContent> contents = {};
   std::size_t columns = 0;             // in every record
   std::size_t data_offset = 0;         // where the first line after the header begins
+  bool titles_say_utc = false;         // what stands above the header says that times are of UTC
   std::uint64_t lines_before = 0;      // how many lines lie before that place
   std::uint64_t records_per_line = 1;  // where each line was taken apart into several
   ColumnChoice choice = {};

@@ -60,10 +60,11 @@ TableSource flightradar24() {
 // Their times are those of each drone. QGroundControl: the table beside each .tlog, in the units of
 // its settings.
 // Telonics: its Data Converter (TDC), complete or condensed reports; the position is that of the
-// acquisition time. Wildlife Computers: -Locations.csv of its data portal, whose times are UTC.
-// Axy-Trek of TechnoSmart: X, Y, Z are accelerations.
-const std::array<TableSource, 18>& known_sources() {
-  static const std::array<TableSource, 18> sources = {
+// time of the fix, where there is one, which may be a minute after the acquisition time. Wildlife
+// Computers: -Locations.csv of its data portal, whose times are UTC. Axy-Trek of TechnoSmart: X, Y,
+// Z are accelerations.
+const std::array<TableSource, 19>& known_sources() {
+  static const std::array<TableSource, 19> sources = {
       TableSource{"traffic",
                   kNotOfTraffic,
                   {{"icao24"},
@@ -196,6 +197,15 @@ const std::array<TableSource, 18>& known_sources() {
           true},
       TableSource{"Telonics",
                   "",
+                  {{"gps_fix_time", Role::kTime},
+                   {"acquisition_time"},
+                   {"gps_fix_attempt"},
+                   {"gps_latitude"},
+                   {"gps_longitude"}},
+                  false,
+                  true},
+      TableSource{"Telonics",
+                  "",
                   {{"acquisition_time", Role::kTime},
                    {"acquisition_start_time"},
                    {"gps_fix_attempt"},
@@ -299,6 +309,10 @@ constexpr std::string_view kSessions =
     "run_no rep rep_id rep_no replicate_id replicate_no replication repetition recording "
     "recording_id episode episode_id rollout seed";
 
+constexpr std::string_view kScenes =
+    "arena arena_id camera camera_id camera_no camera_number cam cam_id cam_no side side_id "
+    "comb_side hive_side side_of_comb";
+
 bool has_name(const std::vector<std::string>& names, std::string_view wanted) {
   return std::any_of(names.begin(), names.end(),
                      [wanted](const std::string& name) { return plain_name(name) == wanted; });
@@ -360,6 +374,10 @@ bool names_zone(std::string_view column) {
 
 bool names_arena(std::string_view column) {
   return is_one_of("arena arena_id", plain_name(column));
+}
+
+bool names_scene(std::string_view column) {
+  return is_one_of(kScenes, plain_name(column));
 }
 
 bool names_other_quantity(std::string_view name) {

@@ -63,6 +63,9 @@ bool names_session(std::string_view column);
 bool names_zone(std::string_view column);
 // Of sets: places beside each other, which have one clock.
 bool names_arena(std::string_view column);
+// Whether it says in front of which camera, on which side of a comb or in which arena a place is:
+// each may have an origin of its own, and who is in one does not meet who is in another.
+bool names_scene(std::string_view column);
 
 // Whether a name speaks of something that is measured beside places and is none: "speed",
 // "likelihood", "temperature".

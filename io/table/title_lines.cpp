@@ -44,6 +44,15 @@ std::optional<std::uint64_t> stated_header_line(std::string_view line) {
   return static_cast<std::uint64_t>(std::min(number, 1e6));
 }
 
+bool says_utc(std::string_view line) {
+  constexpr std::string_view kSays = "Time Zone";
+  const std::string_view text = without_padding(line);
+  if (!text.starts_with(kSays) || text.size() < kSays.size() + 2) return false;
+  std::string_view zone = text.substr(kSays.size() + 1);
+  return is_one_of("utc gmt",
+                   lower_case(without_padding(zone.substr(0, zone.find(text[kSays.size()])))));
+}
+
 }  // namespace
 
 TitleLines titles_by_their_word(std::string_view text, std::size_t offset,
@@ -62,6 +71,7 @@ TitleLines titles_by_their_word(std::string_view text, std::size_t offset,
     if (!header) header = stated_header_line(line.text);
     if (header && *header <= number) break;
     if (titles.first.empty()) titles.first = line.text;
+    titles.says_utc = titles.says_utc || says_utc(line.text);
     offset = line.next;
   }
   return {};

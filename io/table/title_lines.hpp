@@ -15,6 +15,7 @@ struct TitleLines {
   std::uint64_t lines = 0;      // how many, with blank ones and comments between them; often none
   std::size_t offset = 0;       // where the line behind them begins
   std::string_view first = {};  // the first of them
+  bool says_utc = false;        // "Time Zone,UTC"
 };
 
 // Of lines above a header of which one says in which line of the file that is, as reports of

@@ -33,6 +33,7 @@ struct EthovisionLayout {
   std::string trial;
   std::string began;
   std::string arena;
+  std::string subject;
 };
 
 std::vector<std::string> cells_of_line(std::string_view line, char delimiter) {
@@ -57,6 +58,7 @@ void take_fact(const std::vector<std::string>& cells, EthovisionLayout& layout) 
   if (cells[0] == "Trial name") layout.trial = cells[1];
   if (cells[0] == "Start time") layout.began = cells[1];
   if (cells[0] == "Arena name") layout.arena = cells[1];
+  if (cells[0] == "Subject name") layout.subject = cells[1];
 }
 
 // The row below the names, where it is no record.
@@ -127,6 +129,8 @@ LongRecords records_of_trial(std::string_view text, const EthovisionLayout& layo
       "raw data as EthoVision exports them: the animal is where its center is, and times count "
       "from the beginning of the trial";
   records.description = "raw data of EthoVision";
+  records.of_animals = true;
+  records.animal = layout.subject;
   if (!layout.trial.empty()) {
     records.trial = "trial " + excerpt(layout.trial) +
                     (layout.began.empty() ? "" : " of " + excerpt(layout.began));

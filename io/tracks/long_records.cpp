@@ -41,16 +41,22 @@ std::optional<Error> read_long_records(const LongRecords& records, const std::st
   if (auto error = lengths_problem(layout->table, options)) return error;
   assembly.note(records.note);
   SourceFacts facts = facts_of(*layout, records.description);
+  facts.of_animals = facts.of_animals || records.of_animals;
   facts.trial = records.trial;
   facts.arena = records.arena;
   if (auto error = assembly.agree(facts)) return error;
   for (std::string& note : layout->notes) assembly.note(std::move(note));
   const bool named = layout->table.choice.id.has_value();
-  if (!named) assembly.note("there is no id: each file is taken for one bee, named after it");
+  // Of several arenas each may have a "Subject 1".
+  const bool says_whose = !records.animal.empty() && !assembly.is_taken(records.animal);
+  if (!named && !says_whose) {
+    assembly.note("there is no id: each file is taken for one bee, named after it");
+  }
   RecordsBefore none;
-  return read_track_records(records.text, *layout,
-                            named ? std::string() : assembly.name_of_source(stem),
-                            RecordPlace::kLineAndName, none, assembly);
+  return read_track_records(
+      records.text, *layout,
+      named ? std::string() : assembly.name_of_source(says_whose ? records.animal : stem),
+      RecordPlace::kLineAndName, none, assembly);
 }
 
 }  // namespace beespace::io

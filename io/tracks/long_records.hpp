@@ -21,6 +21,8 @@ struct LongRecords {
   std::size_t per_line = 1;             // how many records are of one line of the file
   std::string note = {};                // what was made of the table
   std::string description = {};         // "text, poses"
+  bool of_animals = false;              // SourceFacts::of_animals
+  std::string animal = {};              // whose they all are, where the file says so
   std::string trial = {};               // SourceFacts::trial
   std::string arena = {};               // SourceFacts::arena
 };

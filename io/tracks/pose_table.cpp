@@ -20,6 +20,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -274,6 +276,27 @@ void keep_part(PoseLayout& pose, const std::string& name, RecordingAssembly& ass
   }
 }
 
+// Where no instance is on a track: those of a video of one animal are all of that. Of several it is
+// not known who is who.
+std::optional<Error> settle_no_tracks(std::string_view text, PoseLayout& pose) {
+  if (!pose.id) return std::nullopt;
+  std::unordered_set<std::string_view> frames;
+  bool one_each = true;
+  RecordWalk walk(text, pose.offset, '\n');
+  while (walk.next()) {
+    if (!without_padding(field_at(walk.record(), ',', *pose.id).text).empty()) return std::nullopt;
+    const std::string_view frame = field_at(walk.record(), ',', pose.frame).text;
+    one_each = frames.insert(frame).second && one_each;
+  }
+  pose.id.reset();
+  if (one_each) return std::nullopt;
+  return Error{ErrorCode::kMissingColumn,
+               "no instance is on a track, and there are several in a frame, so that nothing tells "
+               "which is which: track them in SLEAP (Predict, Run Inference, with a tracker), save "
+               "the project, and export it again",
+               {}};
+}
+
 }  // namespace
 
 bool is_pose_table(std::string_view text) {
@@ -285,6 +308,7 @@ std::optional<Error> read_pose_table(std::string_view text, const std::string& s
   if (auto problem = text_problem(text)) return problem;
   auto pose = pose_layout(text);
   if (!pose) return Error{ErrorCode::kUnsupportedFormat, "this is no table of poses", {}};
+  if (auto error = settle_no_tracks(text, *pose)) return error;
   RecordingOptions options = assembly.options();
   const auto part = choose_part(*pose, options);
   if (!part) return part.error();
@@ -307,7 +331,10 @@ std::optional<Error> read_pose_table(std::string_view text, const std::string& s
   }
   if (auto error = lengths_problem(layout->table, options)) return error;
   say_choice(*pose, *part, records.unsure, assembly);
-  if (auto error = assembly.agree(facts_of(*layout, "text, poses"))) return error;
+  SourceFacts facts = facts_of(*layout, "text, poses");
+  // Their heights, where they have any, are as good as their places.
+  facts.of_animals = dimensions == 2;
+  if (auto error = assembly.agree(facts)) return error;
   for (std::string& note : layout->notes) assembly.note(std::move(note));
   const bool named = layout->table.choice.id.has_value();
   if (!named) assembly.note("there is no id: each file is taken for one bee, named after it");

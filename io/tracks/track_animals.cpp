@@ -34,6 +34,8 @@ void settle_animals(const Header& header, TrackLayout& layout) {
   // Who tells how fast it is is no animal in a picture: it should know where it is.
   layout.places_may_be_unknown = of_animals || !layout.velocity;
   layout.of_animals = of_animals || names_collars(header);
+  layout.y_is_down =
+      (of_animals && source->name == "TRex") || layout.table.choice.units.front() == Unit::kPixel;
   if (!of_animals) return;
   layout.no_height = &kUnknownHeight;
   layout.without_id = &kNoAnimal;
@@ -45,6 +47,10 @@ void settle_animals(const Header& header, TrackLayout& layout) {
     // "Argos" or "FastGPS"
     const bool of_seals = source->name == "Wildlife Computers";
     if (of_seals && words == std::vector<std::string>{"type"}) layout.sensor = i;
+    const bool of_telonics = source->name == "Telonics" && layout.time->column != i;
+    if (of_telonics && words == std::vector<std::string>{"acquisition", "time"}) {
+      layout.time->due = i;
+    }
     if (source->name == "Ornitela" && words == std::vector<std::string>{"datatype"}) {
       layout.sensor = i;
     }

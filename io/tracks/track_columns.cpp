@@ -22,7 +22,7 @@ NamePattern time_names() {
       {Says::kSince1970, "unix posix epoch 1970"},
       {Says::kBeside,
        "since start elapsed over utc iso iso8601 8601 rfc3339 boot begin sim simulation in of the "
-       "from "
+       "from acq "
        "flight mission sample header field message msg ros date datum fecha gmt"},
   };
   pattern.needed = Says::kNoun;

@@ -30,6 +30,7 @@
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_animals.hpp"
 #include "io/tracks/track_columns.hpp"
+#include "io/tracks/track_numbers.hpp"
 #include "io/tracks/track_sets.hpp"
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
@@ -56,10 +57,12 @@ Error missing(std::string message) {
 // ---- Whose record it is --------------------------------------------------------------------
 
 std::optional<std::size_t> choose_id(const Header& header, std::vector<std::string>& notes) {
-  const std::vector<std::size_t>& found = header.columns(Role::kId);
+  std::vector<std::size_t> found = header.columns(Role::kId);
   if (header.override_of(Role::kId)) return header.override_of(Role::kId);
   if (found.empty()) return std::nullopt;
   const TableLayout& table = header.table();
+  const auto is_scene = [&table](std::size_t column) { return names_scene(table.names[column]); };
+  if (!std::all_of(found.begin(), found.end(), is_scene)) std::erase_if(found, is_scene);
   const std::size_t chosen = io::choose_id(table, found);
   for (const std::size_t other : found) {
     if (other == chosen || names_flight(table.names[other])) continue;
@@ -258,6 +261,9 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
     fill(choice.axes[i], TrackSlot::kPosition + i);
   }
   if (layout.joined_place) fill(*layout.joined_place, TrackSlot::kJoinedPlace);
+  for (std::size_t i = 0; i < layout.scenes.size(); ++i) {
+    fill(layout.scenes[i], TrackSlot::kScenes + i);
+  }
   for (std::size_t i = 0; i < layout.sets.size(); ++i) fill(layout.sets[i], TrackSlot::kSets + i);
   if (layout.visible) fill(*layout.visible, TrackSlot::kVisible);
   for (std::size_t i = 0; i < layout.marked.size(); ++i) {
@@ -267,6 +273,7 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   if (layout.tag) fill(*layout.tag, TrackSlot::kTag);
   if (layout.time && layout.time->date) fill(*layout.time->date, TrackSlot::kDate);
   if (layout.time) fill(layout.time->column, TrackSlot::kTime);
+  if (layout.time && layout.time->due) fill(*layout.time->due, TrackSlot::kDue);
   if (layout.time && layout.time->nanoseconds) {
     fill(*layout.time->nanoseconds, TrackSlot::kNanoseconds);
   }
@@ -306,14 +313,18 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
             ? header.source()->since_start && !header.override_of(Role::kTime)
             : counts_from_start(layout.table, *layout.time);
   }
-  const auto id = choose_id(header, layout.notes);
+  auto id = choose_id(header, layout.notes);
+  if (!id) id = track_numbers(text, header, layout.time, layout.notes);
   layout.joined_place = joined_place_of(header);
   if (!layout.joined_place) {
     if (auto problem = nameless_position(text, header)) return *std::move(problem);
   }
   auto position = layout.joined_place ? choose_joined_place(header, *layout.joined_place)
                                       : choose_position(header);
-  if (!position) return with_millimetres(std::move(position).error(), text, header);
+  if (!position) {
+    Error problem = with_millimetres(std::move(position).error(), text, header);
+    return layout.time ? with_frames(std::move(problem), layout.table, *layout.time) : problem;
+  }
   layout.table.choice = std::move(position).value();
   ColumnChoice& choice = layout.table.choice;
   choice.id = id;
@@ -357,6 +368,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   settle_aircraft(header, options, layout);
   settle_animals(header, layout);
   settle_sets(header, layout);
+  settle_scenes(header, options, layout);
   layout.quality = find_fix_quality(text, layout.table);
   if (layout.quality) {
     layout.notes.push_back("whether there was a fix is read from " +
@@ -391,6 +403,9 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
     layout.time->begins_at_zero = !zero_is_said && !known && !layout.show &&
                                   !names_one_colour(layout.table) &&
                                   times_begin_at_zero(text, layout.table, *layout.time);
+    // Animations, as of shows, have heights, and one clock.
+    layout.time->of_video = layout.time->form == TimeForm::kFrames && !zero_is_said && !known &&
+                            (choice.dimensions == 2 || options.pixel.has_value());
     layout.time->is_small = layout.time->unit_is_asked && !zero_is_said && !layout.show &&
                             !names_one_colour(layout.table) &&
                             times_are_small(text, layout.table, *layout.time);

@@ -47,6 +47,7 @@ struct TimeChoice {
   bool begins_at_zero = false;
   bool unit_is_asked = false;  // the caller alone says the unit, who so says nothing of the zero
   bool is_small = false;       // the same, and the first one is too small for a common zero
+  bool of_video = false;       // pictures of a video, which is another one than that of other files
   bool to_the_minute = false;  // the first time has no seconds
   DateOrder dates = DateOrder::kUnsaid;  // where the year is last
   std::string dates_reason = {};         // why it is that one
@@ -60,6 +61,8 @@ struct TimeChoice {
   double zero_s = 0.0;  // since 1970: what numbers count from, as the dates of `other` tell
   // Of whole seconds, as ROS has them: the column of what is to be added, in nanoseconds.
   std::optional<std::size_t> nanoseconds = {};
+  // Of Telonics: the column of the time at which a fix was due, for records that have had none.
+  std::optional<std::size_t> due = {};
   std::optional<std::size_t> other = {};  // another column that looks like a time, and is not taken
 };
 
@@ -98,6 +101,7 @@ struct TrackLayout {
   // mistake.
   bool of_aircraft = false;
   bool of_animals = false;  // what wrote it is known to write tables of animals
+  bool y_is_down = false;  // in pixels, or as a known program that follows animals in videos counts
   // Of other recordings, a record that says that its place is unknown ("NA") is no mistake either:
   // it is as good as none.
   bool places_may_be_unknown = false;
@@ -136,6 +140,7 @@ struct TrackLayout {
   std::optional<std::size_t> clock_zone = {};     // of times of a clock: which is to be one
   std::vector<std::size_t> sets = {};             // within which ids are unique: studies, days
   std::vector<std::size_t> trials = {};           // which of `sets` times may begin again with
+  std::vector<std::size_t> scenes = {};           // sides, cameras, arenas: see names_scene()
   std::optional<std::size_t> no_height_yet = {};  // of heights that the beginning has none of
   // Of Flightradar24: "48.0,2.0", latitude and longitude in one column. Heights of 0 are of no
   // one that flies: on the ground, or where the height is not known.
@@ -182,8 +187,10 @@ struct TrackSlot {
   static constexpr std::size_t kMostMarked = 3;
   static constexpr std::size_t kSets = kMarked + kMostMarked;  // as many as kMostSets
   static constexpr std::size_t kMostSets = 6;
-  static constexpr std::size_t kNothing =
-      kSets + kMostSets;  // where columns go that are not asked for
+  static constexpr std::size_t kScenes = kSets + kMostSets;  // as many as kMostScenes
+  static constexpr std::size_t kMostScenes = 3;
+  static constexpr std::size_t kDue = kScenes + kMostScenes;
+  static constexpr std::size_t kNothing = kDue + 1;  // where columns go that are not asked for
 };
 
 // By column: which slot it fills. An id may be read from a column that is something else too, but

@@ -137,6 +137,17 @@ void TrackRecordReader::read_sets(TrackRecord& record) {
   record.trial = joined_trials_;
 }
 
+void TrackRecordReader::read_scenes(TrackRecord& record) {
+  record.scene = {};
+  if (layout_.scenes.empty()) return;
+  joined_scenes_.clear();
+  for (const std::size_t column : layout_.scenes) {
+    if (!joined_scenes_.empty()) joined_scenes_ += ", ";
+    joined_scenes_.append(without_padding(fields_[slots_[column]].text));
+  }
+  record.scene = joined_scenes_;
+}
+
 std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
   if (!layout_.time) return std::nullopt;
   const TimeChoice& time = *layout_.time;
@@ -335,6 +346,10 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
     fields_[TrackSlot::kPosition].text = place.longitude;
     fields_[TrackSlot::kPosition + 1].text = place.latitude;
   }
+  if (layout_.time && layout_.time->due &&
+      is_unknown(without_padding(fields_[TrackSlot::kTime].text))) {
+    fields_[TrackSlot::kTime] = fields_[TrackSlot::kDue];
+  }
   if (layout_.no_height_yet && *layout_.no_height_yet < count) {
     const std::string_view height = without_padding(fields_[TrackSlot::kLateHeight].text);
     if (!is_unknown(height)) record.late_height = height;
@@ -344,6 +359,7 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   record.doubled.reset();
   record.is_rough = layout_.sensor && is_of_argos(fields_[TrackSlot::kSensor].text);
   read_sets(record);
+  read_scenes(record);
   if (auto problem = read_id(record)) return problem;
   if (record.left_out != nullptr) return std::nullopt;
   read_label(record);

@@ -44,6 +44,7 @@ struct TrackRecord {
   Velocity velocity = {};            // not-a-number where it is unknown
   std::string_view set = {};         // study, trial: within which the id is unique; as the line
   std::string_view trial = {};       // what of that times may begin again with; as the line
+  std::string_view scene = {};       // before which camera it is, on which side; as the line
   std::string_view tag = {};         // by which the place of an animal is known; as the line
   std::string_view axes_name = {};   // of ROS: what the position is counted in; as long as the line
   std::string_view zone = {};        // of UTM; as long as the line
@@ -67,6 +68,7 @@ class TrackRecordReader {
   std::optional<Error> read_id(TrackRecord& record);
   void read_label(TrackRecord& record);
   void read_sets(TrackRecord& record);
+  void read_scenes(TrackRecord& record);
   [[nodiscard]] const LeftOutReason* reason_to_leave_out() const;
   [[nodiscard]] bool is_outlier() const;
   [[nodiscard]] std::optional<Error> unclear_word() const;
@@ -87,6 +89,7 @@ class TrackRecordReader {
   std::array<Field, TrackSlot::kNothing + 1> fields_ = {};
   std::string unquoted_id_;
   std::string unquoted_label_;
+  std::string joined_scenes_;
   std::string joined_sets_;
   std::string joined_trials_;
 };

@@ -3,7 +3,35 @@
 #include "io/table/column_overrides.hpp"
 #include "io/table/table_sources.hpp"
 
+#include <algorithm>
+
 namespace beespace::io {
+namespace {
+
+// Whether places are those of a video, or so small that they may be of one of several cameras.
+bool is_of_laboratory(const TrackLayout& layout, const RecordingOptions& options) {
+  const auto& units = layout.table.choice.units;
+  return options.pixel || layout.time->form == TimeForm::kFrames ||
+         std::any_of(units.begin(), units.end(), [](Unit unit) {
+           return unit == Unit::kMillimetre || unit == Unit::kCentimetre ||
+                  unit == Unit::kMicrometre;
+         });
+}
+
+// How the records of one value of that column are taken out of a text, up to the value.
+std::string filter_of(const TableLayout& table, std::size_t column) {
+  const char delimiter = table.delimiter;
+  std::string text = "awk ";
+  if (delimiter == '\t') {
+    text += "-F'\\t' ";
+  } else if (delimiter != ' ') {
+    text.append("-F'").append(1, delimiter).append("' ");
+  }
+  text.append("'NR <= ").append(std::to_string(table.lines_before)).append(" || $");
+  return text.append(std::to_string(column + 1)).append(" == \"");
+}
+
+}  // namespace
 
 void settle_sets(const Header& header, TrackLayout& layout) {
   const auto& id = layout.table.choice.id;
@@ -22,6 +50,17 @@ void settle_sets(const Header& header, TrackLayout& layout) {
   }
 }
 
+void settle_scenes(const Header& header, const RecordingOptions& options, TrackLayout& layout) {
+  const auto& id = layout.table.choice.id;
+  if (!layout.time || options.frame == Frame::kMetres) return;
+  if (layout.frame == Frame::kWgs84 || !is_of_laboratory(layout, options)) return;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    const bool is_free = i != id && header.meaning(i).role != Role::kTime;
+    if (layout.scenes.size() == TrackSlot::kMostScenes) break;
+    if (is_free && names_scene(header.table().names[i])) layout.scenes.push_back(i);
+  }
+}
+
 std::string columns_of_trials(const TrackLayout& layout) {
   std::string text;
   for (const std::size_t set : layout.trials) {
@@ -30,17 +69,21 @@ std::string columns_of_trials(const TrackLayout& layout) {
   return text;
 }
 
-std::string filter_of_trials(const TrackLayout& layout) {
-  if (layout.trials.size() != 1) return {};
-  const char delimiter = layout.table.delimiter;
-  std::string text = "awk ";
-  if (delimiter == '\t') {
-    text += "-F'\\t' ";
-  } else if (delimiter != ' ') {
-    text.append("-F'").append(1, delimiter).append("' ");
+std::string columns_of_scenes(const TrackLayout& layout) {
+  std::string text;
+  for (const std::size_t column : layout.scenes) {
+    text += (text.empty() ? "" : " with ") + column_text(layout.table, column);
   }
-  return text + "'NR <= " + std::to_string(layout.table.lines_before) + " || $" +
-         std::to_string(layout.sets[layout.trials.front()] + 1) + " == \"";
+  return text;
+}
+
+std::string filter_of_trials(const TrackLayout& layout) {
+  return layout.trials.size() == 1 ? filter_of(layout.table, layout.sets[layout.trials.front()])
+                                   : std::string();
+}
+
+std::string filter_of_scenes(const TrackLayout& layout) {
+  return layout.scenes.size() == 1 ? filter_of(layout.table, layout.scenes.front()) : std::string();
 }
 
 }  // namespace beespace::io

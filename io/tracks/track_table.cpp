@@ -158,9 +158,11 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   facts.begins_at_zero = layout.time && layout.time->begins_at_zero;
   facts.of_aircraft = tells_of_aircraft(layout);
   facts.of_animals = layout.of_animals;
+  facts.y_is_down = layout.y_is_down;
   facts.names_bees = choice.id.has_value();
   if (layout.time && layout.time->form == TimeForm::kNumbers) facts.time_unit = layout.time->unit;
   facts.trials.column = columns_of_trials(layout);
+  facts.scenes.column = columns_of_scenes(layout);
   if (layout.tag && choice.id) {
     facts.tags = {
         column_text(layout.table, *layout.tag),
@@ -333,6 +335,10 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       assembly.bare_midnights().take_written();
     }
     if (!layout.trials.empty()) assembly.take_trial(record.trial, record.time_s, origin);
+    if (!layout.scenes.empty()) {
+      assembly.take_scene(record.trial, record.scene, record.time_s, origin);
+    }
+    if (layout.time && layout.time->of_video) assembly.take_picture(record.time_s, origin);
     if (layout.tag && !is_unknown(record.tag)) {
       assembly.take_tag(record.id, record.tag, record.time_s, origin);
     }
@@ -378,6 +384,7 @@ Result<TrackTableReader> TrackTableReader::begin(const TrackTable& beginning,
   std::string form = "text, " + std::string(delimiter_name(layout->table.delimiter)) + "-separated";
   SourceFacts facts = facts_of(*layout, std::move(form));
   facts.trials.advice = filter_of_trials(*layout);
+  facts.scenes.advice = filter_of_scenes(*layout);
   if (auto error = assembly.agree(facts)) return *std::move(error);
   for (std::string& note : layout->notes) assembly.note(std::move(note));
   if (layout->show) assembly.declare_show({});

@@ -6,6 +6,7 @@
 #include "io/points/record_reading.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/table/column_names.hpp"
+#include "io/table/coordinate_units.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/table/table_sources.hpp"
@@ -313,6 +314,15 @@ Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Heade
                             options.time_unit, since_1970);
   if (!chosen) return chosen.error();
   return std::optional<TimeChoice>(chosen.value());
+}
+
+Error with_frames(Error problem, const TableLayout& table, const TimeChoice& time) {
+  const bool of_pixels = problem.message.find(kIsInPixels) != std::string::npos;
+  if (!of_pixels || time.form != TimeForm::kFrames || time.frames_per_second > 0.0) return problem;
+  problem.message += "; and " + column_text(table, time.column) +
+                     " counts the frames of a video: say how many there are in a second, as in "
+                     "--fps 25";
+  return problem;
 }
 
 std::optional<Error> frames_problem(const TableLayout& table, const TimeChoice& time,

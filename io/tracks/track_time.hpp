@@ -25,6 +25,9 @@ Unit unit_since_1970(double value);
 Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Header& header,
                                               const RecordingOptions& options);
 
+// A question about pixels, and what else such a table lacks: how many frames there are in a second.
+Error with_frames(Error problem, const TableLayout& table, const TimeChoice& time);
+
 // Frames are chosen, but not how many there are in a second, or how long a pixel is: what to say.
 // `position` is where they are.
 std::optional<Error> frames_problem(const TableLayout& table, const TimeChoice& time,

@@ -2,6 +2,7 @@
 
 #include "io/bytes/characters.hpp"
 #include "io/bytes/number.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/problems/unplaced.hpp"
@@ -15,7 +16,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -107,8 +110,22 @@ std::optional<SpotLayout> spot_layout(std::string_view text) {
   return spots;
 }
 
+// How long the unit of times is in which films of hours are, which tables of others are asked to
+// convert.
+std::optional<double> seconds_of_unit(std::string_view unit) {
+  if (is_one_of("min mins minute minutes", lower_case(unit))) return 60.0;
+  if (is_one_of("h hr hour hours", lower_case(unit))) return 3'600.0;
+  return std::nullopt;
+}
+
+// As it is where it is no number.
+std::string times_so_many(const std::string& text, double seconds) {
+  double number = 0.0;
+  return parse_number(text, number) == NumberKind::kNumber ? exact(number * seconds) : text;
+}
+
 // The same with what is read alone.
-std::string records_of(std::string_view text, const SpotLayout& spots) {
+std::string records_of(std::string_view text, const SpotLayout& spots, double time_unit_s) {
   std::string out;
   std::uint64_t lines = 0;
   RecordWalk walk(text, spots.offset, '\n');
@@ -120,7 +137,11 @@ std::string records_of(std::string_view text, const SpotLayout& spots) {
       out.append("a row of ").append(std::to_string(fields.size())).append(" values\n");
       continue;
     }
-    for (const std::size_t column : spots.read) out.append(fields[column]) += kUnitSeparator;
+    for (std::size_t i = 0; i < kRead.size(); ++i) {
+      const std::string& field = fields[spots.read[i]];
+      const bool in_seconds = i != kTime || time_unit_s == 1.0;
+      out.append(in_seconds ? field : times_so_many(field, time_unit_s)) += kUnitSeparator;
+    }
     out.back() = '\n';
   }
   return out;
@@ -190,7 +211,14 @@ std::optional<Error> read_trackmate_table(std::string_view text, RecordingAssemb
   const RecordingOptions& options = assembly.options();
   if (auto error = units_unsaid(*spots, options)) return error;
   if (options.frames_per_second) take_frames(text, *spots);
-  const std::string records = records_of(text, *spots);
+  double time_unit_s = 1.0;
+  if (const auto seconds = seconds_of_unit(spots->units[kTime]); seconds && !spots->in_frames) {
+    assembly.note("times of the table are in " + spots->units[kTime] +
+                  ", and are turned into seconds");
+    time_unit_s = *seconds;
+    spots->units[kTime] = "sec";
+  }
+  const std::string records = records_of(text, *spots, time_unit_s);
   if (records.empty()) {
     return Error{ErrorCode::kNoPoints, "there are rows that name columns and none after them", {}};
   }
@@ -204,7 +232,9 @@ std::optional<Error> read_trackmate_table(std::string_view text, RecordingAssemb
   layout->without_id = &kNoTrack;
   if (auto error = lengths_problem(layout->table, options)) return error;
   assembly.note("a table of spots, as TrackMate writes them: each track is a bee");
-  if (auto error = assembly.agree(facts_of(*layout, "text, spots"))) return error;
+  SourceFacts facts = facts_of(*layout, "text, spots");
+  facts.y_is_down = true;  // of an image, in whichever unit
+  if (auto error = assembly.agree(facts)) return error;
   for (std::string& note : layout->notes) assembly.note(std::move(note));
   RecordsBefore none;
   return read_track_records(records, *layout, {}, RecordPlace::kLineAndName, none, assembly);

@@ -163,11 +163,12 @@ bool may_hold_ids(const Header& header, const TrackLayout& layout, std::size_t c
   const Role role = header.meaning(column).role;
   const bool unclear =
       role == Role::kNone || role == Role::kId || (role == Role::kTrack && !layout.velocity);
-  const bool taken = column == layout.table.choice.id || column == layout.axes_name ||
-                     column == layout.visible || column == layout.zone ||
-                     column == layout.clock_zone ||
-                     (layout.quality && column == layout.quality->column) ||
-                     std::find(layout.sets.begin(), layout.sets.end(), column) != layout.sets.end();
+  const bool taken =
+      column == layout.table.choice.id || column == layout.axes_name || column == layout.visible ||
+      column == layout.zone || column == layout.clock_zone ||
+      (layout.quality && column == layout.quality->column) ||
+      std::find(layout.sets.begin(), layout.sets.end(), column) != layout.sets.end() ||
+      names_scene(layout.table.names[column]);
   return unclear && !taken && !names_other_quantity(layout.table.names[column]);
 }
 

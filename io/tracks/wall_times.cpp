@@ -30,7 +30,9 @@ bool names_utc(const std::string& name) {
   for (const std::string& word : split_words(name)) {
     if (is_one_of("utc gmt", word)) {
       utc = true;
-    } else if (!is_one_of("date time datetime timestamp datum zeit fecha hora", word)) {
+    } else if (!is_one_of(
+                   "date time datetime timestamp datum zeit fecha hora acq acquisition fix gps",
+                   word)) {
       return false;
     }
   }
@@ -51,6 +53,9 @@ void choose_zone(const Header& header, const RecordingOptions& options, TimeChoi
   } else if (time.column < header.size() && names_utc(header.table().names[time.column])) {
     time.zone = TimeZone::utc();
     time.zone_reason = "the header says it";
+  } else if (header.table().titles_say_utc && !names_local(header, time.column)) {
+    time.zone = TimeZone::utc();
+    time.zone_reason = "a line above the header says it";
   } else if (options.time_zone) {
     time.zone = options.time_zone;
     time.zone_reason = "as --time-zone says";

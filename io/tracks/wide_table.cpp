@@ -134,6 +134,7 @@ std::optional<Error> read_wide_table(std::string_view text, RecordingAssembly& a
                  (of_animalta ? "AnimalTA" : "idtracker.ai") + " writes them" +
                  (wide->time ? "" : "; there is no time: rows are taken for frames");
   records.description = "text, columns for each animal";
+  records.of_animals = true;
   return read_long_records(records, {}, assembly);
 }
 

@@ -1,5 +1,6 @@
 #include "report/figure/figure.hpp"
 
+#include "io/bytes/number_text.hpp"
 #include "report/figure/nearest_histogram.hpp"
 #include "report/figure/recording_view.hpp"
 #include "report/figure/separation_chart.hpp"
@@ -30,13 +31,19 @@ std::string name_of(const Names& names, PointId first, PointId second) {
   return names.of(first) + " \u2013 " + names.of(second);
 }
 
+std::string counted(std::size_t count, const Noun& noun) {
+  return count_label(count, noun.one, noun.several) + ". ";
+}
+
 std::string findings_of(const SnapshotFacts& facts) {
-  std::string text = count_label(facts.positions.size(), "bee", "bees") + ". ";
+  std::string text = counted(facts.positions.size(), facts.swarm.noun);
   if (facts.at_risk.empty() && !facts.unknown.empty()) {
     return text + "Of those that are known none is " + too_close(facts.swarm) + " to another; " +
            facts.unknown + ".";
   }
-  if (facts.at_risk.empty()) return text + "No bee is " + too_close(facts.swarm) + " to another.";
+  if (facts.at_risk.empty()) {
+    return text + "No " + facts.swarm.noun.one + " is " + too_close(facts.swarm) + " to another.";
+  }
   text += count_label(facts.at_risk.size(), "is at risk", "are at risk") + ": " +
           count_label(facts.pair_count, "pair", "pairs") + " " + too_close(facts.swarm) + ", in " +
           count_label(facts.group_count, "group", "groups");
@@ -47,7 +54,7 @@ std::string findings_of(const SnapshotFacts& facts) {
 }
 
 std::string findings_of(const RecordingFacts& facts) {
-  std::string text = count_label(facts.tracks.size(), "bee", "bees") + ". ";
+  std::string text = counted(facts.tracks.size(), facts.swarm.noun);
   const std::string but_for = facts.standing_count == 0
                                   ? ""
                                   : ", but for " +
@@ -57,8 +64,10 @@ std::string findings_of(const RecordingFacts& facts) {
     return text + "No two come " + too_close(facts.swarm) + " in the known time" + but_for + "; " +
            facts.unknown + ".";
   }
-  if (facts.conflict_count == 0)
-    return text + "No bee comes " + too_close(facts.swarm) + " to another" + but_for + ".";
+  if (facts.conflict_count == 0) {
+    return text + "No " + facts.swarm.noun.one + " comes " + too_close(facts.swarm) +
+           " to another" + but_for + ".";
+  }
   text += count_label(facts.conflict_count, "conflict", "conflicts") + " of " +
           count_label(facts.pair_count, "pair", "pairs") + ": " + too_close(facts.swarm);
   if (facts.possible_count > 0) {
@@ -86,13 +95,19 @@ Listing closest_pairs(const SnapshotFacts& facts) {
   return listing;
 }
 
+// ", for 2 h"; nothing of an encounter that is none.
+std::string duration_of(const Conflict& conflict) {
+  const double lasts_s = conflict.ends_s - conflict.begins_s;
+  return lasts_s > 0.0 ? ", for " + io::time_span(lasts_s) : std::string();
+}
+
 Listing closest_conflicts(const RecordingFacts& facts) {
   Listing listing{"Closest conflicts", {}, facts.conflict_count};
   const auto add = [&](const Conflict& conflict, const std::optional<Apart>& apart) {
     listing.rows.push_back({name_of(facts.swarm.names, conflict.first, conflict.second),
                             listed_apart(facts.swarm, conflict.closest_m, apart) + " at " +
                                 moment_label(conflict.closest_s, facts.since_1970) +
-                                (conflict.certain ? "" : ", possible")});
+                                (conflict.certain ? "" : ", possible") + duration_of(conflict)});
   };
   for (std::size_t i = 0; i < std::min(kMostRows, facts.conflicts.size()); ++i) {
     const bool known = i < facts.conflicts_apart.size();

@@ -1,6 +1,7 @@
 #include "report/figure/recording_view.hpp"
 
 #include "report/figure/density.hpp"
+#include "report/figure/path_labels.hpp"
 #include "report/figure/style.hpp"
 #include "report/number_label.hpp"
 #include "report/separation_words.hpp"
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace beespace::report {
@@ -141,6 +143,12 @@ void draw_starts(const RecordingFacts& facts, const View& view, Drawing& drawing
   if (starts.centres.size() <= kFewStarts) drawing.shapes.emplace_back(std::move(starts));
 }
 
+// "a drone", "an animal".
+std::string one_of(const Noun& noun) {
+  const bool vowel = std::string_view("aeiou").find(noun.one.front()) != std::string_view::npos;
+  return (vowel ? "an " : "a ") + noun.one;
+}
+
 void draw_closest(const RecordingFacts& facts, const View& view, Drawing& drawing) {
   if (!facts.closest) return;
   // Of a show with drones on the ground, those that are closest in the air.
@@ -179,6 +187,7 @@ void draw_paths(const RecordingFacts& facts, const View& view, Drawing& drawing)
                                     facts.conflicts.size() <= kFewConflicts ? 2.2 : 1.0});
   draw_conflicts(facts, view, drawing);
   draw_closest(facts, view, drawing);
+  if (view.from == View::From::kAbove) draw_path_labels(facts, view, drawing);
 }
 
 std::vector<KeyEntry> key_of_paths(const RecordingFacts& facts, const View& from_above) {
@@ -192,8 +201,12 @@ std::vector<KeyEntry> key_of_paths(const RecordingFacts& facts, const View& from
                                         count_label(ways_of(paths, from_above).most()) +
                                         " from above"});
   }
-  if (facts.tracks.size() <= kFewStarts) key.push_back({Sample::kStart, "start"});
-  if (!facts.unknown_spans.empty()) key.push_back({Sample::kUnknown, "a bee unknown"});
+  if (facts.tracks.size() <= kFewStarts) {
+    const bool named = facts.tracks.size() <= kMostNamedPaths;
+    key.push_back({Sample::kStart, named ? "start; names are at ends" : "start"});
+  }
+  if (!facts.unknown_spans.empty())
+    key.push_back({Sample::kUnknown, one_of(facts.swarm.noun) + " unknown"});
   if (facts.conflicts.empty()) return key;
   const bool parts = !parts_in_conflict(facts, from_above).empty();
   if (facts.conflicts.size() <= kFewConflicts) {
@@ -205,7 +218,7 @@ std::vector<KeyEntry> key_of_paths(const RecordingFacts& facts, const View& from
                                         count_label(conflicts_of(facts, from_above).most()) +
                                         " from above"});
   }
-  key.push_back({Sample::kBand, "a bee in conflict"});
+  key.push_back({Sample::kBand, one_of(facts.swarm.noun) + " in conflict"});
   return key;
 }
 

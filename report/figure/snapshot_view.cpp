@@ -115,9 +115,9 @@ std::vector<KeyEntry> key_of_bees(const SnapshotFacts& facts, const View& from_a
   using Sample = KeyEntry::Sample;
   std::vector<KeyEntry> key;
   if (are_few(facts)) {
-    key.push_back({Sample::kBee, "bee"});
+    key.push_back({Sample::kBee, facts.swarm.noun.one});
   } else {
-    key.push_back({Sample::kShades, "bees in a cell: 1 to " +
+    key.push_back({Sample::kShades, facts.swarm.noun.several + " in a cell: 1 to " +
                                         count_label(all_bees(facts, from_above).most()) +
                                         " from above"});
   }

@@ -35,7 +35,7 @@ Axis axis_across(const char* name, const Scale& scale, const AxisUnit& unit) {
 }
 
 Axis axis_upwards(const char* name, const Scale& scale, const AxisUnit& unit) {
-  const double height = scale.low_at() - scale.high_at();
+  const double height = std::abs(scale.low_at() - scale.high_at());
   const double room = (height > kGreatestSide ? 3.2 : 2.2) * kLabelSize;
   return {scale, nice_ticks(scale.values(), static_cast<std::size_t>(height / room), unit.metres),
           std::string(name) + " (" + unit.name + ")"};
@@ -89,21 +89,24 @@ std::vector<View> views_of(const Extent& extent, const SwarmFacts& swarm, Spot c
   const Box above{corner.x, corner.y, width, top};
   const Box beside{corner.x, above.bottom() + kBetween, width, side};
   const Scale x(around(low.x, high.x, unit_m * width), above.left, above.right());
-  const Scale y(around(low.y, high.y, unit_m * top), above.bottom(), above.top);
+  const double y_begins = swarm.y_is_down ? above.top : above.bottom();
+  const double y_ends = swarm.y_is_down ? above.bottom() : above.top;
+  const Scale y(around(low.y, high.y, unit_m * top), y_begins, y_ends);
   const Scale z(around(low.z, high.z, up_unit_m * side), beside.bottom(), beside.top);
   const bool on_earth = swarm.origin.has_value();
   // One unit across and along.
   const AxisUnit plane = axis_unit(swarm, std::max(x.values().size(), y.values().size()));
   const Axis east = axis_across(on_earth ? "East" : "x", x, plane);
   const AxisUnit up = swarm.aviation ? height_unit(swarm) : axis_unit(swarm, z.values().size());
+  const std::string heading = swarm.y_is_down ? "As in the video, y downward" : "From above";
   Axis unnamed = east;
   unnamed.title.clear();
   if (swarm.flat) {
     const Axis north = axis_upwards(on_earth ? "North" : "y", y, plane);
-    return {{View::From::kAbove, {above, "From above", east, north}}};
+    return {{View::From::kAbove, {above, heading, east, north}}};
   }
   return {{View::From::kAbove,
-           {above, "From above", unnamed, axis_upwards(on_earth ? "North" : "y", y, plane)}},
+           {above, heading, unnamed, axis_upwards(on_earth ? "North" : "y", y, plane)}},
           {View::From::kSide,
            {beside, "From the side" + stretch_label(unit_m / up_unit_m), east,
             axis_upwards(on_earth ? "Height" : "z", z, up)}}};

@@ -167,7 +167,8 @@ std::vector<std::string> write_kml(const SnapshotFacts& facts, io::AtomicOutput&
   const Names& names = facts.swarm.names;
   const MapObstacles obstacles = map_obstacles(facts);
   std::vector<std::string> notes = obstacles.notes;
-  const std::size_t bees = marks_shown(facts.at_risk.size(), "bees at risk", notes);
+  const std::size_t bees =
+      marks_shown(facts.at_risk.size(), facts.swarm.noun.several + " at risk", notes);
   const std::size_t pairs = marks_shown(facts.pairs.size(), "pairs", notes);
   const MapPlaces places(facts.swarm);
   Document document(facts.swarm, kept_words(facts), notes, output);

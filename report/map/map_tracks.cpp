@@ -67,7 +67,8 @@ MapTracks map_tracks(const RecordingFacts& facts, std::size_t most_tracks, std::
   return map;
 }
 
-std::size_t marks_shown(std::size_t count, const char* what, std::vector<std::string>& notes) {
+std::size_t marks_shown(std::size_t count, const std::string& what,
+                        std::vector<std::string>& notes) {
   if (count <= kMostMarks) return count;
   notes.push_back("of " + count_label(count) + " " + what + ", " + count_label(kMostMarks) +
                   " are in the file");

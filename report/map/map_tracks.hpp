@@ -29,6 +29,7 @@ inline constexpr std::size_t kMostTrackFixes = 500'000;
 inline constexpr std::size_t kMostMarks = 20'000;
 
 // How many of so many are shown, at most kMostMarks; says what is left out.
-std::size_t marks_shown(std::size_t count, const char* what, std::vector<std::string>& notes);
+std::size_t marks_shown(std::size_t count, const std::string& what,
+                        std::vector<std::string>& notes);
 
 }  // namespace beespace::report

@@ -100,7 +100,7 @@ void write_risk_table(const RecordingFacts& facts, io::AtomicOutput& output) {
   io::TableWriter table(text, ',');
   places.write_names(table.header("first,second,begins_s,closest_s,ends_s,closest_m,certain"));
   if (facts.since_1970) table.header("begins,closest,ends");
-  table.end_row();
+  table.header("lasts_s").end_row();
   for (const Conflict& c : facts.conflicts) {
     write_id(table, facts.swarm.names, c.first);
     write_id(table, facts.swarm.names, c.second);
@@ -112,7 +112,7 @@ void write_risk_table(const RecordingFacts& facts, io::AtomicOutput& output) {
         table.field(instant_label(time_s));
       }
     }
-    table.end_row();
+    table.field(c.ends_s - c.begins_s).end_row();
     output.write(text);
     text.clear();
   }

@@ -153,6 +153,47 @@ TEST(Figure, WhatIsFlatIsSeenFromAboveOnly) {
   expect_inside(drawing);
 }
 
+RecordingFacts anna_and_bert() {
+  RecordingFacts facts;
+  facts.swarm.threshold_m = 1.0;
+  facts.swarm.flat = true;
+  facts.swarm.names.texts = {"Anna", "Bert"};
+  facts.tracks = {Track{{{0.0, {0, 0, 0}}, {1.0, {100, 90, 0}}}},
+                  Track{{{0.0, {0, 50, 0}}, {1.0, {100, 20, 0}}}}};
+  return facts;
+}
+
+// Who is who among a few paths.
+TEST(Figure, AFewPathsHaveTheirNamesAtTheirEnds) {
+  RecordingFacts facts = anna_and_bert();
+  const Drawing drawing = figure_of(facts);
+  EXPECT_TRUE(says(drawing, "Anna"));
+  EXPECT_TRUE(says(drawing, "Bert"));
+  expect_inside(drawing);
+  facts.tracks.resize(13, facts.tracks.front());
+  EXPECT_FALSE(says(figure_of(facts), "Anna"));
+  // Of two that end in one place one has room, or both beside each other.
+  facts = anna_and_bert();
+  facts.tracks[1] = facts.tracks[0];
+  EXPECT_TRUE(says(figure_of(facts), "Anna"));
+}
+
+TEST(Figure, OfAVideoIsAsItIs) {
+  RecordingFacts facts = anna_and_bert();
+  facts.swarm.y_is_down = true;
+  facts.swarm.noun = {"animal", "animals"};
+  const Drawing drawing = figure_of(facts);
+  EXPECT_TRUE(says(drawing, "As in the video, y downward"));
+  EXPECT_TRUE(says(drawing, "2 animals. No animal comes closer than 1 m to another."));
+  const auto at_y = [&](const std::string& name) {
+    for (const Text& text : shapes_of<Text>(drawing)) {
+      if (text.text == name) return text.at.y;
+    }
+    return 0.0;
+  };
+  EXPECT_GT(at_y("Anna"), at_y("Bert"));  // whose y is the greater one
+}
+
 TEST(Figure, FromAboveAMetreIsAsLongOnBothAxes) {
   for (const double wide : {10.0, 1000.0, 1e6}) {
     for (const double deep : {1.0, 500.0, 2e6}) {

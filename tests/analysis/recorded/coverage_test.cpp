@@ -47,6 +47,33 @@ TEST(MaxGap, IsNeverWhereNoBeeHasTwoFixes) {
   EXPECT_EQ(max_gap_text(max_gap), "never");
 }
 
+// As collars take them by a schedule: nearly all of the time lies between the bursts.
+TEST(Coverage, OfBurstsOfFixesSaysTheMaxGapThatJoinsThem) {
+  std::vector<double> times_s;
+  std::vector<Gap> gaps;
+  for (int burst = 0; burst < 6; ++burst) {
+    for (int fix = 0; fix < 5; ++fix) times_s.push_back(1800.0 * burst + fix);
+    if (burst > 0) gaps.push_back({0, 1800.0 * (burst - 1) + 4.0, 1800.0 * burst});
+  }
+  io::Recording recording;
+  recording.bees = {bee_at("wolf", times_s)};
+  const MaxGap max_gap = max_gap_of(recording, {});
+  EXPECT_EQ(slow_text(coverage_of(recording, gaps, max_gap), recording),
+            "wolf has bursts of fixes as far apart as 29 min 56 s, which is more than the max gap, "
+            "and is "
+            "hardly ever known: --max-gap 8980 joins such fixes by straight lines");
+  // Outages of any length are no schedule.
+  gaps.clear();
+  std::vector<double> log_s = {0.0, 0.1};
+  for (const double outage_s : {10.0, 300.0, 45.0, 1200.0}) {
+    const double begins_s = log_s.back();
+    gaps.push_back({0, begins_s, begins_s + outage_s});
+    log_s.insert(log_s.end(), {begins_s + outage_s, begins_s + outage_s + 0.1});
+  }
+  recording.bees = {bee_at("drone", log_s)};
+  EXPECT_EQ(slow_text(coverage_of(recording, gaps, {0.5, 0.1}), recording), "");
+}
+
 TEST(Coverage, CountsGapsAndTheTimeBeforeTheFirstAndAfterTheLastFix) {
   io::Recording recording;
   recording.bees = {bee_at("a", {0, 1, 50, 51}), bee_at("b", {10, 20})};

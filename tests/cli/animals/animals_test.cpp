@@ -130,12 +130,15 @@ TEST(Animals, FramesAndPixelsAreAskedForAndThenRead) {
                               "metres, in a plane", "2.8 mm apart", "1 bee in 1 gap"});
 }
 
-// Of a picture, whose rows count downwards: a picture of it is its mirror image, which is said.
+// Of a video, whose rows count downwards: a picture is drawn so, a page is its mirror image, which
+// is said.
 TEST(Animals, PicturesOfPixelsSayWhichWayTheyAreDrawn) {
   const Arguments of_pixels = {table("pixels.csv"), "--threshold", "3mm", "--fps", "25",
                                "--scale",           "0.1mm"};
   const std::string said = "y is drawn upwards; of a picture whose y counts downwards this is the";
-  EXPECT_NE(run(Arguments{"plot"} + of_pixels).out.find(said), std::string::npos);
+  const std::string drawn = run(Arguments{"plot"} + of_pixels).out;
+  expect_parts(drawn, {"As in the video, y downward"});
+  EXPECT_EQ(drawn.find(said), std::string::npos);
   EXPECT_NE(run(Arguments{"report"} + of_pixels).out.find(said), std::string::npos);
   EXPECT_EQ(run({"plot", table("movebank.csv")}).out.find(said), std::string::npos);
 }
@@ -320,7 +323,9 @@ TEST(Animals, FlatTracksAreDrawnFlat) {
   const std::string svg = folder.path("flat.svg");
   EXPECT_EQ(run({"plot", table("movebank_r.csv"), "--output", svg}).exit_code, 0);
   const std::string drawn = folder.read("flat.svg");
-  expect_parts(drawn, {"From above"});
+  expect_parts(drawn, {"From above", " animals. "});
+  EXPECT_NE(run({"report", table("movebank_r.csv")}).out.find(R"("one":"animal")"),
+            std::string::npos);
   EXPECT_EQ(drawn.find("From the side"), std::string::npos);
   EXPECT_EQ(drawn.find("heights are above"), std::string::npos);
   const std::string czml = folder.path("flat.czml");

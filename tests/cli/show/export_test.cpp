@@ -103,6 +103,7 @@ TEST_F(Export, CsvHasOneRowAPairOrAConflict) {
   const auto conflicts = rows_of(exported(flight_, "csv"), '\n');
   ASSERT_EQ(conflicts.size(), 2u);
   expect_parts(conflicts[1][0], {"a,'=1+1,17145648", ",yes,", ",2024-05-01T12:00:30Z,"});
+  EXPECT_TRUE(conflicts[0][0].ends_with(",begins,closest,ends,lasts_s")) << conflicts[0][0];
 }
 
 TEST_F(Export, WithoutBeesAtRiskFilesAreEmptyButWhole) {

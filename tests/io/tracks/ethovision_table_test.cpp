@@ -76,9 +76,13 @@ TEST(EthovisionTable, Utf16IsRead) {
 }
 
 TEST(EthovisionTable, FilesOfOneTrialHaveOneClock) {
-  const auto recording = recording_of(both(raw_data("1.0"), raw_data("2.0")));
-  EXPECT_EQ(ids_of(recording),
-            (std::vector<std::string>{"Raw data-Subject 1", "Raw data-Subject 2"}));
+  std::string second = raw_data("2.0");
+  EXPECT_EQ(ids_of(recording_of(both(raw_data("1.0"), second))),
+            (std::vector<std::string>{"Subject 1", "Raw data-Subject 2"}));
+  second.replace(second.find("Subject 1"), 9, "Subject 2");
+  const auto recording = recording_of(both(raw_data("1.0"), second));
+  EXPECT_EQ(ids_of(recording), (std::vector<std::string>{"Subject 1", "Subject 2"}));
+  EXPECT_TRUE(recording.of_animals);
 }
 
 TEST(EthovisionTable, TrialsAreNotCompared) {

@@ -27,7 +27,49 @@ TEST(FormatsOfAnimals, TelonicsIsRead) {
   ASSERT_EQ(recording.bees.size(), 1U);
   EXPECT_EQ(recording.frame, Frame::kWgs84);
   EXPECT_EQ(recording.bees[0].fixes.size(), 2U);
-  EXPECT_TRUE(has_note(recording, "column 1 'Acquisition Time'"));
+  // The time of the fix, and of the record without one that at which it was due.
+  EXPECT_TRUE(has_note(recording, "column 4 'GPS Fix Time'"));
+}
+
+// A receiver may need a minute for a fix.
+TEST(FormatsOfAnimals, TelonicsHasTheTimesOfItsFixes) {
+  std::string report = "Converter,Telonics Data Converter\nTime Zone,UTC\nHeaders Row,5\n\n";
+  report += kTelonics.substr(kTelonics.find("Acquisition Time"));
+  const std::string due = "2024.08.01 02:00:40,2024.08.01 02:00:00,,2024.08.01 02:00:40";
+  report.replace(report.find(due), due.size(),
+                 "2024.08.01 02:00:00,2024.08.01 02:00:00,,2024.08.01 02:00:49");
+  report += "2024.08.01 03:00:00,2024.08.01 03:00:00,,,Failed,,,,,,,,34,\n";
+  report += "2024.08.01 04:00:00,2024.08.01 04:00:00,,,Failed,,,,,,,,34,\n";
+  const auto recording = recording_of(record(report));
+  ASSERT_EQ(recording.bees.size(), 1U);
+  EXPECT_TRUE(recording.since_1970);
+  EXPECT_TRUE(has_note(recording, "those without a time zone are of UTC: a line above the header"));
+  const auto times_s = times_of(recording.bees[0]);
+  ASSERT_EQ(times_s.size(), 2U);
+  EXPECT_EQ(times_s[1] - times_s[0], 2 * 3600.0 + 9.0);
+  ASSERT_TRUE(recording.bees[0].unplaced_until_s);
+  EXPECT_EQ(*recording.bees[0].unplaced_until_s - times_s[0], 4 * 3600.0 - 40.0);
+}
+
+// Inventa of Vectronic.
+TEST(FormatsOfAnimals, VectronicTellsItsTimesInUtc) {
+  const auto recording = recording_of(record(
+      "\"Collar ID\",\"Acq. Time [UTC]\",\"Acq. Time [LMT]\",\"Latitude[deg]\",\"Longitude[deg]\","
+      "\"Altitude[m]\",\"DOP\",\"Fix Type\"\n14101,2023-05-01 00:00:00,2023-05-01 "
+      "02:00:00,47.5,9.0,"
+      "430,1.4,3D-V Fix\n14101,2023-05-01 00:15:00,2023-05-01 02:15:00,47.5,9.0,430,1.4,3D-V "
+      "Fix\n"));
+  ASSERT_EQ(recording.bees.size(), 1U);
+  EXPECT_EQ(times_of(recording.bees[0])[0], 1682899200.0);
+}
+
+// One question for both.
+TEST(FormatsOfAnimals, FramesAndPixelsAreAskedForAtOnce) {
+  expect_error(record("frame,bee_id,x_pixels,y_pixels\n0,1,5,5\n1,1,5,6\n"),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:3",
+                "say how long one is, as in --scale 0.1mm (--scale 1 takes it for a metre); and "
+                "column 1 'frame' counts the frames of a video: say how many there are in a "
+                "second, as in --fps 25"});
 }
 
 TEST(FormatsOfAnimals, LinesAboveTheHeaderAreAsManyAsTheySay) {

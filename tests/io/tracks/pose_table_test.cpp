@@ -117,5 +117,14 @@ TEST(PoseTable, TracksOfSleapAreAnimals) {
                {ErrorCode::kMalformedRecord, "bees.csv:5", "the id is empty"});
 }
 
+// Of a video in which none is tracked.
+TEST(PoseTable, InstancesOfSleapOnNoTrackAreThoseOfOneAnimalOrAskedAbout) {
+  const std::string header = "track,frame_idx,instance.score,thorax.x,thorax.y,thorax.score\n";
+  const std::string one = header + ",0,0.9,1,2,0.9\n,1,0.9,3,4,0.9\n";
+  EXPECT_EQ(ids_of(recording_of(record(one, of_video()))), Ids{"bees"});
+  expect_error(record(one + ",1,0.9,5,4,0.9\n", of_video()),
+               {ErrorCode::kMissingColumn, "bees.csv", "no instance is on a track"});
+}
+
 }  // namespace
 }  // namespace beespace::io

@@ -100,7 +100,7 @@ TEST(Trials, WhoseTimesBeginAgainAreNotCompared) {
                   "the times of '1' and '2', which column 1 '" + column +
                       "' tells apart, begin again or overlap: trials are not compared with each "
                       "other; read one at a time, as by awk -F',' 'NR <= 1 || $1 == \"2\"' FILE > "
-                      "one.csv; if all have one clock, take that column out"});
+                      "one.csv; if all have one clock, say so with --one-clock"});
   }
   expect_error(record(trials("trial", '\t')),
                {ErrorCode::kTimeOrder, "bees.csv:4", "as by awk -F'\\t' 'NR <= 1 || $1 == \"2\"'"});
@@ -128,8 +128,98 @@ TEST(Trials, ThatFollowEachOtherOrAreDatedAreOneRecording) {
 }
 
 TEST(Trials, WhatTheMessageSaysWorks) {
+  RecordingOptions options;
+  options.one_clock = true;
+  EXPECT_TRUE(record(trials("trial"), options));
   EXPECT_EQ(recording_of(record("trial,id,time_s,x_m,y_m\n2,a,0,0.5,0\n2,a,1,1.5,0\n")).bees.size(),
             1u);
+}
+
+// ---- Sides, cameras, arenas, and videos: scenes beside each other ---------------------------
+
+std::string scenes(const std::string& column, const std::string& second = "B") {
+  return "time_s,bee_id," + column + ",x_mm,y_mm\n0,100,A,50,50\n0,101," + second +
+         ",51,50\n1,100,A,50,50\n1,101," + second + ",51,50\n";
+}
+
+TEST(Scenes, BesideEachOtherAreNotCompared) {
+  for (const std::string column : {"side", "cam_id", "camera", "arena", "Camera ID"}) {
+    expect_error(record(scenes(column)),
+                 {ErrorCode::kUnknownFrame, "bees.csv:3",
+                  "places here are of 'B', others at the same time of 'A', as column 3 '" + column +
+                      "' tells, which may have an origin of its own: scenes are not compared with "
+                      "each other; read one at a time, as by awk -F',' 'NR <= 1 || $3 == \"B\"' "
+                      "FILE > one.csv; if all are counted from one origin, and bees can meet, say "
+                      "so with --crs metres"});
+    RecordingOptions options;
+    options.frame = Frame::kMetres;
+    EXPECT_TRUE(record(scenes(column), options)) << column;
+    EXPECT_TRUE(record(scenes(column, "A"))) << column;
+  }
+}
+
+// In pixels, too; a camera is not whose place it is.
+TEST(Scenes, OfCamerasInPixelsAreNotCompared) {
+  const std::string table =
+      "bee_id,timestamp,cam_id,x_pos,y_pos\n100,1690000000.5,0,250,250\n"
+      "101,1690000000.5,1,251,250\n100,1690000001.5,0,250,250\n";
+  RecordingOptions options;
+  options.pixel = StatedLength{1e-4, 0.1, Unit::kMillimetre};
+  expect_error(record(table, options), {ErrorCode::kUnknownFrame, "bees.csv:3", "as column 3"});
+}
+
+// Positions in metres and degrees are of one frame; one scene behind the other does not meet it.
+TEST(Scenes, OfOneFrameOrOneAfterTheOtherAreOneRecording) {
+  EXPECT_TRUE(record("time_s,id,side,x_m,y_m\n0,a,home,1,2\n0,b,away,3,4\n"));
+  EXPECT_TRUE(record("time_s,id,camera,lon,lat\n0,a,1,9,47\n0,b,2,9.1,47\n"));
+  EXPECT_TRUE(record("time_s,id,camera,x_mm,y_mm\n0,a,1,1,2\n1,a,1,1,2\n2,a,2,3,4\n3,a,2,3,4\n"));
+}
+
+RecordingOptions pictures() {
+  RecordingOptions options;
+  options.frames_per_second = 25.0;
+  return options;
+}
+
+TEST(Videos, WhoseFramesBothBeginAreNotCompared) {
+  const TemporaryFolder folder;
+  const std::string header = "frame,bee_id,x_mm,y_mm\n";
+  const std::vector<std::string> files = {
+      folder.write("day1.csv", header + "0,101,50,50\n1,101,50,50\n"),
+      folder.write("day2.csv", header + "1,102,51,50\n2,102,51,50\n")};
+  // Those that overlap, wherever they begin.
+  const std::vector<std::string> later = {
+      files[0], folder.write("later.csv", header + "0,103,51,50\n9,103,51,50\n")};
+  expect_error(load_recording(later, pictures()),
+               {ErrorCode::kInvalidArgument, later[1],
+                "frames here and in " + later[0] +
+                    " may be counted from the beginning of a video each: then they cannot be "
+                    "compared; read the files each for itself, or, if all are of one video, say so "
+                    "with --one-clock"});
+  RecordingOptions options = pictures();
+  options.one_clock = true;
+  EXPECT_EQ(recording_of(load_recording(later, options)).bees.size(), 2u);
+  // One goes on where the other has ended.
+  EXPECT_TRUE(load_recording(files, pictures()));
+  // Animations have heights, and one clock.
+  EXPECT_TRUE(load_recording({folder.write("d1.csv", "frame,x_m,y_m,z_m\n0,1,2,3\n9,1,2,4\n"),
+                              folder.write("d2.csv", "frame,x_m,y_m,z_m\n0,5,2,3\n9,5,2,4\n")},
+                             pictures()));
+}
+
+// As ToxTrac numbers animals within an arena.
+TEST(Tracks, ThatNumberAnimalsAreIds) {
+  const std::string header = "time_s,arena,track,x_mm,y_mm\n";
+  const Recording recording =
+      recording_of(record(header + "0,1,1,50,50\n0,1,2,50.5,50\n1,1,1,50,50\n1,1,2,50.5,50\n"));
+  EXPECT_EQ(ids_of(recording), (Ids{"1", "2"}));
+  EXPECT_TRUE(has_note(recording, "ids are read from column 3 'track'"));
+  expect_error(record(header + "0,1,1,50,50\n0,1,2,50.5,50\n0,2,1,50,50\n1,2,1,50,50\n1,1,1,5,5\n"),
+               {ErrorCode::kUnknownFrame, "bees.csv:4", "as column 2 'arena' tells"});
+  // A direction beside a speed is none.
+  const Recording vehicle =
+      recording_of(record("time_s,x_m,y_m,groundspeed_mps,track\n0,1,2,1,90\n1,2,2,1,90\n"));
+  EXPECT_EQ(ids_of(vehicle), Ids{"bees"});
 }
 
 // As R and the interface of Movebank for programs write them.

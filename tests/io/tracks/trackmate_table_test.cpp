@@ -42,6 +42,15 @@ TEST(TrackMateTable, WithoutARowOfUnitsTheyAreAskedFor) {
   EXPECT_EQ(read.bees[1].fixes[0].position, (Point{25e-6, 6e-6, 0}));
 }
 
+// Films of hours are in minutes.
+TEST(TrackMateTable, MinutesAreTurnedIntoSeconds) {
+  const auto read = recording_of(
+      record(kNames + kMoreNames + ",,,(quality),(\u00b5m),(\u00b5m),(\u00b5m),(min),\n" + kSpots));
+  EXPECT_EQ(times_of(read.bees[0]), (std::vector<double>{0, 30.0}));
+  EXPECT_TRUE(has_note(read, "times of the table are in min, and are turned into seconds"));
+  EXPECT_TRUE(read.y_is_down);
+}
+
 // Of a video that is not calibrated.
 TEST(TrackMateTable, PixelsAndFramesAreAskedForAtOnce) {
   const std::string spots =

@@ -93,6 +93,8 @@ interface SwarmHead {
   heights?: HeightWords;
   /** The input, or who asked, speaks of nautical miles or feet: separations are told in them, too. */
   aviation?: boolean;
+  /** What is recorded, as people call it; otherwise a bee. */
+  noun?: { one: string; several: string };
   /** The input has no heights: the third coordinate is 0 and means nothing. */
   flat?: boolean;
   threshold_m: number;

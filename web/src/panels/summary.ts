@@ -118,7 +118,8 @@ function headline(shown: Shown): HTMLElement {
   const when = shown.label ? 'in conflict' : 'in conflict at some time';
   const risk = whole ? 'at risk' : 'that are known at risk';
   const what = head.kind === 'snapshot' ? risk : known ? `in conflict${known}` : when;
-  const of = head.count === 1 ? 'of 1 bee' : `of ${formatCount(head.count)} bees`;
+  const { one, several } = head.noun ?? { one: 'bee', several: 'bees' };
+  const of = head.count === 1 ? `of 1 ${one}` : `of ${formatCount(head.count)} ${several}`;
   return element(
     'p',
     { class: count > 0 ? 'headline risky' : 'headline' },
