@@ -316,7 +316,7 @@ complete -c beespace -n '__fish_seen_subcommand_from report' -r -l fleet-log -d 
 complete -c beespace -n '__fish_seen_subcommand_from report' -r -l obstacles -d 'Draw these, too: JSON, as \'verify\' reads it, which says who keeps clear of them'
 complete -c beespace -n '__fish_seen_subcommand_from report' -r -s o -l output -d 'Where the page goes (default: standard output, which must not be a terminal)'
 complete -c beespace -n '__fish_seen_subcommand_from report' -f -l json -d 'Say errors as JSON too'
-complete -c beespace -n '__fish_seen_subcommand_from report' -f -l fail-on-risk -d 'Exit with 1 when a bee is at risk, or a gap or records that were left out may hide it'
+complete -c beespace -n '__fish_seen_subcommand_from report' -f -l fail-on-risk -d 'Exit with 1 when a bee is at risk (of one moment: or will be, flying straight on), or a gap or records that were left out may hide it'
 complete -c beespace -n '__fish_seen_subcommand_from report' -f -l quiet -d 'No summary and no progress, only errors'
 
 complete -c beespace -n '__fish_seen_subcommand_from view' -x -l crs -a 'auto wgs84 metres' -d 'Whether positions are in degrees or metres'
@@ -371,7 +371,7 @@ complete -c beespace -n '__fish_seen_subcommand_from plot' -r -s o -l output -d 
 complete -c beespace -n '__fish_seen_subcommand_from plot' -x -l width -d 'So many pixels wide (default: 1200)'
 complete -c beespace -n '__fish_seen_subcommand_from plot' -x -l title -d 'What is above it (default: the name of the input)'
 complete -c beespace -n '__fish_seen_subcommand_from plot' -f -l json -d 'Say errors as JSON too'
-complete -c beespace -n '__fish_seen_subcommand_from plot' -f -l fail-on-risk -d 'Exit with 1 when a bee is at risk, or a gap or records that were left out may hide it'
+complete -c beespace -n '__fish_seen_subcommand_from plot' -f -l fail-on-risk -d 'Exit with 1 when a bee is at risk (of one moment: or will be, flying straight on), or a gap or records that were left out may hide it'
 complete -c beespace -n '__fish_seen_subcommand_from plot' -f -l quiet -d 'No summary and no progress, only errors'
 
 complete -c beespace -n '__fish_seen_subcommand_from export' -x -l crs -a 'auto wgs84 metres' -d 'Whether positions are in degrees or metres'
@@ -399,7 +399,7 @@ complete -c beespace -n '__fish_seen_subcommand_from export' -x -l format -a 'km
 complete -c beespace -n '__fish_seen_subcommand_from export' -x -l origin -d 'Of positions in metres: lon,lat,height,heading of x (in degrees; 0 is north, 90 east), as 19.06,47.48,110,90'
 complete -c beespace -n '__fish_seen_subcommand_from export' -r -l obstacles -d 'Draw these, too, with --origin: JSON, as \'verify\' reads it, in metres'
 complete -c beespace -n '__fish_seen_subcommand_from export' -f -l json -d 'Say errors as JSON too'
-complete -c beespace -n '__fish_seen_subcommand_from export' -f -l fail-on-risk -d 'Exit with 1 when a bee is at risk, or a gap or records that were left out may hide it'
+complete -c beespace -n '__fish_seen_subcommand_from export' -f -l fail-on-risk -d 'Exit with 1 when a bee is at risk (of one moment: or will be, flying straight on), or a gap or records that were left out may hide it'
 complete -c beespace -n '__fish_seen_subcommand_from export' -f -l quiet -d 'No summary and no progress, only errors'
 
 complete -c beespace -n '__fish_seen_subcommand_from generate' -x -l points -d 'How many bees'

@@ -318,7 +318,7 @@ BEESPACE_C_API int64_t beespace_io_recording_missing(const beespace_io_recording
 /// @brief How it is known how fast an agent flies: what beespace_io_recording_movers() writes.
 enum {
   BEESPACE_IO_NOWHERE = 0,           ///< It has no fix: nothing is known of it.
-  BEESPACE_IO_STALE = 1,             ///< It was last heard of too long ago.
+  BEESPACE_IO_STALE = 1,             ///< It was last heard of too long ago, or on the ground.
   BEESPACE_IO_WITHOUT_VELOCITY = 2,  ///< Neither a velocity nor fixes that tell it.
   BEESPACE_IO_ESTIMATED = 3,         ///< The velocity, or a part of it, is that of its last fixes.
   BEESPACE_IO_STATED = 4             ///< The velocity is that of its last fix.

@@ -304,6 +304,26 @@ std::optional<Error> placed(std::optional<Error> error, const std::string& path)
   return error;
 }
 
+// A file that is cut off, or damaged as a whole: nothing of it was read. What is wrong in a table
+// of an archive has a place of its own.
+bool is_nothing_read(const Error& error, const std::string& path) {
+  const bool broken = error.code == ErrorCode::kTruncated || error.code == ErrorCode::kCorrupt;
+  return broken && error.location.source == source_name(path);
+}
+
+// Of several files one that nothing was read of, as one that is being written, is left out where
+// the caller leaves out what is bad.
+std::optional<Error> or_left_out(std::optional<Error> error, const std::string& path,
+                                 RecordingAssembly& assembly) {
+  if (!error || !assembly.has_several() || !is_nothing_read(*error, path)) return error;
+  if (assembly.options().skip_bad) {
+    assembly.leave_broken_file_out(*std::move(error));
+    return std::nullopt;
+  }
+  error->message += ", or leave such files out with --skip-bad";
+  return error;
+}
+
 std::optional<Error> read_path(const std::string& path, RecordingAssembly& assembly) {
   if (is_folder(path)) {
     const auto files = recordings_in(path);
@@ -316,7 +336,8 @@ std::optional<Error> read_path(const std::string& path, RecordingAssembly& assem
   }
   auto bytes = open_bytes(path, nullptr);
   if (!bytes) return bytes.error();
-  return placed(read_source(std::move(bytes).value(), path, assembly), path);
+  auto error = placed(read_source(std::move(bytes).value(), path, assembly), path);
+  return or_left_out(std::move(error), path, assembly);
 }
 
 }  // namespace

@@ -76,13 +76,35 @@ struct Apart {
   double height_m = 0.0;
 };
 
+// Two that come too close after the moment of a snapshot, if all fly straight on.
+struct ConflictAhead {
+  PointId first = 0;
+  PointId second = 0;
+  double begins_in_s = 0.0;
+  double closest_in_s = 0.0;
+  double closest_m = 0.0;
+  std::optional<Apart> apart = {};  // then
+  Point first_there = {};           // where they are then, to look at
+  Point second_there = {};
+};
+
+// What lies ahead of a snapshot that tells velocities.
+struct Ahead {
+  double horizon_s = 0.0;
+  std::uint64_t count = 0;                    // of all that begin after the moment itself
+  std::vector<ConflictAhead> conflicts = {};  // the soonest first: as many as are told
+  bool complete = true;                       // it is known of all how they fly on
+};
+
 struct SnapshotFacts {
   SwarmFacts swarm;
-  std::vector<Point> positions;   // to look at
-  std::vector<PointId> at_risk;   // ascending
-  std::vector<Nearest> nearest;   // of each bee, at risk or not
-  std::uint64_t pair_count = 0;   // of all
-  std::uint64_t group_count = 0;  // of all
+  std::string moment = {};          // when it is, where the input says so
+  std::optional<Ahead> ahead = {};  // with a moment: nothing where no velocity is known
+  std::vector<Point> positions;     // to look at
+  std::vector<PointId> at_risk;     // ascending
+  std::vector<Nearest> nearest;     // of each bee, at risk or not
+  std::uint64_t pair_count = 0;     // of all
+  std::uint64_t group_count = 0;    // of all
   std::uint64_t largest_group = 0;
   // Of each of those at risk: the closest of those it is in conflict with.
   std::vector<Nearest> closest_in_conflict = {};

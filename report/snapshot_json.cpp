@@ -1,5 +1,6 @@
 #include "report/snapshot_json.hpp"
 
+#include "report/ahead_words.hpp"
 #include "report/quantised.hpp"
 #include "report/swarm_json.hpp"
 
@@ -62,6 +63,10 @@ void write_risk(io::JsonWriter& json, const SnapshotFacts& facts) {
   json.member("pairs", facts.pair_count).member("groups", facts.group_count);
   json.member("largest_group", facts.largest_group);
   if (!facts.unknown.empty()) json.member("unknown", facts.unknown);
+  if (!facts.moment.empty()) {
+    json.member("ahead", ahead_words(facts));
+    json.member("ahead_count", facts.ahead ? facts.ahead->count : std::uint64_t{0});
+  }
   if (facts.closest) write_closest(json, *facts.closest, facts.closest_apart);
   json.end();
 }
@@ -102,6 +107,7 @@ void write_pairs(io::JsonWriter& json, const SnapshotFacts& facts, Columns& colu
 void write_swarm(io::JsonWriter& json, const SnapshotFacts& facts, Columns& columns) {
   const std::size_t count = facts.positions.size();
   json.begin_object().member("kind", "snapshot");
+  if (!facts.moment.empty()) json.member("moment", facts.moment);
   write_facts(json, facts.swarm, count, columns);
   const Quantised positions = quantised(facts.positions, count > kMany ? 15 : 16);
   json.member("position_error_m", positions.error_m);

@@ -82,6 +82,8 @@ class LiveFeed {
   // that is kept, if it is said.
   std::optional<AgentId> number(std::string_view id, std::string_view label);
   [[nodiscard]] const BeeName& name(AgentId number) const { return names_[number]; }
+  // The time of the last look, whose events are told.
+  [[nodiscard]] double looked_s() const { return looked_s_; }
   // How many bees have been heard of, those that have left among them.
   [[nodiscard]] std::size_t heard_of() const { return names_.size(); }
   // The same of one that has a number already.

@@ -368,9 +368,7 @@ std::string missing_text(const io::MissingRecords& missing) {
   }
   if (missing.files > 0) {
     if (!text.empty()) text += ", ";
-    text +=
-        io::counted(missing.files, "file or folder beside was", "files or folders beside were") +
-        " left out";
+    text += io::counted(missing.files, "file or folder was", "files or folders were") + " left out";
   }
   if (missing.jumping > 0) {
     text += (text.empty() ? "" : ", ") + io::grouped(missing.jumping) +

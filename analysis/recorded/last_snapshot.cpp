@@ -165,6 +165,13 @@ Result<double> present_time(const io::Recording& recording) {
   return time_s;
 }
 
+// Whether it has landed, as it said no longer ago than that. Records without a place that came
+// later are of who may have taken off again.
+bool is_on_ground(const io::RecordedBee& bee, double now_s, double max_age_s) {
+  if (!bee.on_ground_heard_s || now_s - *bee.on_ground_heard_s > max_age_s) return false;
+  return bee.unplaced_until_s.value_or(*bee.on_ground_heard_s) <= *bee.on_ground_heard_s;
+}
+
 std::optional<double> passed_over_since(const io::Recording& recording, double now_s) {
   if (!recording.flies_on) return std::nullopt;
   std::vector<double> created_s;
@@ -214,6 +221,10 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
   for (std::size_t i = 0; i < recording.bees.size(); ++i) {
     const io::RecordedBee& bee = recording.bees[i];
     if (bee.fixes.empty()) continue;
+    if (is_on_ground(bee, *now, max_age_s)) {
+      ++snapshot.on_ground;
+      continue;
+    }
     const double age = *now - bee.fixes.back().time_s;
     if (age > max_age_s && !flies_on(recording, bee)) {
       ++snapshot.stale;

@@ -29,6 +29,9 @@ struct Snapshot {
   std::uint64_t brought_forward = 0;
   double oldest_s = 0.0;    // of those: how far
   std::uint64_t stale = 0;  // left out
+  // Of aircraft that are surely on the ground, heard of there max_age_s before that at most: left
+  // out too, as they are no flyers to compare.
+  std::uint64_t on_ground = 0;
   // Of aircraft that are created and fly on: since when there are two, where that is before now.
   // What was between is not in here.
   std::optional<double> passed_over_since_s = {};

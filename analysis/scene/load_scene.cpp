@@ -149,7 +149,10 @@ Result<Loaded> load(const Inputs& inputs, const SceneRequest& request, io::Progr
   options.progress = progress;
   if (inputs.may_be_a_snapshot() && inputs.names_a_time()) {
     auto recording = inputs.load_recording(options);
-    if (recording && !is_at_one_time(*recording)) return Loaded(*std::move(recording));
+    // Of aircraft at one time it tells how they fly on.
+    if (recording && (recording->of_aircraft || !is_at_one_time(*recording))) {
+      return Loaded(*std::move(recording));
+    }
   }
   std::optional<Error> no_snapshot;
   if (inputs.may_be_a_snapshot()) {

@@ -88,6 +88,11 @@ Status check_obstacles(const report::SwarmFacts& swarm, const report::PlacementA
 template <class Visit>
 void for_each_place(report::SnapshotFacts& facts, Visit visit) {
   for (Point& place : facts.positions) visit(place);
+  if (!facts.ahead) return;
+  for (report::ConflictAhead& each : facts.ahead->conflicts) {
+    visit(each.first_there);
+    visit(each.second_there);
+  }
 }
 template <class Visit>
 void for_each_place(report::RecordingFacts& facts, Visit visit) {

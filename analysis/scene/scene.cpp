@@ -16,6 +16,7 @@ bool is_risky(const Scene& scene) {
   if (recording != nullptr && recording->hidden) return true;
   const auto* snapshot = std::get_if<report::SnapshotFacts>(&scene);
   if (snapshot != nullptr && !snapshot->unknown.empty()) return true;
+  if (snapshot != nullptr && snapshot->ahead && snapshot->ahead->count > 0) return true;
   return std::visit([](const auto& facts) { return !facts.at_risk.empty(); }, scene);
 }
 

@@ -3,6 +3,7 @@
 #include "analysis/geometry/ground_places.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/last_snapshot.hpp"
+#include "analysis/scene/conflicts_ahead.hpp"
 #include "analysis/scene/height_words.hpp"
 #include "analysis/scene/noun.hpp"
 #include "analysis/scene/uprights.hpp"
@@ -28,10 +29,6 @@
 
 namespace beespace::analysis {
 namespace {
-
-// A bee that was last heard of longer ago than that before the others is not shown: as `predict`
-// has it.
-constexpr double kMaxAge_s = 30.0;
 
 // Of more bees only those have their own ids whose pairs are shown.
 constexpr std::size_t kMostNames = 200'000;
@@ -192,7 +189,7 @@ void note_ages(const Snapshot& snapshot, std::vector<std::string>& notes) {
   }
   if (snapshot.stale > 0) {
     notes.push_back(io::grouped(snapshot.stale) + " left out: not heard of for " +
-                    io::exact(kMaxAge_s) + " s");
+                    io::exact(kMaxAgeShown_s) + " s");
   }
   if (!snapshot.unmoving.empty()) {
     notes.push_back(io::grouped(snapshot.unmoving.size()) +
@@ -250,7 +247,7 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
   note_units(recording.units, request.vertical, recording.height_unit, swarm.notes);
   swarm.notes.insert(swarm.notes.end(), recording.notes.begin(), recording.notes.end());
   note_skipped(recording.skipped_count, swarm.notes);
-  const auto snapshot = snapshot_of(recording, Geometry::kSpace, kMaxAge_s, Wanted::kPlaces);
+  const auto snapshot = snapshot_of(recording, Geometry::kSpace, kMaxAgeShown_s, Wanted::kPlaces);
   if (!snapshot) return snapshot.error();
   if (snapshot->passed_over_since_s) {
     swarm.notes.push_back("shown is one moment, " + io::moment_text(snapshot->time_s, recording));
@@ -264,7 +261,7 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
   const Geometry geometry = geometry_for(recording, request.vertical);
   apart.vertical_m = vertical_in(geometry, request.vertical, recording.height_unit);
   if (heights_apart(geometry)) {
-    auto on_ground = snapshot_of(recording, geometry, kMaxAge_s, Wanted::kPlaces);
+    auto on_ground = snapshot_of(recording, geometry, kMaxAgeShown_s, Wanted::kPlaces);
     if (!on_ground) return on_ground.error();
     for (const Mover& mover : on_ground->movers) apart.ground.push_back(mover.position);
     apart.heights_m = std::move(on_ground->heights_m);
@@ -275,6 +272,10 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
     swarm.names.texts.push_back(text_of(name_of(bee, recording)));
   }
   place(points, recording.frame, facts);
+  facts.moment = io::moment_text(snapshot->time_s, recording);
+  if (Status looked = look_ahead(recording, snapshot->bees, request, facts); !looked) {
+    return looked.error();
+  }
   return facts;
 }
 

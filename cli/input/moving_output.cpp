@@ -321,6 +321,7 @@ Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& 
             io::calendar_of(recording)};
   if (with_certain) rows.columns.push_back({"certain"});
   add_apart_columns(rows.columns, distances);
+  rows.columns.push_back({"lasts_s"});
   rows.rows.reserve(conflicts.size());
   for (const Conflict& c : conflicts) {
     rows.rows.push_back({analysis::name_at(c.closest_s, c.first, recording),
@@ -328,6 +329,7 @@ Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& 
                          c.closest_s, c.closest_m, c.ends_s});
     if (with_certain) rows.rows.back().emplace_back(c.certain);
     add_apart(rows.rows.back(), distances.of(c), distances);
+    rows.rows.back().emplace_back(c.ends_s - c.begins_s);
   }
   return rows;
 }

@@ -53,8 +53,11 @@ void write_label(io::JsonWriter& json, const char* key, const analysis::BeeName&
 }
 
 // Labels come behind all else.
-void write_members(io::JsonWriter& json, const SwarmEvent& event, const analysis::LiveFeed& feed) {
-  json.member("event", name_of(event.kind)).member("time_s", event.time_s);
+void write_members(io::JsonWriter& json, const SwarmEvent& event, double said_at_s,
+                   const analysis::LiveFeed& feed) {
+  json.member("event", name_of(event.kind));
+  if (event.kind == EventKind::kPredicted) json.member("said_at_s", said_at_s);
+  json.member("time_s", event.time_s);
   if (event.kind == EventKind::kStale || event.kind == EventKind::kHeard) {
     if (event.kind == EventKind::kHeard) json.member("since_s", event.since_s);
     json.member("id", feed.name(event.first).id);
@@ -90,19 +93,19 @@ void write_members(io::JsonWriter& json, const analysis::ClockNote& note,
   write_label(json, "label", feed.name(note.bee));
 }
 
-std::string line_of(const auto& told, const analysis::LiveFeed& feed) {
+std::string line_of(const auto&... told) {
   std::string line;
   io::JsonWriter json(line);
   json.begin_object();
-  write_members(json, told, feed);
+  write_members(json, told...);
   json.end();
   return line + '\n';
 }
 
 }  // namespace
 
-std::string event_line(const SwarmEvent& event, const analysis::LiveFeed& feed) {
-  return line_of(event, feed);
+std::string event_line(const SwarmEvent& event, double said_at_s, const analysis::LiveFeed& feed) {
+  return line_of(event, said_at_s, feed);
 }
 
 std::string clock_line(const analysis::ClockNote& note, const analysis::LiveFeed& feed) {

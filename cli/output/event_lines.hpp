@@ -9,8 +9,9 @@
 
 namespace beespace::cli {
 
-// A line of JSON, with its end.
-std::string event_line(const SwarmEvent& event, const analysis::LiveFeed& feed);
+// A line of JSON, with its end. When it was said is told of what lies ahead: the rest is said when
+// it is known.
+std::string event_line(const SwarmEvent& event, double said_at_s, const analysis::LiveFeed& feed);
 std::string clock_line(const analysis::ClockNote& note, const analysis::LiveFeed& feed);
 
 // "predicted", "entered", "closest_passed", "left", "stale", ...

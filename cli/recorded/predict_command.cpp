@@ -192,6 +192,11 @@ void append_ages(std::string& out, const Prediction& prediction, const PredictRe
     }
     append_summary_line(out, "note", text);
   }
+  if (snapshot.on_ground > 0) {
+    append_summary_line(out, "landed",
+                        io::grouped(snapshot.on_ground) +
+                            " on the ground, as they say themselves: not compared with flyers");
+  }
   if (snapshot.stale == 0) return;
   const std::string age = io::exact(request.max_age_s) + " s";
   append_summary_line(out, "stale",
@@ -200,6 +205,27 @@ void append_ages(std::string& out, const Prediction& prediction, const PredictRe
                                          " before now (--max-age), of which it is not known how "
                                          "they fly from there"
                                    : ", not heard of for " + age + " (--max-age)"));
+}
+
+// Of a recording, of which only what lies ahead of its end is looked at.
+void append_passed(std::string& out, const Prediction& prediction, const PredictRequest& request) {
+  if (prediction.recording.flies_on) return;
+  double first_s = prediction.snapshot.time_s;
+  bool moves = false;
+  for (const io::RecordedBee& bee : prediction.recording.bees) {
+    if (bee.fixes.empty()) continue;
+    first_s = std::min(first_s, bee.fixes.front().time_s);
+    moves = moves || bee.fixes.size() > 1;
+  }
+  if (!moves) return;
+  std::string text = "this is a recording of ";
+  text += io::duration(prediction.snapshot.time_s - first_s);
+  text += ": only what lies ahead of its end is looked at; for the rest ask 'beespace replay";
+  if (request.moving.inputs.size() == 1 && request.moving.inputs.front() != "-") {
+    text += ' ';
+    text += printable(request.moving.inputs.front());
+  }
+  append_summary_line(out, "note", text + "'");
 }
 
 std::string when_text(double from_now_s) {
@@ -215,6 +241,7 @@ std::string summary(const Prediction& prediction, const PredictRequest& request,
                       io::grouped(snapshot.movers.size()) +
                           (snapshot.movers.size() < all ? " of " + io::grouped(all) : ""));
   append_summary_line(out, "now", io::moment_text(snapshot.time_s, prediction.recording));
+  append_passed(out, prediction, request);
   append_ages(out, prediction, request);
   append_unmoving(out, snapshot, request.max_age_s);
   append_missing(out, prediction.recording.missing);
@@ -250,6 +277,7 @@ void write_outlook(io::JsonWriter& json, const Prediction& prediction,
   json.member("now_s", snapshot.time_s).member("horizon_s", request.horizon_s);
   json.member("looked_since_s", prediction.looked_since_s.value_or(snapshot.time_s));
   json.member("movers", snapshot.movers.size()).member("stale", snapshot.stale);
+  json.member("on_ground", snapshot.on_ground);
   json.member("without_velocity", snapshot.unmoving.size());
   json.begin_object("known").member("complete", prediction.complete());
   write_missing(json, prediction.recording.missing);

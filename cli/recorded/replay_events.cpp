@@ -18,16 +18,27 @@ struct RecordedFix {
   std::uint32_t fix;
 };
 
-std::vector<Value> row_of(const SwarmEvent& event, const analysis::LiveFeed& feed) {
+struct ToldEvent {
+  SwarmEvent event;
+  double said_at_s;
+};
+
+std::vector<Value> row_of(const ToldEvent& told, const analysis::LiveFeed& feed) {
+  const SwarmEvent& event = told.event;
+  std::vector<Value> row{event.time_s, std::string(name_of(event.kind)), {}, {}, {}, {}, {}, {}};
   if (event.kind == EventKind::kStale || event.kind == EventKind::kHeard) {
-    return {event.time_s, std::string(name_of(event.kind)), feed.name(event.first), {}, {}, {}};
+    row[2] = feed.name(event.first);
+    return row;
   }
-  if (event.kind == EventKind::kOverloaded) {
-    return {event.time_s, std::string(name_of(event.kind)), {}, {}, event.distance_m, {}};
-  }
-  return {event.time_s,           std::string(name_of(event.kind)),
-          feed.name(event.first), feed.name(event.second),
-          event.distance_m,       event.closest_s};
+  row[4] = event.distance_m;
+  if (event.kind == EventKind::kOverloaded) return row;
+  row[2] = feed.name(event.first);
+  row[3] = feed.name(event.second);
+  row[5] = event.closest_s;
+  if (event.kind != EventKind::kPredicted) return row;
+  row[6] = told.said_at_s;
+  row[7] = event.closing;
+  return row;
 }
 
 // What is told of conflicts with drones that stand, in the order of time.
@@ -66,15 +77,17 @@ std::vector<SwarmEvent> events_of_standing(const io::Recording& recording,
 }
 
 // Each of the second ones before the first that is told later.
-std::vector<SwarmEvent> put_together(const std::vector<SwarmEvent>& told,
-                                     const std::vector<SwarmEvent>& beside) {
-  std::vector<SwarmEvent> all;
+std::vector<ToldEvent> put_together(const std::vector<ToldEvent>& told,
+                                    const std::vector<SwarmEvent>& beside) {
+  std::vector<ToldEvent> all;
   auto next = beside.begin();
-  for (const SwarmEvent& event : told) {
-    for (; next != beside.end() && next->time_s < event.time_s; ++next) all.push_back(*next);
-    all.push_back(event);
+  for (const ToldEvent& each : told) {
+    for (; next != beside.end() && next->time_s < each.event.time_s; ++next) {
+      all.push_back({*next, next->time_s});
+    }
+    all.push_back(each);
   }
-  all.insert(all.end(), next, beside.end());
+  for (; next != beside.end(); ++next) all.push_back({*next, next->time_s});
   return all;
 }
 
@@ -93,14 +106,21 @@ Result<RecordedEvents> events_of(const io::Recording& recording, const std::vect
   std::stable_sort(fixes.begin(), fixes.end(),
                    [](const RecordedFix& a, const RecordedFix& b) { return a.time_s < b.time_s; });
   RecordedEvents recorded;
-  recorded.rows.columns = {
-      {"time_s"},     {"event"},    {"first", "first_label"}, {"second", "second_label"},
-      {"distance_m"}, {"closest_s"}};
+  recorded.rows.columns = {{"time_s"},
+                           {"event"},
+                           {"first", "first_label"},
+                           {"second", "second_label"},
+                           {"distance_m"},
+                           {"closest_s"},
+                           {"said_at_s"},
+                           {"closing"}};
   recorded.rows.labelled = analysis::has_labels(recording);
-  std::vector<SwarmEvent> told;
+  std::vector<ToldEvent> told;
+  const analysis::LiveFeed* telling = nullptr;
   analysis::LiveFeed feed(options, times, [&](const std::vector<SwarmEvent>& events) {
-    told.insert(told.end(), events.begin(), events.end());
+    for (const SwarmEvent& event : events) told.push_back({event, telling->looked_s()});
   });
+  telling = &feed;
   for (const RecordedFix& at : fixes) {
     const io::RecordedBee& bee = recording.bees[at.bee];
     const auto number = feed.number(bee.id, bee.label);
@@ -115,10 +135,10 @@ Result<RecordedEvents> events_of(const io::Recording& recording, const std::vect
     if (auto taken = feed.take(report); !taken) return taken.error();
   }
   if (auto done = feed.finish(); !done) return done.error();
-  for (const SwarmEvent& event :
+  for (const ToldEvent& each :
        put_together(told, events_of_standing(recording, tracks, standing, feed))) {
-    recorded.lines += event_line(event, feed);
-    recorded.rows.rows.push_back(row_of(event, feed));
+    recorded.lines += event_line(each.event, each.said_at_s, feed);
+    recorded.rows.rows.push_back(row_of(each, feed));
   }
   return recorded;
 }

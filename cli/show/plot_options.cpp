@@ -13,8 +13,10 @@ constexpr const char* kPlotDescription = "Draw a picture of who is too close, wh
 constexpr const char* kPlotDetails =
     "Reads what 'beespace report' reads. Draws, in one picture for papers and slides, the swarm\n"
     "from above and from the side with those at risk, and how far each bee's nearest other bee\n"
-    "is; of recordings the paths with their parts in conflict, and how far apart the closest two\n"
-    "are over time. Who is at risk is marked by shape, size and lightness as well as by colour.\n"
+    "is; of one moment with velocities also when it is, and the ways of those that come too close\n"
+    "later, flying straight on; of recordings the paths with their parts in conflict, and how far\n"
+    "apart the closest two are over time. Who is at risk is marked by shape, size and lightness as "
+    "well as by colour.\n"
     "More than 4,000 bees are drawn as shades: the picture then says so, and stays small.\n"
     "\n"
     "The ending of FILE says the format: .svg, which is sharp at any size, or .png, for which\n"

@@ -5,6 +5,7 @@
 #include "cli/console/summary_line.hpp"
 #include "cli/console/terminal.hpp"
 #include "io/bytes/number_text.hpp"
+#include "report/ahead_words.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -23,7 +24,7 @@ std::string risk_of(const report::SnapshotFacts& facts) {
   if (facts.at_risk.empty() && !facts.unknown.empty()) {
     return bold("none of those that are known") + "; " + facts.unknown;
   }
-  if (facts.at_risk.empty()) return bold("none");
+  if (facts.at_risk.empty()) return bold(facts.moment.empty() ? "none" : "none at this moment");
   return red(io::grouped(facts.at_risk.size()) + " of " + io::grouped(facts.positions.size())) +
          ": " + io::counted(facts.pair_count, "pair", "pairs") + " in " +
          io::counted(facts.group_count, "group", "groups") + and_unknown(facts.unknown);
@@ -45,6 +46,19 @@ std::size_t bees_of(const report::RecordingFacts& facts) {
   return facts.tracks.size();
 }
 
+// What comes after the moment that is shown.
+void append_ahead(std::string& out, const report::SnapshotFacts& facts,
+                  const MovingRequest& request) {
+  const std::string words = printable(report::ahead_words(facts));
+  if (words.empty()) return;
+  const bool risk = facts.ahead && facts.ahead->count > 0;
+  append_summary_line(out, "ahead", risk ? red(words) : words);
+  if (!risk || request.inputs.size() != 1 || request.inputs.front() == "-") return;
+  append_summary_line(out, "",
+                      "'beespace predict " + printable(request.inputs.front()) + " --horizon " +
+                          io::exact(facts.ahead->horizon_s) + "' tells more");
+}
+
 }  // namespace
 
 void append_scene(std::string& out, const analysis::Scene& scene, const MovingRequest& request) {
@@ -54,12 +68,18 @@ void append_scene(std::string& out, const analysis::Scene& scene, const MovingRe
   append_summary_line(
       out, "bees",
       std::visit([](const auto& facts) { return io::grouped(bees_of(facts)); }, scene));
+  if (const auto* snapshot = std::get_if<report::SnapshotFacts>(&scene)) {
+    if (!snapshot->moment.empty()) append_summary_line(out, "now", printable(snapshot->moment));
+  }
   append_summary_line(out, "threshold",
                       separation_text(swarm.threshold_m, swarm.vertical_m, swarm.inclusive,
                                       request.threshold, request.vertical) +
                           usual_text(request.separation) + swarm.threshold_words);
   append_summary_line(out, "at risk",
                       std::visit([](const auto& facts) { return risk_of(facts); }, scene));
+  if (const auto* snapshot = std::get_if<report::SnapshotFacts>(&scene)) {
+    append_ahead(out, *snapshot, request);
+  }
 }
 
 void append_written(std::string& out, const std::string& output, const SceneTimings& timings) {

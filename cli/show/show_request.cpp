@@ -34,8 +34,8 @@ void add_error_json_option(Command& command, MovingRequest& moving) {
 
 void add_scene_risk_option(Command& command, MovingRequest& moving) {
   command.flag("--fail-on-risk", moving.fail_on_risk,
-               "Exit with 1 when a bee is at risk, or a gap or\nrecords that were left out may "
-               "hide it");
+               "Exit with 1 when a bee is at risk (of one moment: or\nwill be, flying straight "
+               "on), or a gap or records\nthat were left out may hide it");
 }
 
 }  // namespace beespace::cli

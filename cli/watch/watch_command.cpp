@@ -392,7 +392,7 @@ class Watch {
     std::string text;
     for (const SwarmEvent& event : events) {
       tally_.count(event);
-      text += event_line(event, *feed_);
+      text += event_line(event, feed_->looked_s(), *feed_);
     }
     if (write_error_ == 0) write_error_ = write_out(text);
   }

@@ -61,6 +61,38 @@ double in_seconds(double now) {
   return now >= kEarliest_ms ? now / kMsPerSecond : now;
 }
 
+// A list of what tar1090 keeps to draw trails: the names of files.
+bool is_list_of_chunks(JsonElement root) {
+  JsonArray names;
+  const auto chunks = json_member(root, "chunks");
+  if (!chunks || !chunks->get(names) || names.size() == 0) return false;
+  for (const JsonElement name : names) {
+    std::string_view text;
+    if (!name.get(text) || !text.ends_with(".gz")) return false;
+  }
+  return true;
+}
+
+// What these files have: an aircraft is a list of ten values without names.
+bool has_aircraft_as_lists(JsonElement root) {
+  JsonArray aircraft;
+  const auto list = json_member(root, "aircraft");
+  if (!list || !list->get(aircraft) || aircraft.size() == 0) return false;
+  JsonArray values;
+  return (*aircraft.begin()).get(values);
+}
+
+// The height of a chunk is the first of three that is there.
+Error trails_of_tar1090() {
+  return {ErrorCode::kUnsupportedFormat,
+          "this is of the chunks that tar1090 keeps to draw trails: their heights are by pressure, "
+          "or by satellites where those are missing, and do not say which, so that two cannot be "
+          "compared; name what they are made of, aircraft.json or the folder of history_0.json and "
+          "so on that readsb or dump1090 writes (beespace replay /run/readsb), or traces of "
+          "globe_history",
+          {}};
+}
+
 class AircraftDocuments {
  public:
   explicit AircraftDocuments(RecordingAssembly& assembly) : assembly_(assembly) {}
@@ -68,6 +100,7 @@ class AircraftDocuments {
   // Errors have the line, where there is one, or the record.
   std::optional<Error> read(JsonElement root, LineNumber line) {
     if (const auto kind = trace_kind(root)) return read_trace(root, *kind, line);
+    if (is_list_of_chunks(root) || has_aircraft_as_lists(root)) return trails_of_tar1090();
     if (const auto parts = list_of(root, "files"); parts && parts.value()) {
       for (const JsonElement part : **parts) {
         if (auto error = read(part, line)) return error;
@@ -213,7 +246,7 @@ bool is_aircraft_with_time(JsonElement root) {
 bool is_aircraft_document(JsonElement root) {
   JsonArray list;
   const auto ac = json_member(root, "ac");
-  if (trace_kind(root) || is_chunk(root)) return true;
+  if (trace_kind(root) || is_chunk(root) || is_list_of_chunks(root)) return true;
   return has_member(root, "aircraft") || has_member(root, "states") ||
          (has_member(root, "now") && ac && ac->get(list));
 }

@@ -40,6 +40,7 @@ struct RecordedBee {
   // before the first fix, and since when after the last one.
   std::optional<double> on_ground_until_s = {};
   std::optional<double> on_ground_from_s = {};
+  std::optional<double> on_ground_heard_s = {};  // of the latter: when it last said so
   // Of a drone whose autopilot says when it has landed: when it surely stands, in ascending order.
   // Its fixes are kept: others may fly close to it.
   std::vector<TimeSpan> landed = {};

@@ -111,17 +111,26 @@ void RecordingAssembly::leave_file_out(std::string_view name) {
   if (missing.file_names.size() < MissingRecords::kMostNamed) missing.file_names.emplace_back(name);
 }
 
+void RecordingAssembly::leave_broken_file_out(Error error) {
+  leave_file_out(error.location.source);
+  ++recording_.skipped_count;
+  if (recording_.skipped.size() < kMostSkippedListed) {
+    recording_.skipped.push_back(std::move(error));
+  }
+}
+
 void RecordingAssembly::settle_claim(const std::string& id, const GroundClaims::Run& run) {
   for (std::uint64_t i = 0; i < run.claims && !run.landed; ++i) {
     leave_out(run.in_flight ? kGroundInFlight : kOnGround, id);
   }
-  if (run.surely_ground) grounded_[id].push_back(run);
+  if (!run.in_flight) grounded_[id].push_back(run);
 }
 
 void RecordingAssembly::settle_ground(RecordedBee& bee) const {
   const auto known = grounded_.find(bee.id);
   if (known == grounded_.end() || bee.fixes.empty()) return;
   for (const GroundClaims::Run& run : known->second) {
+    if (!run.surely_ground) continue;
     if (run.landed) bee.landed.push_back({run.begins_s, run.ends_s});
     const double first_s = bee.fixes.front().time_s;
     const double last_s = bee.fixes.back().time_s;
@@ -135,6 +144,13 @@ void RecordingAssembly::settle_ground(RecordedBee& bee) const {
       const double begins_s = std::max(run.begins_s, last_s);
       from_s = std::min(from_s.value_or(begins_s), begins_s);
     }
+  }
+  // Files may come in another order than their times, so that a run may be cut into several, some
+  // of which are too short to be sure by themselves.
+  for (const GroundClaims::Run& run : known->second) {
+    if (!bee.on_ground_from_s || run.ends_s < *bee.on_ground_from_s) continue;
+    auto& heard_s = bee.on_ground_heard_s;
+    heard_s = std::max(heard_s.value_or(run.ends_s), run.ends_s);
   }
   std::sort(bee.landed.begin(), bee.landed.end(),
             [](const TimeSpan& a, const TimeSpan& b) { return a.begins_s < b.begins_s; });

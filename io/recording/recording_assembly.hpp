@@ -178,6 +178,8 @@ class RecordingAssembly {
   void leave_out(const LeftOutReason& reason, std::string_view id);
   // A file, or a folder, beside those that are read: who may be in it is not known.
   void leave_file_out(std::string_view name);
+  // Likewise one of them of which nothing could be read.
+  void leave_broken_file_out(Error error);
   // So many vehicles were where they say at another time: MissingRecords::untimed.
   void doubt_times(std::uint64_t vehicles) { recording_.missing.untimed += vehicles; }
   // A record of that trial, whose times may begin again in another one; of an animal, by that tag.
@@ -278,7 +280,7 @@ class RecordingAssembly {
   TrackGathering tracks_;
   LeftOut left_out_;
   GroundClaims claims_;
-  std::unordered_map<std::string, std::vector<GroundClaims::Run>> grounded_;  // surely, by id
+  std::unordered_map<std::string, std::vector<GroundClaims::Run>> grounded_;  // or perhaps, by id
   std::unordered_map<std::string, std::set<double>> unplaced_;                // times by id
   std::unordered_map<std::string, std::vector<TimeSpan>> lost_;  // by id, of those handed out
   std::unordered_set<std::string> told_by_others_;               // by id

@@ -48,6 +48,25 @@ TableSource flightradar24() {
   return source;
 }
 
+// Live positions as the interface of Flightradar24 gives them (JSON): heights by pressure, in feet,
+// speeds in knots and climb rates in feet per minute, as its documentation says.
+TableSource positions_of_flightradar24() {
+  TableSource source{"the interface of Flightradar24",
+                     "",
+                     {{"fr24_id"},
+                      perhaps("hex", Role::kId),
+                      perhaps("fr24_id", Role::kId),
+                      {"lat"},
+                      {"lon"},
+                      {"track", Role::kTrack},
+                      {"alt", Role::kHeight, Unit::kFoot, HeightDatum::kPressure},
+                      {"gspeed", Role::kGroundSpeed, Unit::kKnot},
+                      {"vspeed", Role::kClimb, Unit::kFootPerMinute},
+                      {"timestamp", Role::kTime}}};
+  source.ground_at_zero = true;
+  return source;
+}
+
 // traffic: https://traffic-viz.github.io (columns of its Flight and Traffic tables). State vectors
 // of OpenSky come from pyopensky and from traffic under the same names, in other units.
 // OpenSky: the history tables state_vectors_data4, as its documentation lists them.
@@ -63,9 +82,9 @@ TableSource flightradar24() {
 // time of the fix, where there is one, which may be a minute after the acquisition time. Wildlife
 // Computers: -Locations.csv of its data portal, whose times are UTC. Axy-Trek of TechnoSmart: X, Y,
 // Z are accelerations.
-const std::array<TableSource, 19>& known_sources() {
-  static const std::array<TableSource, 19> sources = {
-      TableSource{"traffic",
+const std::array<TableSource, 20>& known_sources() {
+  static const std::array<TableSource, 20> sources = {
+      TableSource{kTraffic,
                   kNotOfTraffic,
                   {{"icao24"},
                    {"groundspeed", Role::kGroundSpeed, Unit::kKnot},
@@ -74,7 +93,7 @@ const std::array<TableSource, 19>& known_sources() {
                    {"altitude", Role::kHeight, Unit::kFoot, HeightDatum::kPressure},
                    {"geoaltitude", Role::kHeight, Unit::kFoot, HeightDatum::kEllipsoid}}},
       TableSource{
-          "traffic",  // without heights above the ellipsoid: all these together are no other's
+          kTraffic,  // without heights above the ellipsoid: all these together are no other's
           kNotOfTraffic,
           {{"timestamp"},
            {"icao24"},
@@ -85,10 +104,10 @@ const std::array<TableSource, 19>& known_sources() {
            {"track", Role::kTrack},
            {"vertical_rate", Role::kClimb, Unit::kFootPerMinute},
            {"altitude", Role::kHeight, Unit::kFoot, HeightDatum::kPressure}}},
-      TableSource{"traffic",  // where the column of addresses was left out
+      TableSource{kTraffic,  // where addresses and callsigns may have been left out
                   kNotOfTraffic,
                   {{"timestamp"},
-                   {"callsign"},
+                   perhaps("flight_id", Role::kId),
                    {"latitude"},
                    {"longitude"},
                    {"groundspeed", Role::kGroundSpeed, Unit::kKnot},
@@ -261,7 +280,8 @@ const std::array<TableSource, 19>& known_sources() {
                   false,
                   true,
                   true},
-      flightradar24()};
+      flightradar24(),
+      positions_of_flightradar24()};
   return sources;
 }
 

@@ -34,6 +34,7 @@ struct TableSource {
   bool since_start = false;          // or: since the vehicle of that table was switched on
   // Of heights and speeds whose units its headers leave open: why, as a sentence.
   std::string_view units_differ = {};
+  bool ground_at_zero = false;  // of aircraft: heights of 0 are of no one that flies
 
   // Nothing for columns that say all by themselves. Of several of a role the first one counts.
   [[nodiscard]] const KnownColumn* find(std::string_view column) const;
@@ -44,6 +45,7 @@ struct TableSource {
 };
 
 inline constexpr std::string_view kFlightradar24 = "Flightradar24";
+inline constexpr std::string_view kTraffic = "traffic";
 
 // The source whose documented header this is: all its columns are there, and none that it never
 // has. In any case.

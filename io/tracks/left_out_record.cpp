@@ -55,7 +55,7 @@ const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
   if (layout_.time && unknown(TrackSlot::kTime)) return &kNoTime;
   if (layout_.age && is_old()) return &kOldPlace;
   const bool height = layout_.table.choice.dimensions == 3;
-  if (layout_.joined_place && says_no(fields_[TrackSlot::kPosition + 2].text)) {
+  if (layout_.ground_at_zero && says_no(fields_[TrackSlot::kPosition + 2].text)) {
     if (flies()) return &kNoPressureHeight;
     if (!layout_.keeps_grounded) return &kOnGround;
   }

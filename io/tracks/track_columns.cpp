@@ -13,6 +13,7 @@ NamePattern time_names() {
   pattern.words = {
       {Says::kNoun | Says::kJoined, "time timestamp", Role::kTime, "English"},
       {Says::kNoun, "t timestamps ts datetime stamp", Role::kTime, "English"},
+      {Says::kNoun, "simt", Role::kTime, "BlueSky"},
       {Says::kNoun, "zeit uhrzeit", Role::kTime, "German"},
       {Says::kNoun, "tiempo hora", Role::kTime, "Spanish"},
       {Says::kNoun, "temps heure", Role::kTime, "French"},

@@ -316,6 +316,8 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   auto id = choose_id(header, layout.notes);
   if (!id) id = track_numbers(text, header, layout.time, layout.notes);
   layout.joined_place = joined_place_of(header);
+  layout.ground_at_zero =
+      layout.joined_place || (header.source() != nullptr && header.source()->ground_at_zero);
   if (!layout.joined_place) {
     if (auto problem = nameless_position(text, header)) return *std::move(problem);
   }

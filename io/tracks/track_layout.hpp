@@ -142,9 +142,10 @@ struct TrackLayout {
   std::vector<std::size_t> trials = {};           // which of `sets` times may begin again with
   std::vector<std::size_t> scenes = {};           // sides, cameras, arenas: see names_scene()
   std::optional<std::size_t> no_height_yet = {};  // of heights that the beginning has none of
-  // Of Flightradar24: "48.0,2.0", latitude and longitude in one column. Heights of 0 are of no
-  // one that flies: on the ground, or where the height is not known.
+  // Of Flightradar24: "48.0,2.0", latitude and longitude in one column.
   std::optional<std::size_t> joined_place = {};
+  // Likewise: heights of 0 are of no one that flies, on the ground or where it is not known.
+  bool ground_at_zero = false;
   bool keeps_grounded = false;        // aircraft on the ground count, too
   std::vector<UnitTaken> units = {};  // of positions and velocities
   // Of a beginning whose ids come once each: what is wrong if those of the whole do.

@@ -285,7 +285,7 @@ def test_curves_are_followed_as_closely_as_is_asked(tolerance):
         ("zeros", "5 records were left out"),
         ("jumps", "1 bee jumps"),
         ("shared_id", "1 id seems to be of two bees"),
-        ("left_out_file", "1 file or folder beside was left out"),
+        ("left_out_file", "1 file or folder was left out"),
         ("swapped", "longitude and latitude of 1 bee seem to be the other way round"),
     ],
 )

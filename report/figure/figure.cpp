@@ -1,6 +1,7 @@
 #include "report/figure/figure.hpp"
 
 #include "io/bytes/number_text.hpp"
+#include "report/ahead_words.hpp"
 #include "report/figure/nearest_histogram.hpp"
 #include "report/figure/recording_view.hpp"
 #include "report/figure/separation_chart.hpp"
@@ -32,17 +33,21 @@ std::string name_of(const Names& names, PointId first, PointId second) {
 }
 
 std::string counted(std::size_t count, const Noun& noun) {
-  return count_label(count, noun.one, noun.several) + ". ";
+  return count_label(count, noun.one, noun.several);
 }
 
-std::string findings_of(const SnapshotFacts& facts) {
+// What is found at the moment itself.
+std::string findings_now(const SnapshotFacts& facts) {
   std::string text = counted(facts.positions.size(), facts.swarm.noun);
+  text += facts.moment.empty() ? ". " : " at " + facts.moment + ". ";
+  const std::string now = facts.moment.empty() ? "" : " at this moment";
   if (facts.at_risk.empty() && !facts.unknown.empty()) {
-    return text + "Of those that are known none is " + too_close(facts.swarm) + " to another; " +
-           facts.unknown + ".";
+    return text + "Of those that are known none is " + too_close(facts.swarm) + " to another" +
+           now + "; " + facts.unknown + ".";
   }
   if (facts.at_risk.empty()) {
-    return text + "No " + facts.swarm.noun.one + " is " + too_close(facts.swarm) + " to another.";
+    return text + "No " + facts.swarm.noun.one + " is " + too_close(facts.swarm) + " to another" +
+           now + ".";
   }
   text += count_label(facts.at_risk.size(), "is at risk", "are at risk") + ": " +
           count_label(facts.pair_count, "pair", "pairs") + " " + too_close(facts.swarm) + ", in " +
@@ -53,8 +58,13 @@ std::string findings_of(const SnapshotFacts& facts) {
   return text + ".";
 }
 
+std::string findings_of(const SnapshotFacts& facts) {
+  const std::string ahead = ahead_words(facts);
+  return findings_now(facts) + (ahead.empty() ? "" : " Ahead: " + ahead + ".");
+}
+
 std::string findings_of(const RecordingFacts& facts) {
-  std::string text = counted(facts.tracks.size(), facts.swarm.noun);
+  std::string text = counted(facts.tracks.size(), facts.swarm.noun) + ". ";
   const std::string but_for = facts.standing_count == 0
                                   ? ""
                                   : ", but for " +
@@ -77,8 +87,13 @@ std::string findings_of(const RecordingFacts& facts) {
   return text + ".";
 }
 
+// Where two limits count, that of a list by how far apart they are in a straight line.
+std::string order_words(const SwarmFacts& swarm) {
+  return swarm.vertical_m ? " (straight line)" : "";
+}
+
 Listing closest_pairs(const SnapshotFacts& facts) {
-  Listing listing{"Closest pairs", {}, facts.pair_count};
+  Listing listing{"Closest pairs" + order_words(facts.swarm), {}, facts.pair_count};
   for (std::size_t i = 0; i < std::min(kMostRows, facts.pairs.size()); ++i) {
     const auto& [first, second] = facts.pairs[i];
     listing.rows.push_back(
@@ -86,7 +101,15 @@ Listing closest_pairs(const SnapshotFacts& facts) {
          listed_apart(facts.swarm, facts.distances_m[i],
                       i < facts.apart.size() ? std::optional(facts.apart[i]) : std::nullopt)});
   }
-  if (facts.pairs.empty() && facts.closest) {
+  if (facts.pairs.empty() && facts.ahead && facts.ahead->count > 0) {
+    listing.heading = "Ahead, flying straight on";
+    listing.count = facts.ahead->count;
+    for (const ConflictAhead& each : facts.ahead->conflicts) {
+      listing.rows.push_back({name_of(facts.swarm.names, each.first, each.second),
+                              listed_apart(facts.swarm, each.closest_m, each.apart) + " in " +
+                                  decimal_label(each.closest_in_s, 0) + " s"});
+    }
+  } else if (facts.pairs.empty() && facts.closest) {
     listing.heading = "Closest pair, not too close";
     listing.rows.push_back(
         {name_of(facts.swarm.names, facts.closest->first, facts.closest->second),
@@ -102,7 +125,7 @@ std::string duration_of(const Conflict& conflict) {
 }
 
 Listing closest_conflicts(const RecordingFacts& facts) {
-  Listing listing{"Closest conflicts", {}, facts.conflict_count};
+  Listing listing{"Closest conflicts" + order_words(facts.swarm), {}, facts.conflict_count};
   const auto add = [&](const Conflict& conflict, const std::optional<Apart>& apart) {
     listing.rows.push_back({name_of(facts.swarm.names, conflict.first, conflict.second),
                             listed_apart(facts.swarm, conflict.closest_m, apart) + " at " +
@@ -140,6 +163,12 @@ void draw_below_chart(const Listing& listing, double bottom, Drawing& drawing) {
 Drawing figure_of(const SnapshotFacts& facts) {
   Extent extent;
   for (const Point& position : facts.positions) extent.add(position);
+  if (facts.ahead) {
+    for (const ConflictAhead& each : facts.ahead->conflicts) {
+      extent.add(each.first_there);
+      extent.add(each.second_there);
+    }
+  }
   const auto views = views_of(extent, facts.swarm, kViews, kViewsWidth);
   Drawing drawing = begin_sheet(facts.swarm, findings_of(facts), key_of_bees(facts, views.front()));
   const double bottom = draw_views(

@@ -3,6 +3,7 @@
 #include "report/figure/sheet.hpp"
 #include "report/figure/style.hpp"
 #include "report/number_label.hpp"
+#include "report/separation_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -112,6 +113,8 @@ void draw_histogram(const Histogram& histogram, const SwarmFacts& swarm, const B
   const double most =
       static_cast<double>(*std::max_element(histogram.counts.begin(), histogram.counts.end()));
   const Scale across(distances, box.left, box.right(), kind);
+  // As the axes beside it.
+  const AxisUnit unit = swarm.aviation ? axis_unit(swarm, distances.high) : AxisUnit{};
   const Scale upwards({0.0, 1.12 * most}, box.bottom(), box.top);
   std::vector<Tick> counts = nice_ticks(upwards.values(), 5);
   for (Tick& tick : counts) tick.label = decimal_label(tick.value, 0);
@@ -126,9 +129,10 @@ void draw_histogram(const Histogram& histogram, const SwarmFacts& swarm, const B
                                     [&](std::size_t at_most) {
                                       return histogram.logarithmic
                                                  ? logarithmic_ticks(distances, at_most)
-                                                 : nice_ticks(distances, at_most);
+                                                 : nice_ticks(distances, at_most, unit.metres);
                                     }),
-                     histogram.logarithmic ? "Distance (m), by powers of ten" : "Distance (m)"},
+                     histogram.logarithmic ? "Distance (m), by powers of ten"
+                                           : std::string("Distance (") + unit.name + ")"},
                     {upwards, counts, "Bees"}};
   draw_panel(panel, drawing);
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {

@@ -59,6 +59,10 @@ double draw_sample(KeyEntry::Sample sample, Spot left, Drawing& drawing) {
       drawing.shapes.emplace_back(Lines{{{left, right}}, kRisk, 2.4});
       drawing.shapes.emplace_back(Diamonds{{{middle, 5.0}}, kRisk});
       return 26.0;
+    case KeyEntry::Sample::kAhead:
+      drawing.shapes.emplace_back(Lines{{{left, right}}, kRisk, 1.4, true});
+      drawing.shapes.emplace_back(Dots{{right}, 4.0, kRisk, 1.4});
+      return 30.0;
     case KeyEntry::Sample::kStart:
       drawing.shapes.emplace_back(Dots{{{left.x + 4.0, left.y}}, 3.0, kBee, 1.2});
       return 10.0;

@@ -22,7 +22,8 @@ struct KeyEntry {
     kInConflict,
     kStart,
     kBand,
-    kUnknown
+    kUnknown,
+    kAhead
   };
 
   Sample sample;

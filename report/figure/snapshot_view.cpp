@@ -1,5 +1,6 @@
 #include "report/figure/snapshot_view.hpp"
 
+#include "report/drawing/text_fit.hpp"
 #include "report/figure/density.hpp"
 #include "report/figure/style.hpp"
 #include "report/number_label.hpp"
@@ -9,6 +10,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace beespace::report {
 namespace {
@@ -81,8 +84,60 @@ Lines lines_of(const SnapshotFacts& facts, const View& view) {
   return lines;
 }
 
+// The ways of those that come too close later, from where they are to where they are closest then.
+void draw_ahead(const SnapshotFacts& facts, const View& view, Drawing& drawing) {
+  if (!facts.ahead || facts.ahead->conflicts.empty()) return;
+  Lines ways{{}, kRisk, 1.4, true};
+  Dots there{{}, radius_of_a_bee(facts) + 2.0, kRisk, 1.4};
+  for (const ConflictAhead& each : facts.ahead->conflicts) {
+    ways.runs.push_back(
+        {view.spot_of(facts.positions[each.first]), view.spot_of(each.first_there)});
+    ways.runs.push_back(
+        {view.spot_of(facts.positions[each.second]), view.spot_of(each.second_there)});
+    there.centres.push_back(view.spot_of(each.first_there));
+    there.centres.push_back(view.spot_of(each.second_there));
+  }
+  drawing.shapes.emplace_back(std::move(ways));
+  drawing.shapes.emplace_back(std::move(there));
+}
+
+// The name of one of them, where it is now, on the side to which it does not fly.
+void name_one_ahead(const std::string& name, Spot at, Spot there, const Box& box,
+                    Drawing& drawing) {
+  constexpr double kBeside = 8.0;
+  const double room = kBeside + text_width(name, kLabelSize);
+  const bool flies_right = there.x > at.x + 1.0;
+  const bool right = flies_right ? at.x - room < box.left : at.x + room <= box.right();
+  drawing.shapes.emplace_back(Text{{right ? at.x + kBeside : at.x - kBeside, at.y + 4.0},
+                                   name,
+                                   kLabelSize,
+                                   right ? Anchor::kStart : Anchor::kEnd,
+                                   false,
+                                   false,
+                                   true,
+                                   kText});
+}
+
+// Over all else, each once.
+void name_those_ahead(const SnapshotFacts& facts, const View& view, Drawing& drawing) {
+  if (!facts.ahead || view.from != View::From::kAbove) return;
+  std::vector<PointId> named;
+  const auto name = [&](PointId bee, const Point& there) {
+    if (std::find(named.begin(), named.end(), bee) != named.end()) return;
+    named.push_back(bee);
+    name_one_ahead(one_line(facts.swarm.names.of(bee)), view.spot_of(facts.positions[bee]),
+                   view.spot_of(there), view.panel.box, drawing);
+  };
+  for (const ConflictAhead& each : facts.ahead->conflicts) {
+    name(each.first, each.first_there);
+    name(each.second, each.second_there);
+  }
+}
+
 void draw_closest(const SnapshotFacts& facts, const View& view, Drawing& drawing) {
   if (!facts.closest || !are_few(facts)) return;
+  // Who is not too close now is of no account beside those who will be.
+  if (facts.at_risk.empty() && facts.ahead && facts.ahead->count > 0) return;
   const Spot a = view.spot_of(facts.positions[facts.closest->first]);
   const Spot b = view.spot_of(facts.positions[facts.closest->second]);
   draw_ring(view.panel.box, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)},
@@ -102,6 +157,7 @@ void draw_bees(const SnapshotFacts& facts, const View& view, Drawing& drawing) {
   } else {
     drawing.shapes.emplace_back(all_bees(facts, view).cells(shades()));
   }
+  draw_ahead(facts, view, drawing);
   if (have_lines(facts)) drawing.shapes.emplace_back(lines_of(facts, view));
   if (have_marks(facts)) {
     drawing.shapes.emplace_back(marks_of(facts, view));
@@ -109,6 +165,7 @@ void draw_bees(const SnapshotFacts& facts, const View& view, Drawing& drawing) {
     drawing.shapes.emplace_back(those_at_risk(facts, view).diamonds(kRisk));
   }
   draw_closest(facts, view, drawing);
+  name_those_ahead(facts, view, drawing);
 }
 
 std::vector<KeyEntry> key_of_bees(const SnapshotFacts& facts, const View& from_above) {
@@ -120,6 +177,10 @@ std::vector<KeyEntry> key_of_bees(const SnapshotFacts& facts, const View& from_a
     key.push_back({Sample::kShades, facts.swarm.noun.several + " in a cell: 1 to " +
                                         count_label(all_bees(facts, from_above).most()) +
                                         " from above"});
+  }
+  if (facts.ahead && facts.ahead->count > 0) {
+    key.push_back(
+        {Sample::kAhead, "way, flying straight on, to where two are closest and too close"});
   }
   if (facts.at_risk.empty()) return key;
   if (!have_marks(facts)) {

@@ -1,6 +1,7 @@
 #include "report/map/risk_table.hpp"
 
 #include "io/table/table_writer.hpp"
+#include "io/units/units.hpp"
 #include "report/map/map_places.hpp"
 #include "report/number_label.hpp"
 
@@ -8,8 +9,10 @@
 #include <array>
 #include <charconv>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <system_error>
+#include <vector>
 
 namespace beespace::report {
 namespace {
@@ -58,6 +61,36 @@ class PlaceColumns {
   std::optional<MapPlaces> places_;
 };
 
+// How far apart two are horizontally and in height, where each has its limit; in the units of
+// aviation too where the input speaks so.
+class ApartColumns {
+ public:
+  ApartColumns(const SwarmFacts& swarm, const std::vector<Apart>& apart)
+      : apart_(apart), there_(swarm.vertical_m.has_value()), aviation_(swarm.aviation) {}
+
+  void write_names(io::TableWriter& table) const {
+    if (there_) table.header("horizontal_m,vertical_m");
+    if (there_ && aviation_) table.header("horizontal_NM,vertical_ft");
+  }
+
+  void write(io::TableWriter& table, std::size_t row) const {
+    if (!there_) return;
+    const Apart apart = row < apart_.size() ? apart_[row] : kUnknown;
+    table.field(apart.horizontal_m).field(apart.height_m);  // empty where not known
+    if (!aviation_) return;
+    table.field(io::from_metric(apart.horizontal_m, io::Unit::kNauticalMile));
+    table.field(io::from_metric(apart.height_m, io::Unit::kFoot));
+  }
+
+ private:
+  static constexpr Apart kUnknown = {std::numeric_limits<double>::quiet_NaN(),
+                                     std::numeric_limits<double>::quiet_NaN()};
+
+  const std::vector<Apart>& apart_;
+  bool there_;
+  bool aviation_;
+};
+
 // Spreadsheets of many countries split tables at semicolons, some at tabs: what holds one is quoted
 // as if this one did.
 void write_id(io::TableWriter& table, const Names& names, PointId bee) {
@@ -79,6 +112,8 @@ void write_risk_table(const SnapshotFacts& facts, io::AtomicOutput& output) {
   std::string text;
   io::TableWriter table(text, ',');
   places.write_names(table.header("first,second,distance_m"));
+  const ApartColumns apart(facts.swarm, facts.apart);
+  apart.write_names(table);
   table.end_row();
   for (std::size_t i = 0; i < facts.pairs.size(); ++i) {
     const auto& [first, second] = facts.pairs[i];
@@ -87,6 +122,7 @@ void write_risk_table(const SnapshotFacts& facts, io::AtomicOutput& output) {
     table.field(facts.distances_m[i]);
     places.write(table, facts.positions[first]);
     places.write(table, facts.positions[second]);
+    apart.write(table, i);
     table.end_row();
     output.write(text);
     text.clear();
@@ -100,8 +136,12 @@ void write_risk_table(const RecordingFacts& facts, io::AtomicOutput& output) {
   io::TableWriter table(text, ',');
   places.write_names(table.header("first,second,begins_s,closest_s,ends_s,closest_m,certain"));
   if (facts.since_1970) table.header("begins,closest,ends");
-  table.header("lasts_s").end_row();
-  for (const Conflict& c : facts.conflicts) {
+  table.header("lasts_s");
+  const ApartColumns apart(facts.swarm, facts.conflicts_apart);
+  apart.write_names(table);
+  table.end_row();
+  for (std::size_t i = 0; i < facts.conflicts.size(); ++i) {
+    const Conflict& c = facts.conflicts[i];
     write_id(table, facts.swarm.names, c.first);
     write_id(table, facts.swarm.names, c.second);
     table.field(c.begins_s).field(c.closest_s).field(c.ends_s).field(c.closest_m).field(c.certain);
@@ -112,7 +152,9 @@ void write_risk_table(const RecordingFacts& facts, io::AtomicOutput& output) {
         table.field(instant_label(time_s));
       }
     }
-    table.field(c.ends_s - c.begins_s).end_row();
+    table.field(c.ends_s - c.begins_s);
+    apart.write(table, i);
+    table.end_row();
     output.write(text);
     text.clear();
   }

@@ -35,7 +35,7 @@ TEST_P(Labels, AreShownBehindTheIdInTheTextAndTheSummary) {
   const Finished finished = ask(GetParam());
   const TextRows rows = rows_of(finished.out);
   ASSERT_EQ(rows.size(), 1u) << finished.err;
-  EXPECT_EQ(rows[0].size(), 6u);
+  EXPECT_EQ(rows[0].size(), 7u);
   EXPECT_EQ(rows[0][0], "4b1814 (SWR12AB)");
   EXPECT_EQ(rows[0][1], "a1b2c3");
   expect_parts(finished.err, {"closest    4b1814 (SWR12AB) and a1b2c3, "});
@@ -46,11 +46,11 @@ TEST_P(Labels, HaveColumnsOfTheirOwnBehindAllOthers) {
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0],
             (std::vector<std::string>{"first", "second", "begins_s", "closest_s", "closest_m",
-                                      "ends_s", "first_label", "second_label"}));
+                                      "ends_s", "lasts_s", "first_label", "second_label"}));
   EXPECT_EQ(rows[1].at(0), "4b1814");
   EXPECT_EQ(rows[1].at(1), "a1b2c3");
-  EXPECT_EQ(rows[1].at(6), "SWR12AB");
-  EXPECT_EQ(rows[1].at(7), "");
+  EXPECT_EQ(rows[1].at(7), "SWR12AB");
+  EXPECT_EQ(rows[1].at(8), "");
   const std::string json = ask(GetParam(), {"--json"}).out;
   EXPECT_TRUE(is_json(json)) << json;
   expect_parts(json, {R"({"first": "4b1814", "second": "a1b2c3", "begins_s": )",
@@ -77,8 +77,8 @@ TEST(Labels, AreInEveryReportOfReplay) {
   EXPECT_EQ(separation[1].at(5), "SWR12AB");
   const TextRows events = header_and_first({"--report", "events"});
   ASSERT_EQ(events.size(), 2u);
-  EXPECT_EQ(events[0].at(6), "first_label");
-  EXPECT_EQ(events[1].at(6), "SWR12AB");
+  EXPECT_EQ(events[0].at(8), "first_label");
+  EXPECT_EQ(events[1].at(8), "SWR12AB");
   expect_parts(ask("replay", {"--json"}).out,
                {R"("closest": {"first": "4b1814", "second": "a1b2c3", )"});
 }
@@ -103,7 +103,7 @@ TEST(Labels, WhereThereIsNoneNothingChanges) {
   constexpr std::string_view table =
       "id,time_s,x,y,z\na,0,0,0,0\na,1,0,0,0\nb,0,1,0,0\nb,1,1,0,0\n";
   EXPECT_EQ(lines_of(run({"replay", "--csv"}, table).out).at(0),
-            "first,second,begins_s,closest_s,closest_m,ends_s");
+            "first,second,begins_s,closest_s,closest_m,ends_s,lasts_s");
   EXPECT_EQ(run({"replay", "--json"}, table).out.find("label"), std::string::npos);
   EXPECT_EQ(run({"watch"}, table).out.find("label"), std::string::npos);
 }

@@ -180,7 +180,7 @@ TEST_F(OutputForm, TablesHaveAHeaderAndListsOfIdsHaveNone) {
   EXPECT_EQ(detect("counts"), "id\tneighbor_count");
   EXPECT_EQ(detect("nearest"), "id\tnearest\tdistance_m");
   EXPECT_EQ(detect("groups"), "group\tsize\tmembers");
-  const std::string conflicts = "first\tsecond\tbegins_s\tclosest_s\tclosest_m\tends_s";
+  const std::string conflicts = "first\tsecond\tbegins_s\tclosest_s\tclosest_m\tends_s\tlasts_s";
   EXPECT_EQ(first_line({"replay", flown_}), conflicts);
   EXPECT_EQ(first_line({"predict", flown_}), conflicts);
   EXPECT_EQ(first_line({"replay", flown_, "--threshold", "1"}), conflicts);  // with no rows, too

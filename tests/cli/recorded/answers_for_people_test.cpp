@@ -34,7 +34,7 @@ TEST(AnswersForPeople, HorizontalAndVerticalStandBehindTheOthers) {
   ASSERT_EQ(rows.size(), 2u) << finished.err;
   EXPECT_EQ(rows[0],
             (std::vector<std::string>{"first", "second", "begins_s", "closest_s", "closest_m",
-                                      "ends_s", "horizontal_m", "vertical_m"}));
+                                      "ends_s", "horizontal_m", "vertical_m", "lasts_s"}));
   expect_rows({{rows[1][3], rows[1][4], rows[1][6], rows[1][7]}}, {{"50", "5", "3", "4"}});
   expect_parts(
       finished.err,
@@ -46,13 +46,13 @@ TEST(AnswersForPeople, HorizontalAndVerticalStandBehindTheOthers) {
           .out;
   EXPECT_TRUE(is_json(json)) << json;
   expect_parts(json, {R"("distance_m": 5, "horizontal_m": 3, "vertical_m": 4})",
-                      R"("horizontal_m": 3, "vertical_m": 4})"});
+                      R"("horizontal_m": 3, "vertical_m": 4, "lasts_s": )"});
 }
 
 TEST(AnswersForPeople, WithoutAVerticalThresholdAllIsAsItWas) {
   const Finished finished = run({"replay", "--threshold", "6", "--max-gap", "never"}, kMetres);
   EXPECT_EQ(lines_of(finished.out).front(),
-            "first\tsecond\tbegins_s\tclosest_s\tclosest_m\tends_s");
+            "first\tsecond\tbegins_s\tclosest_s\tclosest_m\tends_s\tlasts_s");
   expect_parts(finished.err, {"closest    a and b, 5.000 m apart at 50.00 s\n"});
 }
 
@@ -60,7 +60,7 @@ TEST(AnswersForPeople, AVerticalThresholdHasItsColumnsWithoutAnyConflict) {
   const Finished finished = run(
       {"replay", "--threshold", "1", "--vertical", "6", "--csv", "--max-gap", "never"}, kMetres);
   EXPECT_EQ(finished.out,
-            "first,second,begins_s,closest_s,closest_m,ends_s,horizontal_m,vertical_m\n");
+            "first,second,begins_s,closest_s,closest_m,ends_s,horizontal_m,vertical_m,lasts_s\n");
 }
 
 TEST(AnswersForPeople, PredictTellsThemWhereTheyWillBe) {

@@ -60,16 +60,16 @@ TEST_P(LeftOutFile, OfAFolderIsNoAllClear) {
   write(GetParam(), way("1"));
   const Finished replay = ask("replay", {"--fail-on-risk"});
   EXPECT_EQ(replay.exit_code, 1);
-  expect_parts(replay.err, {"verdict    no conflict among what was read; 1 file or folder beside "
+  expect_parts(replay.err, {"verdict    no conflict among what was read; 1 file or folder "
                             "was left out\n",
                             "not read   " + at() + "/"});
   EXPECT_EQ(ask("verify").exit_code, 1);
   const Finished predict = ask("predict", {"--horizon", "1", "--fail-on-risk"});
   EXPECT_EQ(predict.exit_code, 1);
-  expect_parts(predict.err, {"none of those that are known; 1 file or folder beside was left out"});
+  expect_parts(predict.err, {"none of those that are known; 1 file or folder was left out"});
   const Finished page =
       run({"report", at(), "--threshold", "5", "--output", folder_.path("page.html")});
-  expect_parts(page.err, {"1 file or folder beside was left out"});
+  expect_parts(page.err, {"1 file or folder was left out"});
   const Finished json = ask("replay", {"--json"});
   expect_parts(json.out, {R"("left_out_files": 1)"});
 }
@@ -125,7 +125,7 @@ TEST_F(LeftOutFiles, WithMemoryItIsNoAllClearEither) {
   const Finished finished =
       ask("replay", {"--memory", "100MB", "--crs", "metres", "--fail-on-risk"});
   EXPECT_EQ(finished.exit_code, 1);
-  expect_parts(finished.err, {"1 file or folder beside was left out"});
+  expect_parts(finished.err, {"1 file or folder was left out"});
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ TEST(PredictClimb, OfDronesInMetresIsThatOfTheLastTwoFixesBesideTheirOwnSpeed) {
                                 "id,time_s,x,y,z,vx,vy\n"
                                 "a,0,0,0,0,1,0\na,1,0,0,1,1,0\n"
                                 "b,0,100,3,0,-1,0\nb,1,100,3,1,-1,0\n");
-  expect_rows(rows_of(finished.out), {{"a", "b", "49", "51", "3", "53"}});
+  expect_rows(without_lasts(rows_of(finished.out)), {{"a", "b", "49", "51", "3", "53"}});
   expect_parts(finished.err, {"2 without a climb rate: it is that of the last two fixes"});
 }
 

@@ -34,7 +34,7 @@ TEST(VelocityCurves, WhoComesTooCloseAlongCurvesAloneIsInAPossibleConflict) {
                {"verdict    may not keep its distance: 1 conflict of 1 pair, 1 possible, along "
                 "curves with the given velocities\n",
                 "a and b, 0.500 m apart at 5.00 s", "both are looked at"});
-  expect_parts(finished.out, {"certain", "a\tb\t", "\tno\n"});
+  expect_parts(finished.out, {"certain", "a\tb\t", "\tno\t"});
   const Finished json = run({"replay", "--threshold", "2", "--json", "--quiet"}, kNear);
   EXPECT_TRUE(is_json(json.out)) << json.out;
   expect_parts(json.out, {R"("conflict_count": 1)", R"("followed": true)", R"("certain": false)"});

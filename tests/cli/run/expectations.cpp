@@ -78,6 +78,24 @@ void expect_rows(const TextRows& rows, const TextRows& expected) {
   EXPECT_TRUE(same) << shown(rows) << "instead of\n" << shown(expected);
 }
 
+TextRows without_lasts(TextRows rows) {
+  constexpr std::size_t kBegins = 2;
+  constexpr std::size_t kEnds = 5;
+  for (std::vector<std::string>& row : rows) {
+    if (row.size() <= kEnds + 1) {
+      ADD_FAILURE() << "no column says how long a conflict lasts";
+      continue;
+    }
+    const auto begins_s = number_in(row[kBegins]);
+    const auto ends_s = number_in(row[kEnds]);
+    if (begins_s && ends_s) {
+      EXPECT_NEAR(number_in(row.back()).value_or(HUGE_VAL), *ends_s - *begins_s, kTolerance);
+    }
+    row.pop_back();
+  }
+  return rows;
+}
+
 void expect_parts(const std::string& text, std::initializer_list<std::string_view> parts) {
   for (const std::string_view part : parts) {
     EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' in\n" << text;

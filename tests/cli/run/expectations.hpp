@@ -22,6 +22,10 @@ TextRows rows_of(const std::string& text, char delimiter = '\t');
 // Numbers may differ from those expected by 1e-5, other fields not at all.
 void expect_rows(const TextRows& rows, const TextRows& expected);
 
+// Rows of conflicts without their last column, how long each lasts, which must be what the ends are
+// after the begins where these are numbers.
+TextRows without_lasts(TextRows rows);
+
 // Each of the parts is in the text.
 void expect_parts(const std::string& text, std::initializer_list<std::string_view> parts);
 

@@ -75,8 +75,10 @@ TEST(WatchEvents, AnEncounterIsPredictedEnteredPassedAndLeft) {
   EXPECT_EQ(finished.exit_code, 0);
   const auto lines = lines_of(finished.out);
   ASSERT_EQ(lines.size(), 4u) << finished.out;
-  EXPECT_EQ(lines[0], R"({"event": "predicted", "time_s": 7.5, "first": "a", "second": "b", )"
-                      R"("distance_m": 0, "closest_s": 10})");
+  EXPECT_EQ(
+      lines[0],
+      R"({"event": "predicted", "said_at_s": 1.9, "time_s": 7.5, "first": "a", "second": "b", )"
+      R"("distance_m": 0, "closest_s": 10})");
   EXPECT_EQ(lines[1], kEntered);
   EXPECT_EQ(lines[2], kClosestPassed);
   EXPECT_EQ(lines[3], R"({"event": "left", "time_s": 12.75, "first": "a", "second": "b", )"
@@ -87,8 +89,10 @@ TEST(WatchEvents, AnEncounterIsPredictedEnteredPassedAndLeft) {
 // Head-on, and closest after the horizon: what is predicted is how close they are at its end.
 TEST(WatchEvents, APredictionSaysThatTwoCloseInBeyondTheHorizon) {
   const auto event = lines_of(watched({"--horizon", "8"}, passing_by()).out).at(0);
-  EXPECT_EQ(event, R"({"event": "predicted", "time_s": 7.5, "first": "a", "second": "b", )"
-                   R"("distance_m": 0.1999999999999993, "closest_s": 9.9, "closing": true})");
+  EXPECT_EQ(
+      event,
+      R"({"event": "predicted", "said_at_s": 1.9, "time_s": 7.5, "first": "a", "second": "b", )"
+      R"("distance_m": 0.1999999999999993, "closest_s": 9.9, "closing": true})");
 }
 
 TEST(WatchEvents, TheLeaveFactorMovesTheLeavingAndTheHorizonThePrediction) {
@@ -218,10 +222,14 @@ TEST(WatchEvents, AircraftAreWatchedAsTheyAreReplayed) {
 TEST(WatchEvents, ReplayHasThemAsATableAndInItsDocumentToo) {
   const Arguments question = {"replay", "--threshold", "5", "--report", "events", "--horizon", "0"};
   const auto rows = rows_of(run(question + Arguments{"--csv"}, passing_by()).out, ',');
-  expect_rows(rows, {{"time_s", "event", "first", "second", "distance_m", "closest_s"},
-                     {"7.5", "entered", "a", "b", "5", "8"},
-                     {"10", "closest_passed", "a", "b", "0", "10"},
-                     {"12.75", "left", "a", "b", "5.5", "10"}});
+  expect_rows(rows, {{"time_s", "event", "first", "second", "distance_m", "closest_s", "said_at_s",
+                      "closing"},
+                     {"7.5", "entered", "a", "b", "5", "8", "", ""},
+                     {"10", "closest_passed", "a", "b", "0", "10", "", ""},
+                     {"12.75", "left", "a", "b", "5.5", "10", "", ""}});
+  const Arguments ahead = {"replay", "--threshold", "5", "--report", "events", "--horizon", "8"};
+  const auto said = rows_of(run(ahead + Arguments{"--csv"}, passing_by()).out, ',');
+  expect_rows({said.at(1)}, {{"7.5", "predicted", "a", "b", "0.2", "9.9", "1.9", "yes"}});
   const std::string json = run(question + Arguments{"--json"}, passing_by()).out;
   EXPECT_TRUE(is_json(json)) << json;
   expect_parts(json, {R"("events": [)", R"({"time_s": 12.75, "event": "left", "first": "a", )"});

@@ -72,5 +72,17 @@ TEST(AircraftTrace, ChunksHoldDocumentsOneAfterTheOther) {
   EXPECT_EQ(times_of(recording.bees[0]), (std::vector<double>{1714564800, 1714564830}));
 }
 
+// tar1090 itself keeps lists of values, of which the height may be of either kind.
+TEST(AircraftTrace, ChunksOfTar1090AreNamedForWhatTheyAre) {
+  const std::string part =
+      R"({"files": [{"now": 1714564800, "messages": 1, "aircraft": [["3c6444", 35000, 450, 90, 48.0, )"
+      R"(2.0, 0.4, "adsb_icao", "DLH1    ", 12]]}]})";
+  const std::string list = R"({"chunks": ["chunk_1.gz", "current_small.gz"]})";
+  for (const std::string& chunk : {part, list}) {
+    expect_error(record(chunk), {ErrorCode::kUnsupportedFormat, "bees.csv",
+                                 "the chunks that tar1090 keeps to draw trails"});
+  }
+}
+
 }  // namespace
 }  // namespace beespace::io

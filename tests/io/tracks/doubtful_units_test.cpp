@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
 
 namespace beespace::io {
@@ -114,6 +115,61 @@ TEST(DoubtfulFeet, TablesOfTrafficThatSayWhatTheyAreAreRead) {
     const Recording recording = recording_of(record(text));
     EXPECT_EQ(recording.height_unit, Unit::kFoot) << text;
   }
+}
+
+// With flights told apart by traffic itself (assign_id), addresses and callsigns may be left out.
+TEST(DoubtfulFeet, TablesOfTrafficMayNameFlightsAlone) {
+  std::string text =
+      "timestamp,latitude,longitude,groundspeed,track,vertical_rate,onground,altitude,geoaltitude,"
+      "flight_id\n";
+  for (int k = 0; k < 6; ++k) {
+    text += "2024-05-01 12:00:" + std::to_string(k) + "0Z,0," + std::to_string(2.0 + 0.02 * k) +
+            ",450,90,0,False,35000,35300,AFR1_1\n";
+  }
+  const Recording recording = recording_of(record(text));
+  EXPECT_EQ(recording.height_unit, Unit::kFoot);
+  EXPECT_EQ(recording.heights, HeightDatum::kEllipsoid);  // unless heights by pressure are wanted
+  EXPECT_EQ(ids_of(recording), std::vector<std::string>{"AFR1_1"});
+}
+
+// x and y, which traffic computes of longitude and latitude, are no other place.
+TEST(DoubtfulFeet, TablesOfTrafficWithProjectedPlacesAreReadInDegrees) {
+  std::istringstream table(under_names_of_traffic(kDegreesOf100Mps, "35000", "194"));
+  std::string text;
+  for (std::string line; std::getline(table, line);) {
+    text += line + (text.empty() ? ",x,y\n" : ",12,-9\n");
+  }
+  const Recording recording = recording_of(record(text));
+  EXPECT_EQ(recording.frame, Frame::kWgs84);
+  EXPECT_EQ(recording.height_unit, Unit::kFoot);
+}
+
+TEST(TimesOfTables, OfBlueSkyMayNameTheirUnit) {
+  const Recording recording = recording_of(
+      record("simt [s],id,lat [deg],lon [deg],alt [m]\n0,A,48,2,9000\n5,A,48,2.01,9000\n"));
+  ASSERT_EQ(ids_of(recording), std::vector<std::string>{"A"});
+  EXPECT_EQ(times_of(recording.bees[0]), (std::vector<double>{0, 5}));
+}
+
+// What its interface answers with: the documentation says feet, knots and feet per minute.
+TEST(DoubtfulFeet, LivePositionsOfFlightradar24AreInFeetAndKnots) {
+  const auto aircraft = [](const std::string& hex, const std::string& height,
+                           const std::string& speed) {
+    return R"({"fr24_id": "35a0)" + hex +
+           R"(", "flight": "AF1", "callsign": "AFR1", "lat": 48.0, )" +
+           R"("lon": 2.0, "track": 90, "alt": )" + height + R"(, "gspeed": )" + speed +
+           R"(, "vspeed": 600, "squawk": "1000", "timestamp": "2024-06-05T10:04:00Z", )" +
+           R"("source": "ADSB", "hex": ")" + hex + R"("})";
+  };
+  const Recording recording =
+      recording_of(record(R"({"data": [)" + aircraft("3944EF", "35000", "450") + "," +
+                          aircraft("4008F6", "0", "12") + "]}"));
+  ASSERT_EQ(ids_of(recording), std::vector<std::string>{"3944EF"});  // the other is on the ground
+  EXPECT_EQ(recording.height_unit, Unit::kFoot);
+  EXPECT_EQ(recording.heights, HeightDatum::kPressure);
+  ASSERT_EQ(recording.bees[0].velocities.size(), 1U);
+  EXPECT_NEAR(recording.bees[0].velocities[0].x, 450 * 1852.0 / 3600.0, 1e-9);
+  EXPECT_NEAR(recording.bees[0].velocities[0].z, 600 * 0.3048 / 60.0, 1e-12);
 }
 
 TEST(DoubtfulFeet, TheHistoryOfOpenSkyIsInMetresWhateverElseIsLeftOut) {

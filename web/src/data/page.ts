@@ -33,6 +33,9 @@ export interface SnapshotRisk {
   groups: number;
   largest_group: number;
   unknown?: string;
+  /** What comes after the moment, if all fly straight on. */
+  ahead?: string;
+  ahead_count?: number;
   closest?: ClosestPair;
 }
 
@@ -108,6 +111,8 @@ interface SwarmHead {
 
 export interface SnapshotHead extends SwarmHead {
   kind: 'snapshot';
+  /** When it is, where the input says so. */
+  moment?: string;
   risk: SnapshotRisk;
   positions: Places<'x' | 'y' | 'z'>;
   at_risk: ColumnPlace;

@@ -21,7 +21,7 @@ interface Row {
 }
 
 /** Rows that the headline of a swarm alone tells already. */
-const kInHeadline = ['Bees', 'At risk', 'Share at risk', 'In conflict at some time'];
+const kInHeadline = ['Bees', 'At risk', 'Share at risk', 'In conflict at some time', 'Ahead'];
 
 /** The times of conflicts are rounded to less than this share of all of the time. */
 const kTimeRounding = 1e-4;
@@ -43,6 +43,7 @@ function snapshotRows(risk: SnapshotRisk, count: number): Row[] {
     countRow('Pairs too close', risk.pairs),
     countRow('Conflict groups', risk.groups),
     countRow('Largest group', risk.largest_group),
+    ...(risk.ahead === undefined ? [] : [{ label: 'Ahead', value: risk.ahead }]),
     ...(risk.unknown === undefined ? [] : [{ label: 'Unknown', value: risk.unknown }]),
   ];
 }
@@ -118,15 +119,23 @@ function headline(shown: Shown): HTMLElement {
   const when = shown.label ? 'in conflict' : 'in conflict at some time';
   const risk = whole ? 'at risk' : 'that are known at risk';
   const what = head.kind === 'snapshot' ? risk : known ? `in conflict${known}` : when;
+  const moment = head.kind === 'snapshot' && head.moment !== undefined ? ` at ${head.moment}` : '';
   const { one, several } = head.noun ?? { one: 'bee', several: 'bees' };
   const of = head.count === 1 ? `of 1 ${one}` : `of ${formatCount(head.count)} ${several}`;
   return element(
     'p',
     { class: count > 0 ? 'headline risky' : 'headline' },
     element('strong', {}, formatCount(count)),
-    ` ${of} ${what}`,
+    ` ${of} ${what}${moment}`,
     element('span', { class: 'share' }, ` (${formatShare(count, head.count)})`),
   );
+}
+
+/** A snapshot is no all-clear for what comes after it. */
+function aheadWord({ swarm: { head } }: Shown): HTMLElement[] {
+  if (head.kind !== 'snapshot' || head.risk.ahead === undefined) return [];
+  const risky = (head.risk.ahead_count ?? 0) > 0;
+  return [element('p', { class: risky ? 'headline risky ahead' : 'rule ahead' }, `Ahead: ${head.risk.ahead}.`)];
 }
 
 function closestButton(shown: Shown, closest: ClosestPair | ClosestEncounter | undefined, actions: Actions): HTMLElement | null {
@@ -205,7 +214,7 @@ function single(shown: Shown, actions: Actions): Node[] {
         element('div', {}, element('dt', {}, label), element('dd', value.length > kLong ? { class: 'long' } : {}, element('span', { class: 'figure' }, value))),
       ),
   );
-  return [headline(shown), element('p', { class: 'rule' }, `Too close: ${tooClose(shown.swarm.head)}.`), ...flatWord([shown]), list];
+  return [headline(shown), ...aheadWord(shown), element('p', { class: 'rule' }, `Too close: ${tooClose(shown.swarm.head)}.`), ...flatWord([shown]), list];
 }
 
 /** Where the input has no heights, that is said beside the verdict. */

@@ -1,0 +1,98 @@
+// Pictures and pages of one moment: they say when it is, and what lies ahead of it.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/expectations.hpp"
+#include "tests/cli/run/json_check.hpp"
+#include "tests/cli/run/page_command.hpp"
+#include "tests/cli/run/temporary_folder.hpp"
+
+namespace beespace::cli_test {
+namespace {
+
+// Two at 8 km from where their ways cross, one after the other; a third far away.
+std::string scenario(const std::string& heading_of_second) {
+  return "00:00:00.00>CRE AFR123,A320,48.0,2.0,90,FL350,450\n"
+         "00:00:00.00>CRE BAW456,A320,47.9,2.15," +
+         heading_of_second + ",FL352,430\n00:00:00.00>CRE SWR22K,A320,50.0,5.0,270,FL330,440\n";
+}
+
+class SnapshotAhead : public testing::Test {
+ protected:
+  Finished plot(const std::string& file, const Arguments& more = {}) {
+    return run(Arguments{"plot", file, "--separation", "enroute", "-o", picture()} + more);
+  }
+  [[nodiscard]] std::string picture() const { return folder_.path("p.svg"); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(SnapshotAhead, APictureTellsWhatIsFoundAhead) {
+  const std::string file = folder_.file("meet.scn", scenario("0"));
+  const Finished finished = plot(file, {"--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 1) << finished.err;
+  expect_parts(finished.err,
+               {"now        0.00 s\n", "at risk    none at this moment\n",
+                "ahead      flying straight on, 1 conflict within 300 s: AFR123 and BAW456 in ",
+                "'beespace predict " + file + " --horizon 300' tells more\n"});
+  const std::string drawn = folder_.read("p.svg");
+  expect_parts(
+      drawn,
+      {"3 bees at 0.00 s. No bee is closer than 5 NM across and closer than 1,000 ft in "
+       "height to another at this moment. Ahead: flying straight on, 1 conflict within 300 s",
+       "Ahead, flying straight on", ">AFR123</text>", ">BAW456</text>", "stroke-dasharray",
+       "to where two are closest and too close"});
+  EXPECT_EQ(drawn.find(">SWR22K</text>"), std::string::npos);
+}
+
+TEST_F(SnapshotAhead, AsPredictFindsIt) {
+  const std::string file = folder_.file("meet.scn", scenario("0"));
+  const auto rows = rows_of(
+      run({"predict", file, "--separation", "enroute", "--horizon", "300", "--csv"}).out, ',');
+  ASSERT_EQ(rows.size(), 2u);
+  const std::string in_s = rows[1][2].substr(0, rows[1][2].find('.') + 2);
+  const std::string said = plot(file).err;
+  const std::size_t at = said.find("AFR123 and BAW456 in ");
+  ASSERT_NE(at, std::string::npos) << said;
+  EXPECT_NEAR(std::stod(said.substr(at + 21)), std::stod(rows[1][2]), 0.06) << in_s;
+}
+
+TEST_F(SnapshotAhead, WhereNoneMeetThatIsSaidToo) {
+  const std::string file = folder_.file("part.scn", scenario("180"));
+  const Finished finished = plot(file, {"--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_parts(finished.err, {"ahead      flying straight on, no conflict begins within 300 s\n"});
+}
+
+TEST_F(SnapshotAhead, ALookOfAReceiverNamesItsTime) {
+  const std::string file = folder_.file(
+      "aircraft.json",
+      R"({"now": 1717581840.0, "aircraft": [)"
+      R"({"hex": "3944ef", "flight": "AFR123", "alt_baro": 35000, "gs": 450, "track": 90, )"
+      R"("baro_rate": 0, "lat": 48.0, "lon": 1.8133, "seen_pos": 0.4}, )"
+      R"({"hex": "4008f6", "flight": "BAW456", "alt_baro": 35200, "gs": 430, "track": 0, )"
+      R"("baro_rate": 0, "lat": 47.9306, "lon": 2.0, "seen_pos": 0.4}]})");
+  EXPECT_EQ(plot(file, {"--fail-on-risk"}).exit_code, 1);
+  expect_parts(folder_.read("p.svg"), {"2 bees at 2024-06-05T10:04:00.000Z. "});
+  if (!kHasPage) return;
+  const Page page = reported({file, "--separation", "enroute"});
+  expect_parts(std::string(page.parts.json),
+               {R"("moment":"2024-06-05T10:04:00.000Z")", R"("ahead_count":1)",
+                R"("ahead":"flying straight on, 1 conflict within 300 s: )"});
+}
+
+TEST_F(SnapshotAhead, WhatIsNotKnownIsSaidToBe) {
+  const std::string file = folder_.file(
+      "aircraft.json",
+      R"({"now": 1717581840.0, "aircraft": [)"
+      R"({"hex": "3944ef", "alt_baro": 35000, "lat": 48.0, "lon": 1.8, "seen_pos": 0}, )"
+      R"({"hex": "4008f6", "alt_baro": 35000, "lat": 48.3, "lon": 1.8, "seen_pos": 0}]})");
+  expect_parts(
+      plot(file).err,
+      {"ahead      not known, as the input tells no velocities that can be flown on with"});
+}
+
+}  // namespace
+}  // namespace beespace::cli_test
