@@ -5,10 +5,12 @@
 #include "io/table/column_overrides.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/tracks/first_fields.hpp"
+#include "io/tracks/track_columns.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace beespace::io {
 namespace {
@@ -26,9 +28,30 @@ bool begins_with(const TableLayout& table, std::string_view text, std::size_t co
   return !fields.empty() && fields.front() == first;
 }
 
+// The line to type that makes other JSON of it by that program of jq.
+std::string jq_line(std::string_view program, std::string_view file, JsonFrom from) {
+  std::string line = "jq -c ";
+  if (from == JsonFrom::kLines) line += "--unbuffered ";
+  line.append("'").append(program).append("'");
+  if (from == JsonFrom::kLines) return line + " before '| beespace watch'";
+  return line.append(" FILE > ").append(file);
+}
+
 }  // namespace
 
-std::optional<Error> place_in_one_value(std::string_view text, const TableLayout& table) {
+bool keys_name_position(const std::vector<std::string_view>& keys) {
+  unsigned found = 0;
+  for (const std::string_view name : keys) {
+    const Role role = read_column_name(track_columns(), name).role;
+    if (const auto axis = part_within(Role::kLongitude, role)) found |= 1U << *axis;
+    if (const auto axis = part_within(Role::kX, role)) found |= 8U << *axis;
+  }
+  constexpr unsigned kDegrees = 3;
+  return (found & kDegrees) == kDegrees || (found & (kDegrees << 3U)) == kDegrees << 3U;
+}
+
+std::optional<Error> place_in_one_value(std::string_view text, const TableLayout& table,
+                                        JsonFrom from) {
   for (std::size_t i = 0; i < table.names.size(); ++i) {
     const std::string& name = table.names[i];
     if (!is_one_of("position pos xyz location coordinates translation", plain_name(name)) ||
@@ -37,19 +60,31 @@ std::optional<Error> place_in_one_value(std::string_view text, const TableLayout
     }
     if (begins_with(table, text, i, "an array")) {
       const std::string at = "." + name;
+      const std::string program =
+          ". + {x: " + at + "[0], y: " + at + "[1], z: " + at + "[2]} | del(" + at + ")";
       return missing_column(column_text(table, i) +
-                            " is an array; of three numbers x, y, z make values of their own: "
-                            "jq -c '. + {x: " +
-                            at + "[0], y: " + at + "[1], z: " + at + "[2]} | del(" + at +
-                            ")' FILE > xyz.ndjson (or lon, lat, height, where these are degrees)");
+                            " is an array; of three numbers x, y, z make values of their own: " +
+                            jq_line(program, "xyz.ndjson", from) +
+                            " (or lon, lat, height, where these are degrees)");
     }
     if (begins_with(table, text, i, "an object")) {
+      const std::string program = ". + ." + name + " | del(." + name + ")";
       return missing_column(column_text(table, i) +
-                            " is an object; put what it holds beside the others: jq -c '. + ." +
-                            name + " | del(." + name + ")' FILE > flat.ndjson");
+                            " is an object; put what it holds beside the others: " +
+                            jq_line(program, "flat.ndjson", from));
     }
   }
   return std::nullopt;
+}
+
+Error places_within_objects(JsonFrom from) {
+  constexpr std::string_view kUnnest =
+      "[paths(scalars) as $p | {key: ($p | map(tostring) | join(\".\")), value: getpath($p)}] | "
+      "from_entries";
+  return missing_column(
+      "no key names a position, but there are objects within these objects; bring what is in them "
+      "up, with names as pose.x, and read that: " +
+      jq_line(kUnnest, "flat.ndjson", from));
 }
 
 std::optional<Error> columns_of_pandas(std::string_view text, const TableLayout& table) {

@@ -118,7 +118,7 @@ std::optional<Error> nameless_position(std::string_view text, const Header& head
                      (header.has(Role::kLongitude) && header.has(Role::kLatitude));
   if (overridden || named) return std::nullopt;
   const TableLayout& table = header.table();
-  if (auto problem = place_in_one_value(text, table)) return problem;
+  if (auto problem = place_in_one_value(text, table, JsonFrom::kFile)) return problem;
   if (auto problem = columns_of_pandas(text, table)) return problem;
   if (const auto joined = column_of_joined_place(table)) {
     return missing(column_text(table, *joined) +
@@ -153,6 +153,15 @@ std::optional<Error> nameless_position(std::string_view text, const Header& head
                                        "or longitude and latitude, and perhaps for an id and the "
                                        "height; name them in a header or with --columns (") +
                  list_columns(table) + ")");
+}
+
+// What is wrong with the time, and, so that it is asked for at once, with the position.
+Error with_position_problem(Error time, std::string_view text, const Header& header) {
+  if (time.code != ErrorCode::kInvalidArgument || header.table().names.empty()) return time;
+  auto position = joined_place_of(header) ? std::nullopt : nameless_position(text, header);
+  if (!position || !position->message.starts_with("the header names no position")) return time;
+  position->message += "; and " + time.message;
+  return *std::move(position);
 }
 
 std::string position_note(const TableLayout& table, const ColumnChoice& choice, Frame frame) {
@@ -293,7 +302,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   }
   if (auto problem = which_place_of_body(text, layout.table, options)) return *std::move(problem);
   auto time = choose_time(text, header, options);
-  if (!time) return time.error();
+  if (!time) return with_position_problem(std::move(time).error(), text, header);
   layout.time = time.value();
   // Who says a unit that the header says, too, knows what is counted.
   const bool known = header.source() != nullptr;
