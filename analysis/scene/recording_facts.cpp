@@ -324,7 +324,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.separation = std::move(over_time.known);
   facts.separation_open = std::move(over_time.open);
   stand_in_tracks(recording, *in_space);
-  facts.unknown = unknown_text(coverage);
+  facts.unknown = unknown_text(coverage, &recording);
   const auto kept = kept_by_height(recording, options, request.tolerance_m, recorded->conflicts);
   if (!kept) return kept.error();
   if (*kept) note_kept_by_height(**kept, recording, facts);
