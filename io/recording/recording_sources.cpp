@@ -68,7 +68,7 @@ struct Listed {
   std::vector<std::string>& of(std::string_view name, const std::string& path) {
     if (is_folder(path)) return folders;
     if (is_table_name(name)) return has_ending(name, {".txt"}) ? texts : tables;
-    if (has_ending(name, {".skyc"})) return shows;
+    if (has_ending(name, {".skyc", ".vviz"})) return shows;
     if (has_ending(name, {".json", ".ndjson", ".jsonl"})) return documents;
     if (is_telemetry_name(name)) return logs;
     return is_flight_log_name(name) ? flights : others;
