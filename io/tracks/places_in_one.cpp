@@ -37,6 +37,25 @@ std::string jq_line(std::string_view program, std::string_view file, JsonFrom fr
   return line.append(" FILE > ").append(file);
 }
 
+Error place_in_array(const TableLayout& table, std::size_t column, JsonFrom from) {
+  const std::string at = "." + table.names[column];
+  std::string program = ". + {x: ";
+  program.append(at).append("[0], y: ").append(at).append("[1], z: ").append(at);
+  program.append("[2]} | del(").append(at).append(")");
+  return missing_column(column_text(table, column) +
+                        " is an array; of three numbers x, y, z make values of their own: " +
+                        jq_line(program, "xyz.ndjson", from) +
+                        " (or lon, lat, height, where these are degrees)");
+}
+
+Error place_in_object(const TableLayout& table, std::size_t column, JsonFrom from) {
+  std::string program = ". + .";
+  program.append(table.names[column]).append(" | del(.").append(table.names[column]).append(")");
+  return missing_column(column_text(table, column) +
+                        " is an object; put what it holds beside the others: " +
+                        jq_line(program, "flat.ndjson", from));
+}
+
 }  // namespace
 
 bool keys_name_position(const std::vector<std::string_view>& keys) {
@@ -58,21 +77,8 @@ std::optional<Error> place_in_one_value(std::string_view text, const TableLayout
         !is_plain_key(name)) {
       continue;
     }
-    if (begins_with(table, text, i, "an array")) {
-      const std::string at = "." + name;
-      const std::string program =
-          ". + {x: " + at + "[0], y: " + at + "[1], z: " + at + "[2]} | del(" + at + ")";
-      return missing_column(column_text(table, i) +
-                            " is an array; of three numbers x, y, z make values of their own: " +
-                            jq_line(program, "xyz.ndjson", from) +
-                            " (or lon, lat, height, where these are degrees)");
-    }
-    if (begins_with(table, text, i, "an object")) {
-      const std::string program = ". + ." + name + " | del(." + name + ")";
-      return missing_column(column_text(table, i) +
-                            " is an object; put what it holds beside the others: " +
-                            jq_line(program, "flat.ndjson", from));
-    }
+    if (begins_with(table, text, i, "an array")) return place_in_array(table, i, from);
+    if (begins_with(table, text, i, "an object")) return place_in_object(table, i, from);
   }
   return std::nullopt;
 }
