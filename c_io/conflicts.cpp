@@ -5,6 +5,7 @@
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/gaps.hpp"
 #include "analysis/recorded/kept_by_height.hpp"
+#include "analysis/recorded/low_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "c/door/door.hpp"
 #include "c/door/structs.hpp"
@@ -21,6 +22,7 @@
 #include <beespace/result.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -59,6 +61,10 @@ struct beespace_io_conflicts {
 namespace {
 
 constexpr const char* kConflictOptions = "options";
+// Of programs that were built before there was `ignore_below_m`.
+constexpr std::size_t kFirstConflictOptions =
+    offsetof(beespace_io_conflict_options, ignore_below_m);
+constexpr std::size_t kFirstConflictFacts = offsetof(beespace_io_conflict_facts, ignored);
 constexpr std::uint32_t kConflictFlags = static_cast<std::uint32_t>(BEESPACE_INCLUSIVE) |
                                          static_cast<std::uint32_t>(BEESPACE_IO_ALONG_LINES);
 
@@ -78,7 +84,7 @@ Status check_options(const beespace_io_conflict_options& given) {
     return invalid("max_gap_s is below zero; 0 lets the recording say what a gap is",
                    kConflictOptions);
   }
-  return std::monostate{};
+  return check_ignore_below(given.ignore_below_m, kConflictOptions);
 }
 
 void write_conflicts(const std::vector<Conflict>& conflicts, beespace_io_conflicts& into) {
@@ -138,8 +144,13 @@ Result<std::unique_ptr<beespace_io_conflicts>> find(const beespace_io_recording&
       .stop = run.stop};
   if (given.limited == 1) options.max_results = given.max_results;
   const bool straight = (given.flags & BEESPACE_IO_ALONG_LINES) != 0;
-  const auto found = analysis::all_conflicts(recording, *tracks, geometry, options, straight);
+  auto found = analysis::all_conflicts(recording, *tracks, geometry, options, straight);
   if (!found) return found.error();
+  analysis::LowConflicts low;
+  if (given.ignore_below_m > 0.0) {
+    low = analysis::leave_out_low(recording, given.ignore_below_m, found->recorded.conflicts);
+    analysis::leave_out_too(low, found->with_standing);
+  }
   const auto in_space =
       analysis::heights_apart(geometry)
           ? analysis::tracks_of(recording, analysis::Geometry::kSpace, of.tolerance_m)
@@ -162,6 +173,8 @@ Result<std::unique_ptr<beespace_io_conflicts>> find(const beespace_io_recording&
   facts.compared = compared ? 1 : 0;
   facts.threshold_m = *threshold_m;
   facts.with_standing = static_cast<std::int64_t>(found->with_standing.size());
+  facts.ignored = static_cast<std::int64_t>(low.left_out.size());
+  facts.takeoff_unknown = static_cast<std::int64_t>(low.bees_not_known);
   write_velocities(found->curves, facts);
   write_closest(found->closest, facts);
   write_conflicts(found->recorded.conflicts, *conflicts);
@@ -191,7 +204,7 @@ beespace_code beespace_io_find_conflicts(const beespace_io_recording* recording,
     if (conflicts == nullptr) return invalid("the pointer to the conflicts is NULL", "conflicts");
     beespace_io_conflict_options given{};
     if (options != nullptr) {
-      const auto read = beespace::c::read_struct(options, kConflictOptions);
+      const auto read = beespace::c::read_struct(options, kConflictOptions, kFirstConflictOptions);
       if (!read) return read.error();
       given = *read;
     }
@@ -214,7 +227,7 @@ beespace_code beespace_io_conflicts_facts_of(const beespace_io_conflicts* confli
                                              beespace_io_error* error) {
   return enter(error, [&]() -> Status {
     if (conflicts == nullptr) return invalid("the conflicts are NULL", "conflicts");
-    return beespace::c::write_struct(facts, conflicts->facts, "facts");
+    return beespace::c::write_struct(facts, conflicts->facts, "facts", kFirstConflictFacts);
   });
 }
 

@@ -23,6 +23,9 @@ namespace {
 // Of more points only those have their own ids whose pairs are shown: as the command has it.
 constexpr std::size_t kMostNames = 200'000;
 
+// Of programs that were built before there was `ignore_below_m`.
+constexpr std::size_t kFirstPageOptions = offsetof(beespace_io_page_options, ignore_below_m);
+
 // The ids of all points, or of those in pairs.
 template <class IdOf>
 void name(const IdOf& id_of, report::SnapshotFacts& facts) {
@@ -42,6 +45,13 @@ void name(const IdOf& id_of, report::SnapshotFacts& facts) {
       "only bees whose pairs are shown have their own ids; of the others, their number is shown");
 }
 
+// Points take off nowhere.
+Status check_moves(const PageRequest& request) {
+  if (!request.scene.ignore_below_m) return std::monostate{};
+  return c::invalid("ignore_below_m is for recordings, and these are points; leave it out",
+                    "page_options");
+}
+
 // What the reader has said, before what the search has to say.
 void add_what_was_read(const beespace_io_facts& read, report::SnapshotFacts& facts) {
   std::vector<std::string> notes = read.notes;
@@ -59,7 +69,7 @@ void add_what_was_read(const beespace_io_facts& read, report::SnapshotFacts& fac
 }  // namespace
 
 Result<PageRequest> page_request(const beespace_io_page_options* options) {
-  const auto given = c::read_struct(options, "page_options");
+  const auto given = c::read_struct(options, "page_options", kFirstPageOptions);
   if (!given) return given.error();
   if ((given->flags & ~static_cast<std::uint32_t>(BEESPACE_INCLUSIVE)) != 0) {
     return c::invalid("flags ask for what this function cannot do", "page_options");
@@ -73,6 +83,10 @@ Result<PageRequest> page_request(const beespace_io_page_options* options) {
                       "page_options");
   }
   if (given->max_gap_s > 0.0) request.scene.max_gap_s = given->max_gap_s;
+  if (Status good = check_ignore_below(given->ignore_below_m, "page_options"); !good) {
+    return good.error();
+  }
+  if (given->ignore_below_m > 0.0) request.scene.ignore_below_m = given->ignore_below_m;
   const auto vertical = vertical_of(given->vertical, "page_options");
   if (!vertical) return vertical.error();
   request.scene.vertical = *vertical;
@@ -91,6 +105,7 @@ Result<analysis::Scene> scene_of_files(const std::vector<std::string>& paths,
 
 Result<analysis::Scene> scene_of_read(const beespace_io_points& points,
                                       const PageRequest& request) {
+  if (Status moves = check_moves(request); !moves) return moves.error();
   if (request.scene.vertical && points.loaded.frame == io::Frame::kWgs84) {
     return c::invalid(
         "these points were longitudes and latitudes, and z of their positions is not a height: "
@@ -118,6 +133,7 @@ Result<analysis::Scene> scene_of_read(const beespace_io_points& points,
 Result<analysis::Scene> scene_of_points(const PointsView& points,
                                         const std::vector<std::string>& ids,
                                         const PageRequest& request) {
+  if (Status moves = check_moves(request); !moves) return moves.error();
   io::LoadedPoints searched;
   searched.points.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) searched.points.push_back(points[i]);

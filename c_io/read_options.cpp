@@ -228,6 +228,11 @@ Result<std::optional<io::StatedLength>> vertical_of(const char* text, const char
   return vertical;
 }
 
+Status check_ignore_below(double metres, const char* place) {
+  if (metres >= 0.0 && std::isfinite(metres)) return std::monostate{};
+  return c::invalid("ignore_below_m is a length above zero; 0 leaves no conflict out", place);
+}
+
 unsigned threads_of(std::uint32_t threads) {
   if (threads == BEESPACE_ALL_PROCESSORS) return 0;
   return threads == 0 ? 1 : threads;

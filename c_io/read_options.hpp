@@ -30,6 +30,10 @@ Result<std::vector<std::string>> paths_of(const char* const* paths, std::int64_t
 // A vertical threshold; nothing of an empty text, or NULL. Errors: kInvalidArgument, about `place`.
 Result<std::optional<io::StatedLength>> vertical_of(const char* text, const char* place);
 
+// Below which height above where they took off two are left out: 0, or above. Errors:
+// kInvalidArgument, about `place`.
+Status check_ignore_below(double metres, const char* place);
+
 // How many threads the library is to take: 0 of C is one, and 0 of the library is all.
 unsigned threads_of(std::uint32_t threads);
 

@@ -78,6 +78,8 @@ void write_findings(const analysis::PathVerdict& found, beespace_io_verdict& int
   into.facts.losses = static_cast<std::int64_t>(found.losses.size());
   into.facts.clearance_losses = static_cast<std::int64_t>(found.clearance_losses.size());
   into.facts.breaches = static_cast<std::int64_t>(found.breaches.size());
+  into.facts.ignored = static_cast<std::int64_t>(found.low.left_out.size());
+  into.facts.takeoff_unknown = static_cast<std::int64_t>(found.low.bees_not_known);
 }
 
 void write_extremes(const analysis::PathVerdict& found, beespace_io_verdict_facts& into) {
@@ -97,6 +99,9 @@ void write_extremes(const analysis::PathVerdict& found, beespace_io_verdict_fact
 }  // namespace beespace::c_io
 
 namespace {
+
+// Of programs that were built before there was `ignored`.
+constexpr std::size_t kFirstVerdictFacts = offsetof(beespace_io_verdict_facts, ignored);
 
 template <class Number>
 const Number* column(const beespace_io_verdict* verdict,
@@ -118,7 +123,7 @@ beespace_code beespace_io_verdict_facts_of(const beespace_io_verdict* verdict,
                                            beespace_io_error* error) {
   return enter(error, [&]() -> Status {
     if (verdict == nullptr) return invalid("the verdict is NULL", "verdict");
-    return beespace::c::write_struct(facts, verdict->facts, "facts");
+    return beespace::c::write_struct(facts, verdict->facts, "facts", kFirstVerdictFacts);
   });
 }
 

@@ -2,6 +2,7 @@
 // show or between their fixes: what `beespace verify` says.
 #include "analysis/recorded/common_times.hpp"
 #include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/earth_flights.hpp"
 #include "analysis/recorded/gaps.hpp"
 #include "analysis/recorded/verify_paths.hpp"
 #include "c/door/door.hpp"
@@ -10,6 +11,7 @@
 #include "c/obstacles/obstacles.hpp"
 #include "c_io/coverage.hpp"
 #include "c_io/door.hpp"
+#include "c_io/read_options.hpp"
 #include "c_io/recording.hpp"
 #include "c_io/verdict.hpp"
 #include "io/bytes/number_text.hpp"
@@ -84,21 +86,40 @@ Status check_options(const beespace_io_verify_options& given) {
   if (given.obstacles != nullptr && !(given.clearance_m > 0.0)) {
     return invalid("with obstacles goes a clearance above zero", "options");
   }
-  return std::monostate{};
+  return check_ignore_below(given.ignore_below_m, "options");
 }
 
-Status check_recording(const io::Recording& recording, bool straight) {
-  if (recording.frame != io::Frame::kMetres) {
+// What limits heights, or how fast they change.
+constexpr std::uint32_t kHeightLimits = 1U << static_cast<unsigned>(BEESPACE_IO_CLIMB) |
+                                        1U << static_cast<unsigned>(BEESPACE_IO_DESCENT) |
+                                        1U << static_cast<unsigned>(BEESPACE_IO_HEIGHT);
+
+bool has_flight(const io::RecordedBee& bee) {
+  return bee.path || bee.fixes.size() > 1;
+}
+
+Status check_recording(const io::Recording& recording, const beespace_io_verify_options& given) {
+  const bool on_earth = recording.frame != io::Frame::kMetres;
+  if (on_earth && given.obstacles != nullptr) {
     return Error{ErrorCode::kUnknownFrame,
-                 "this recording is in degrees: along curves those in metres are verified, with z "
-                 "upwards; ask for its conflicts",
+                 "obstacles are in metres, and this recording is in degrees; leave the obstacles "
+                 "out",
                  {}};
   }
+  if (recording.flat && (given.limits & kHeightLimits) != 0) {
+    return Error{ErrorCode::kMissingColumn,
+                 "this recording has no heights, and so nothing is known of climbs, descents and "
+                 "heights; leave their limits out",
+                 {}};
+  }
+  const auto& bees = recording.bees;
+  if (on_earth && std::any_of(bees.begin(), bees.end(), has_flight)) return std::monostate{};
+  const bool straight = (given.flags & BEESPACE_IO_STRAIGHT) != 0;
   if (straight && has_curves(recording)) {
     return invalid("drones of a show fly along their curves; leave straight out", "options");
   }
   for (const io::RecordedBee& bee : recording.bees) {
-    if (bee.path || bee.fixes.size() > 1) continue;
+    if (has_flight(bee)) continue;
     return Error{ErrorCode::kUnsupportedFormat,
                  "'" + bee.id + "' has " + (bee.fixes.empty() ? "no fix" : "a single fix") +
                      ", and so no flight; leave it out",
@@ -112,6 +133,12 @@ Status check_recording(const io::Recording& recording, bool straight) {
 Result<std::int32_t> motion_of(const io::Recording& recording,
                                const beespace_io_verify_options& given) {
   if (has_curves(recording)) return BEESPACE_IO_ALONG_SHOW;
+  // Accelerations are then those of the turns at fixes.
+  if (recording.frame != io::Frame::kMetres) {
+    const bool straight = (given.flags & BEESPACE_IO_STRAIGHT) != 0;
+    return !straight && analysis::logs_velocities(recording) ? BEESPACE_IO_WITH_VELOCITIES
+                                                             : BEESPACE_IO_IN_STRAIGHT_LINES;
+  }
   const bool asked = is_given(given.limits, BEESPACE_IO_ACCELERATION);
   if ((given.flags & BEESPACE_IO_STRAIGHT) != 0) {
     if (!asked) return BEESPACE_IO_IN_STRAIGHT_LINES;
@@ -176,9 +203,7 @@ Result<ObstacleMap> obstacles_of(const beespace_io_verify_options& given) {
 Result<std::unique_ptr<beespace_io_verdict>> verify(const io::Recording& recording,
                                                     const beespace_io_verify_options& given,
                                                     const RunOptions& run) {
-  if (Status good = check_recording(recording, (given.flags & BEESPACE_IO_STRAIGHT) != 0); !good) {
-    return good.error();
-  }
+  if (Status good = check_recording(recording, given); !good) return good.error();
   const auto motion = motion_of(recording, given);
   if (!motion) return motion.error();
   const auto threshold_m = threshold_of(recording, given.threshold_m);
@@ -196,6 +221,7 @@ Result<std::unique_ptr<beespace_io_verdict>> verify(const io::Recording& recordi
   analysis::PathQuestion question;
   question.with_velocities = *motion == BEESPACE_IO_WITH_VELOCITIES;
   question.threshold_m = *threshold_m;
+  if (given.ignore_below_m > 0.0) question.ignore_below_m = given.ignore_below_m;
   question.max_gap_s = max_gap.seconds;
   if (given.obstacles != nullptr) question.obstacles = &*obstacles;
   question.clearance_m = given.clearance_m;

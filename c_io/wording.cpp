@@ -47,6 +47,7 @@ constexpr Wording kWordings[] = {
     {"--vertical", "vertical"},
     {"--inclusive", "inclusive"},
     {"--max-gap", "max_gap"},
+    {"--ignore-below", "ignore_below"},
     {"--max-age", "max_age"},
 };
 

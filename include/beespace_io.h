@@ -427,6 +427,9 @@ typedef struct beespace_io_conflict_options {
                          ///< NULL. Heights of degrees are compared with it as the file has them.
   uint64_t max_results;  ///< More conflicts than this are an error, where `limited` says so.
   const beespace_run* run;  ///< Threads, and what ends the call early; or NULL.
+  double ignore_below_m;    ///< Conflicts of two that are both lower than this, in metres, above
+                            ///< where they took off are left out, and counted; 0: none is. Also of
+                            ///< a struct_size without this field.
 } beespace_io_conflict_options;
 
 /// @brief The conflicts of a recording.
@@ -471,6 +474,10 @@ typedef struct beespace_io_conflict_facts {
   int64_t closest_second;  ///< The other.
   double closest_m;        ///< How close they come in a straight line, in metres; NaN for none.
   double closest_s;        ///< When, in seconds; NaN for none.
+  int64_t ignored;         ///< How many conflicts ignore_below_m leaves out; the closest two may be
+                           ///< of one of them.
+  int64_t takeoff_unknown;  ///< With it: of how many agents it is not known where they took off;
+                            ///< none of their conflicts is left out.
 } beespace_io_conflict_facts;
 
 /// @brief Says what was found, in numbers.
@@ -613,6 +620,7 @@ typedef struct beespace_io_verify_options {
                                ///< that need not be looked at where that is not done, as
                                ///< "minNavAltitude": beespace_io_verdict_not_looked_at(). Or NULL.
                                ///< A struct_size without this field is taken, too.
+  double ignore_below_m;       ///< As beespace_io_conflict_options::ignore_below_m, of losses.
 } beespace_io_verify_options;
 
 /// @brief What a verification found.
@@ -621,17 +629,21 @@ typedef struct beespace_io_verdict beespace_io_verdict;
 /// @brief Did the agents of a recording keep apart, clear of obstacles and within their limits,
 /// each with times of its own? As `beespace verify` of a show: along its curves themselves, and not
 /// along beespace_io_recording_xyz(). Of other recordings along the curves that have the velocities
-/// of their fixes, or in straight lines where not all fixes have one.
-/// @param recording The recording, in metres; each agent has a curve, or two fixes or more.
+/// of their fixes, or in straight lines where not all fixes have one. Recordings in degrees, as
+/// logs of drones, are verified in straight lines, and along curves with the velocities that there
+/// are.
+/// @param recording The recording. In metres each agent has a curve, or two fixes or more; in
+///   degrees some has.
 /// @param options What it needs to know; or NULL.
 /// @param[out] verdict What was found, to be freed by beespace_io_verdict_free(); NULL after an
 ///   error.
 /// @param[out] error What went wrong; or NULL.
 /// @return BEESPACE_OK or the code of the error: BEESPACE_INVALID_ARGUMENT;
-///   BEESPACE_INVALID_THRESHOLD, also where there is none; BEESPACE_UNKNOWN_FRAME of a recording in
-///   degrees; BEESPACE_MISSING_COLUMN where an acceleration is limited and velocities are missing;
-///   BEESPACE_UNSUPPORTED_FORMAT of an agent with a single fix; BEESPACE_STOPPED. A skipped limit
-///   that the show does not declare is BEESPACE_INVALID_ARGUMENT, as it may be mistyped.
+///   BEESPACE_INVALID_THRESHOLD, also where there is none; BEESPACE_UNKNOWN_FRAME of obstacles
+///   beside degrees; BEESPACE_MISSING_COLUMN where an acceleration is limited and velocities are
+///   missing; BEESPACE_UNSUPPORTED_FORMAT of an agent with a single fix; BEESPACE_STOPPED. A
+///   skipped limit that the show does not declare is BEESPACE_INVALID_ARGUMENT, as it may be
+///   mistyped.
 BEESPACE_C_API beespace_code beespace_io_verify(const beespace_io_recording* recording,
                                                 const beespace_io_verify_options* options,
                                                 beespace_io_verdict** verdict,
@@ -676,6 +688,8 @@ typedef struct beespace_io_verdict_facts {
   int64_t closest_second;     ///< The other.
   double closest_m;           ///< How close they come, in metres; NaN where no two are there.
   double closest_s;           ///< When, in seconds; NaN where no two are there.
+  int64_t ignored;            ///< How many losses ignore_below_m leaves out.
+  int64_t takeoff_unknown;    ///< As beespace_io_conflict_facts::takeoff_unknown.
 } beespace_io_verdict_facts;
 
 /// @brief Says what was found, in numbers.
@@ -753,6 +767,7 @@ typedef struct beespace_io_page_options {
   const char* title;        ///< What the page is called; NULL for the name of the file.
   const beespace_run* run;  ///< Who may end the search, with BEESPACE_STOPPED: by its stop, or its
                             ///< poll. Its threads say nothing; or NULL.
+  double ignore_below_m;    ///< As beespace_io_conflict_options::ignore_below_m; of recordings.
 } beespace_io_page_options;
 
 /// @brief A page about points or a recording: one file of HTML that opens without a network, in

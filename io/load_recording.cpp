@@ -26,6 +26,7 @@
 #include "io/recording/recording_sources.hpp"
 #include "io/shows/show_documents.hpp"
 #include "io/shows/show_reading.hpp"
+#include "io/shows/vviz_reading.hpp"
 #include "io/table/decimal_comma.hpp"
 #include "io/tracks/ethovision_table.hpp"
 #include "io/tracks/json_table.hpp"
@@ -227,6 +228,7 @@ std::optional<Error> read_json_file(const Bytes& bytes, const std::string& sourc
   if (is_show(*documents)) return read_show(*documents, assembly);
   const bool any = assembly.options().format == RecordingFormat::kAuto;
   const JsonElement root = documents->root().element;
+  if (any && is_vviz(root)) return read_vviz(root, assembly);
   if (any && is_aircraft_document(root)) return read_aircraft_document(root, assembly);
   if (any && is_flightradar24_feed(root)) return read_flightradar24_feed(root, assembly);
   if (any && is_json_table(root)) return read_json_table(root, stem_of(path), assembly);

@@ -175,8 +175,11 @@ struct RecordingFacts {
   std::uint64_t conflict_count = 0;      // of all
   std::uint64_t possible_count = 0;      // of these, not certain
   std::uint64_t standing_count = 0;      // beside these, of two that both stand on the ground
+  std::uint64_t low_count = 0;           // likewise, of two that are low: see low_text
+  std::string low_text = {};             // "72 conflicts of two lower than 3 m above where ..."
   std::uint64_t pair_count = 0;          // in conflict
   std::optional<Conflict> closest = {};  // of the conflicts; where there is none, of all encounters
+  bool closest_left_out = false;         // it is one of those that are low
   bool closest_stands = false;           // one of these two is a drone that stands on the ground:
   std::optional<Conflict> closest_in_the_air = {};  // then the same of two in the air
   std::vector<Apart> conflicts_apart = {};          // of each of `conflicts`, when they are closest

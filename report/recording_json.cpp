@@ -285,6 +285,7 @@ void write_risk(io::JsonWriter& json, const RecordingFacts& facts, double begins
   json.member("conflicts", facts.conflict_count).member("possible", facts.possible_count);
   json.member("pairs", facts.pair_count).member("bees", bees);
   json.member("bee_seconds", bee_seconds);
+  if (facts.low_count > 0) json.member("left_out", facts.low_text);
   if (!facts.unknown.empty()) json.member("unknown", facts.unknown);
   if (facts.closest) {
     write_closest(json, "closest", *facts.closest, facts.closest_apart, begins_s);

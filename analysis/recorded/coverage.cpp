@@ -209,6 +209,26 @@ std::vector<Gap> apart_from_each_other(std::vector<Gap> all) {
   return apart;
 }
 
+// ": d1 and d2", where all that begin or end in the air are few enough to be named.
+std::string names_cut_off(const Coverage& coverage, const io::Recording& recording) {
+  constexpr std::size_t kFew = 3;
+  if (coverage.bees_cut_off > kFew) return {};
+  std::vector<PointId> bees;
+  for (const Gap& gap : coverage.longest_outside) {
+    if (std::find(bees.begin(), bees.end(), gap.track) == bees.end()) bees.push_back(gap.track);
+  }
+  if (bees.size() != coverage.bees_cut_off) return {};
+  std::sort(bees.begin(), bees.end());
+  std::string names;
+  for (const PointId bee : bees) {
+    names += (names.empty()        ? ": "
+              : bee == bees.back() ? " and "
+                                   : ", ") +
+             text_of(name_of(bee, recording));
+  }
+  return names;
+}
+
 // So many as are named, the longest first.
 std::vector<Gap> longest_of(std::vector<Gap> gaps) {
   const auto named =
@@ -328,7 +348,7 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& lon
   return coverage;
 }
 
-std::string unknown_text(const Coverage& coverage) {
+std::string unknown_text(const Coverage& coverage, const io::Recording* recording) {
   std::string text;
   const auto append = [&text](const std::string& more) {
     if (!text.empty() && !more.empty()) text += ", ";
@@ -345,11 +365,13 @@ std::string unknown_text(const Coverage& coverage) {
       const bool one = coverage.bees_cut_off == 1;
       text += " (" + io::grouped(std::uint64_t{coverage.bees_cut_off}) + " of which ";
       if (coverage.in_a_plane) {
-        text += one ? "appears or vanishes on its way)" : "appear or vanish on their way)";
+        text += one ? "appears or vanishes on its way" : "appear or vanish on their way";
       } else {
         text +=
-            std::string(one ? "begins or ends" : "begin or end") + " in the air while others fly)";
+            std::string(one ? "begins or ends" : "begin or end") + " in the air while others fly";
       }
+      if (recording != nullptr) text += names_cut_off(coverage, *recording);
+      text += ")";
     }
     if (coverage.bees_unplaced > 0) {
       append(io::grouped(std::uint64_t{coverage.bees_unplaced}) +

@@ -85,8 +85,8 @@ std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector
                                const MaxGap& max_gap);
 
 // "12 bees unknown for 3 h 20 min in all, 5 known for a part of the time only"; nothing where it is
-// complete.
-std::string unknown_text(const Coverage& coverage);
+// complete. With the recording the few are named that begin or end in the air.
+std::string unknown_text(const Coverage& coverage, const io::Recording* recording = nullptr);
 
 // "1 bee is known nowhere, 6 records were left out"; nothing where none is missing.
 std::string missing_text(const io::MissingRecords& missing);

@@ -2,6 +2,7 @@
 
 #include "analysis/recorded/ends.hpp"
 #include "analysis/recorded/landed_times.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <beespace/bezier_path.hpp>
 #include <beespace/track.hpp>
@@ -106,6 +107,17 @@ LowConflicts leave_out_low(const io::Recording& recording, double below_m,
   }
   conflicts = std::move(kept);
   return low;
+}
+
+std::string low_text(const LowConflicts& low) {
+  return io::counted(low.left_out.size(), "conflict", "conflicts") + " of two lower than " +
+         io::exact(low.below_m) + " m above where they took off";
+}
+
+std::string takeoff_unknown_text(const LowConflicts& low) {
+  if (low.bees_not_known == 0) return {};
+  return "of " + io::counted(low.bees_not_known, "bee", "bees") +
+         " it is not known where they took off: none of theirs is left out";
 }
 
 void leave_out_too(const LowConflicts& low, std::vector<Conflict>& some) {

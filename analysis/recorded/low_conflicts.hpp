@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace beespace::analysis {
@@ -28,6 +29,12 @@ struct LowConflicts {
 // only possible stay.
 LowConflicts leave_out_low(const io::Recording& recording, double below_m,
                            std::vector<Conflict>& conflicts);
+
+// "72 conflicts of two lower than 3 m above where they took off".
+std::string low_text(const LowConflicts& low);
+// "of 2 bees it is not known where they took off: none of theirs is left out"; empty where there is
+// none.
+std::string takeoff_unknown_text(const LowConflicts& low);
 
 // Takes those that were left out away from some of the same.
 void leave_out_too(const LowConflicts& low, std::vector<Conflict>& some);

@@ -196,6 +196,13 @@ Result<report::RecordingFacts> facts_of(const io::Recording& recording, const st
 }
 
 Status check_moves(const SceneRequest& request, const std::string& title) {
+  if (request.ignore_below_m) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "'" + title +
+                     "' is a snapshot, which does not say where bees took off; leave "
+                     "--ignore-below out",
+                 {}};
+  }
   if (request.fleet_log.empty()) return std::monostate{};
   return Error{ErrorCode::kInvalidArgument,
                "'" + title +

@@ -7,6 +7,7 @@
 #include "analysis/recorded/jump_spans.hpp"
 #include "analysis/recorded/kept_by_height.hpp"
 #include "analysis/recorded/landed_times.hpp"
+#include "analysis/recorded/low_conflicts.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
@@ -30,6 +31,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -134,6 +136,25 @@ std::vector<PointId> bees_named(const std::vector<Conflict>& conflicts,
     bees.insert(bees.end(), {at.closest.first, at.closest.second});
   }
   return bees;
+}
+
+// Those that are left out as both are low: how many, and how close the closest come.
+void take_low(const LowConflicts& low, const io::Recording& recording,
+              report::RecordingFacts& facts) {
+  facts.low_count = low.left_out.size();
+  facts.low_text = low_text(low);
+  std::string note = facts.low_text + ", left out (--ignore-below)";
+  if (const auto closest = low.closest()) {
+    const auto name = [&](PointId bee) {
+      return text_of(name_at(closest->closest_s, bee, recording));
+    };
+    note += ", the closest " + name(closest->first) + " and " + name(closest->second) + ", " +
+            io::length(closest->closest_m) + " apart at " +
+            io::moment_text(closest->closest_s, recording);
+  }
+  facts.swarm.notes.push_back(std::move(note));
+  std::string unknown = takeoff_unknown_text(low);
+  if (!unknown.empty()) facts.swarm.notes.push_back(std::move(unknown));
 }
 
 // What given velocities say beside straight lines.
@@ -280,7 +301,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   auto settled = settled_conflicts(recording, options, std::move(recorded->conflicts));
   if (!settled) return std::move(settled).error();
   recorded->conflicts = *std::move(settled);
-  const auto standing = conflicts_with_standing(recording, tracks, options);
+  auto standing = conflicts_with_standing(recording, tracks, options);
   if (!standing) return standing.error();
   const auto curves = follow_velocities(recording, geometry, options, recorded->conflicts);
   if (!curves) return curves.error();
@@ -293,9 +314,16 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
     facts.swarm.notes.push_back("conflicts of two that both stand on the ground, left out: " +
                                 io::grouped(facts.standing_count));
   }
+  if (request.ignore_below_m) {
+    const LowConflicts low = leave_out_low(recording, *request.ignore_below_m, recorded->conflicts);
+    leave_out_too(low, *standing);
+    take_low(low, recording, facts);
+  }
   const auto closest = closest_of(recorded->conflicts, *in_space, max_gap.seconds, request);
   if (!closest) return closest.error();
   facts.closest = *closest;
+  facts.closest_left_out = recorded->conflicts.empty() && facts.low_count > 0 && facts.closest &&
+                           !options.vertical_m && facts.closest->closest_m < options.threshold_m;
   facts.closest_stands = facts.closest && std::find(standing->begin(), standing->end(),
                                                     *facts.closest) != standing->end();
   if (facts.closest_stands) {
@@ -312,7 +340,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   }
   // It was decided that they are not closer than that, whatever rounding makes of it.
   if (recording.show && recorded->conflicts.empty() && facts.closest && !options.inclusive &&
-      !options.vertical_m) {
+      !options.vertical_m && !facts.closest_left_out) {
     facts.closest->closest_m = std::max(facts.closest->closest_m, options.threshold_m);
   }
   facts.gaps = recorded->gaps;
@@ -327,7 +355,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.separation = std::move(over_time.known);
   facts.separation_open = std::move(over_time.open);
   stand_in_tracks(recording, *in_space);
-  facts.unknown = unknown_text(coverage);
+  facts.unknown = unknown_text(coverage, &recording);
   const auto kept = kept_by_height(recording, options, request.tolerance_m, recorded->conflicts);
   if (!kept) return kept.error();
   if (*kept) note_kept_by_height(**kept, recording, facts);

@@ -24,10 +24,11 @@ struct SceneRequest {
   // In the unit in which it is stated, so that heights in that unit can be compared as they stand.
   std::optional<io::StatedLength> vertical = {};
   bool inclusive = false;
-  std::optional<double> max_gap_s = {};  // absent: from the data
-  double tolerance_m = 0.001;            // of curves that become straight lines
-  unsigned threads = 0;                  // 0: all
-  std::stop_token stop = {};             // ends the search, not the reading before it
+  std::optional<double> ignore_below_m = {};  // see analysis/recorded/low_conflicts.hpp
+  std::optional<double> max_gap_s = {};       // absent: from the data
+  double tolerance_m = 0.001;                 // of curves that become straight lines
+  unsigned threads = 0;                       // 0: all
+  std::stop_token stop = {};                  // ends the search, not the reading before it
   // Where east, north and up of geographic positions are 0; otherwise below the middle of all.
   std::optional<GeographicPosition> origin = {};
 

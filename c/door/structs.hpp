@@ -51,18 +51,21 @@ Result<Struct> read_struct(const Struct* given, const char* name,
   return copy;
 }
 
-// Fills the caller's structure. Of a later version, what this one does not know becomes zero.
+// Fills the caller's structure. Of a later version, what this one does not know becomes zero; of an
+// earlier one, of `least` bytes or more, there is no place for what it does not know.
 template <class Struct>
-Status write_struct(Struct* given, Struct value, const char* name) {
+Status write_struct(Struct* given, Struct value, const char* name,
+                    std::size_t least = sizeof(Struct)) {
   if (given == nullptr) return invalid("the pointer to this structure is NULL", name);
   const std::size_t size = size_of_struct(given);
-  if (size < sizeof(Struct) || size > kLargestStruct) {
+  if (size < least || size > kLargestStruct) {
     return invalid("struct_size is not the size of this structure: set it to sizeof", name);
   }
   value.struct_size = size;
   auto* const bytes = reinterpret_cast<unsigned char*>(given);
-  std::memcpy(bytes, &value, sizeof value);
-  std::fill(bytes + sizeof value, bytes + size, static_cast<unsigned char>(0));
+  const std::size_t known = std::min(size, sizeof(Struct));
+  std::memcpy(bytes, &value, known);
+  std::fill(bytes + known, bytes + size, static_cast<unsigned char>(0));
   return std::monostate{};
 }
 

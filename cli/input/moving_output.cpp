@@ -254,11 +254,6 @@ std::string encounter_text(const Conflict& conflict, const io::Recording& record
   return text;
 }
 
-std::string low_text(const analysis::LowConflicts& low) {
-  return io::counted(low.left_out.size(), "conflict", "conflicts") + " of two lower than " +
-         io::exact(low.below_m) + " m above where they took off";
-}
-
 void append_low(std::string& out, const analysis::LowConflicts& low, const io::Recording& recording,
                 const MovingRequest& request, const Distances& distances, std::size_t standing) {
   if (!request.ignore_below_m) {
@@ -269,13 +264,11 @@ void append_low(std::string& out, const analysis::LowConflicts& low, const io::R
                                    "above where they took off");
   }
   const auto closest = low.closest();
-  std::string text = low_text(low) + " (--ignore-below)";
+  std::string text = analysis::low_text(low) + " (--ignore-below)";
   if (closest) text = red(text) + ", the closest " + encounter_text(*closest, recording, distances);
   append_summary_line(out, "left out", text);
-  if (low.bees_not_known == 0) return;
-  append_summary_line(out, "",
-                      "of " + io::counted(low.bees_not_known, "bee", "bees") +
-                          " it is not known where they took off: none of theirs is left out");
+  const std::string unknown = analysis::takeoff_unknown_text(low);
+  if (!unknown.empty()) append_summary_line(out, "", unknown);
 }
 
 void write_low(io::JsonWriter& json, const analysis::LowConflicts& low,

@@ -74,11 +74,8 @@ std::string pair_text(const Conflict& conflict, const io::Recording& recording);
 std::string encounter_text(const Conflict& conflict, const io::Recording& recording,
                            const Distances& distances, Told told = Told::kDistance);
 
-// Of conflicts that --ignore-below leaves out: "72 conflicts of two lower than 3 m above where they
-// took off".
-std::string low_text(const analysis::LowConflicts& low);
-// The line about them, where the option is given; where it is not, and `standing` conflicts are
-// with drones on the ground, what to type.
+// The line about conflicts that --ignore-below leaves out, where the option is given; where it is
+// not, and `standing` conflicts are with drones on the ground, what to type.
 void append_low(std::string& out, const analysis::LowConflicts& low, const io::Recording& recording,
                 const MovingRequest& request, const Distances& distances, std::size_t standing);
 // Members in JSON, where the option is given.

@@ -216,7 +216,7 @@ std::string verdict_text(const PathFindings& findings) {
            "followed (are they in another unit, or of another direction?); --straight leaves them "
            "out" +
            (findings.coverage.may_hide_conflicts()
-                ? "; " + analysis::unknown_text(findings.coverage)
+                ? "; " + printable(analysis::unknown_text(findings.coverage, &findings.recording))
                 : "");
   }
   if (verdict.found_nothing() && !verdict.undecided.empty()) {
@@ -225,11 +225,12 @@ std::string verdict_text(const PathFindings& findings) {
            " is not known; where that need not be looked at, say --skip-limits " +
            joined(verdict.undecided, ",") +
            (findings.coverage.may_hide_conflicts()
-                ? "; " + analysis::unknown_text(findings.coverage)
+                ? "; " + printable(analysis::unknown_text(findings.coverage, &findings.recording))
                 : "");
   }
   if (findings.holds() && !findings.coverage.complete()) {
-    return holding.text(" in the known time") + "; " + analysis::unknown_text(findings.coverage);
+    return holding.text(" in the known time") + "; " +
+           printable(analysis::unknown_text(findings.coverage, &findings.recording));
   }
   if (findings.holds() && !verdict.not_looked_at.empty()) {
     return holding.text() + " in what was looked at, which " + listed(verdict.not_looked_at) +
@@ -247,7 +248,7 @@ std::string verdict_text(const PathFindings& findings) {
   }
   if (verdict.holds()) {
     return red("not seen as a whole") + ": " + holding.plain(" in the known time") + "; " +
-           analysis::unknown_text(findings.coverage);
+           printable(analysis::unknown_text(findings.coverage, &findings.recording));
   }
   std::string text;
   const auto append = [&text](bool broken, const char* what) {
@@ -257,7 +258,9 @@ std::string verdict_text(const PathFindings& findings) {
   append(!verdict.clearance_losses.empty(), "does not keep clear of obstacles");
   append(!verdict.breaches.empty(), "breaks the limits");
   const bool hidden = findings.coverage.may_hide_conflicts();
-  return red(text) + (hidden ? "; " + analysis::unknown_text(findings.coverage) : "");
+  return red(text) +
+         (hidden ? "; " + printable(analysis::unknown_text(findings.coverage, &findings.recording))
+                 : "");
 }
 
 void write_pair(io::JsonWriter& json, const char* key, const std::optional<Conflict>& pair,

@@ -38,7 +38,9 @@ std::string open_text(const analysis::Findings& findings) {
   }
   const bool complete = findings.coverage.complete();
   if (!text.empty() && !complete) text += ", ";
-  return complete ? text : text + analysis::unknown_text(findings.coverage);
+  return complete
+             ? text
+             : text + printable(analysis::unknown_text(findings.coverage, &findings.recording));
 }
 
 std::string kinds_text(const analysis::Findings& findings) {
@@ -65,7 +67,7 @@ std::string verdict(const analysis::Findings& findings,
   if (!findings.has_encounters)
     return red("nothing to compare") + ": no two bees are there at the same time" +
            (findings.coverage.may_hide_conflicts()
-                ? "; " + analysis::unknown_text(findings.coverage)
+                ? "; " + printable(analysis::unknown_text(findings.coverage, &findings.recording))
                 : "");
   const std::string open = open_text(findings);
   if (pairs.empty() && open.empty() && !findings.low.left_out.empty()) {

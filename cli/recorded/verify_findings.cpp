@@ -64,17 +64,17 @@ std::string found_text(std::uint64_t count, const char* one, const char* several
 std::string verdict_text(const Verification& verification) {
   const Verdict& verdict = verification.verdict;
   const analysis::Coverage& coverage = verification.coverage;
+  const std::string unknown = printable(analysis::unknown_text(coverage, &verification.recording));
   const HoldingWords holding(verification.recording.bees.size(),
                              verification.options.obstacles != nullptr, verification.has_limits());
   if (verdict.holds() && !verification.compares()) {
     return red("nothing to compare") + ": " + kNothingToCheck;
   }
   if (verdict.holds() && coverage.may_hide_conflicts()) {
-    return red("not seen as a whole") + ": " + holding.plain(" in the known time") + "; " +
-           analysis::unknown_text(coverage);
+    return red("not seen as a whole") + ": " + holding.plain(" in the known time") + "; " + unknown;
   }
   if (verdict.holds() && !coverage.complete()) {
-    return holding.text(" in the known time") + "; " + analysis::unknown_text(coverage);
+    return holding.text(" in the known time") + "; " + unknown;
   }
   if (verdict.holds()) return holding.text();
   std::string text;
@@ -85,7 +85,7 @@ std::string verdict_text(const Verification& verification) {
   if (verdict.losses > 0) append("does not keep its distance");
   if (verdict.clearance_losses > 0) append("does not keep clear of obstacles");
   if (verdict.breaches > 0) append("breaks the limits");
-  return red(text) + (coverage.may_hide_conflicts() ? "; " + analysis::unknown_text(coverage) : "");
+  return red(text) + (coverage.may_hide_conflicts() ? "; " + unknown : "");
 }
 
 std::string obstacles_text(const VerifyOptions& options) {

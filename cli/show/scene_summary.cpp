@@ -31,12 +31,13 @@ std::string risk_of(const report::SnapshotFacts& facts) {
 }
 
 std::string risk_of(const report::RecordingFacts& facts) {
+  const std::string but_for = facts.low_count > 0 ? ", but for " + facts.low_text : "";
   if (facts.conflict_count == 0 && !facts.unknown.empty()) {
-    return bold("none in the known time") + "; " + facts.unknown;
+    return bold("none in the known time") + but_for + "; " + facts.unknown;
   }
-  if (facts.conflict_count == 0) return bold("none");
+  if (facts.conflict_count == 0) return bold("none") + but_for;
   return red(io::counted(facts.conflict_count, "conflict", "conflicts")) + " of " +
-         io::counted(facts.pair_count, "pair", "pairs") + and_unknown(facts.unknown);
+         io::counted(facts.pair_count, "pair", "pairs") + but_for + and_unknown(facts.unknown);
 }
 
 std::size_t bees_of(const report::SnapshotFacts& facts) {

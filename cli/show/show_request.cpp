@@ -14,6 +14,7 @@ analysis::SceneRequest scene_request(const ShowRequest& request) {
   }
   scene.vertical = request.moving.vertical;
   scene.inclusive = request.moving.inclusive;
+  scene.ignore_below_m = request.moving.ignore_below_m;
   scene.max_gap_s = request.max_gap_s;
   scene.tolerance_m = request.tolerance_m;
   scene.threads = request.moving.threads;
@@ -26,6 +27,7 @@ void add_scene_options(Command& command, ShowRequest& request) {
   add_input_options(command, request.moving);
   add_gap_options(command, request.max_gap_s, request.tolerance_m);
   add_threshold_options(command, request.moving);
+  add_low_option(command, request.moving);
 }
 
 void add_error_json_option(Command& command, MovingRequest& moving) {

@@ -15,6 +15,9 @@
 #include "io/recording/address_names.hpp"
 #include "io/recording/ros_frames.hpp"
 #include "io/table/coordinate_units.hpp"
+#include "io/tracks/known_tables.hpp"
+#include "io/tracks/places_in_one.hpp"
+#include "io/tracks/ros_table.hpp"
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_time.hpp"
@@ -26,8 +29,11 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace beespace::io {
 namespace {
@@ -144,7 +150,13 @@ class JsonLines final : public LineReader {
       if (!record.empty() || &name != &names_.front()) record += kUnitSeparator;
       if (here) record += field_text(value);
     }
-    auto layout = choose_track_layout(std::move(table), record, options_);
+    if (auto problem = place_within(object, record, table)) return problem;
+    auto ros = names_columns_of_ros(options_)
+                   ? find_ros_table(record, table, !names_position(options_))
+                   : std::nullopt;
+    prefer_own_id(table, ros);
+    auto layout = ros ? ros_layout(*ros, std::move(table), record, options_, SeenRecords::kSome)
+                      : choose_track_layout(std::move(table), record, options_);
     if (!layout && is_look(object)) {
       return Error{ErrorCode::kUnsupportedFormat,
                    "this is a look at many aircraft in one line (aircraft.json), and an aircraft a "
@@ -159,6 +171,28 @@ class JsonLines final : public LineReader {
     of_aircraft_ = tells_of_aircraft(layout_);
     chosen_ = true;
     slots_ = slots_of(layout_);
+    return std::nullopt;
+  }
+
+  // What is wrong with an object whose place is in an array, or in an object within it.
+  [[nodiscard]] std::optional<Error> place_within(JsonMap object, std::string_view record,
+                                                  const TableLayout& table) const {
+    const auto has = [object](std::string_view key) {
+      JsonElement value;
+      return object.get(key, value);
+    };
+    const std::vector<std::string_view> keys(names_.begin(), names_.end());
+    const bool of_messages = has("msg") || has("meta");  // of rosbridge, of mavlogdump
+    if (!options_.columns.empty() || of_messages || is_look(object) || keys_name_position(keys)) {
+      return std::nullopt;
+    }
+    if (auto problem = place_in_one_value(record, table, JsonFrom::kLines)) {
+      problem->location.column.reset();
+      return problem;
+    }
+    for (const auto [key, value] : object) {
+      if (value.is_object()) return places_within_objects(JsonFrom::kLines);
+    }
     return std::nullopt;
   }
 
@@ -288,11 +322,29 @@ class JsonLines final : public LineReader {
                          "it",
                      {}};
       }
-      report.time_s = without_dust(time.form == TimeForm::kFrames ? number / time.frames_per_second
-                                                                  : in_metric(number, time.unit));
+      double seconds = time.form == TimeForm::kFrames ? number / time.frames_per_second
+                                                      : in_metric(number, time.unit);
+      if (time.nanoseconds) {
+        double more = 0.0;
+        if (auto error = read_nanoseconds(*time.nanoseconds, more)) return error;
+        seconds += in_metric(more, Unit::kNanosecond);
+      }
+      report.time_s = without_dust(seconds);
       if (in_motion_domain(report.time_s)) return std::nullopt;
     }
     return json_number_problem(*value, name_of(time.column));
+  }
+
+  // Of whole seconds, as ROS has them: what is to be added.
+  std::optional<Error> read_nanoseconds(std::size_t column, double& number) {
+    const auto& value = values_[TrackSlot::kNanoseconds];
+    if (!value || value->is_null()) return missing(column);
+    if (!read_json(*value, number)) return json_number_problem(*value, name_of(column));
+    if (number >= 0.0 && number < 1e9) return std::nullopt;
+    return Error{ErrorCode::kOutsideDomain,
+                 name_of(column) + " is " + exact(number) +
+                     ", no number of nanoseconds beside whole seconds; correct it",
+                 {}};
   }
 
   std::optional<Error> read_position(ReportLine& report) {

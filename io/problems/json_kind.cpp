@@ -25,10 +25,7 @@ constexpr std::array<Kind, 12> kKinds = {{
      "JSON with aircraft (readsb, dump1090); 'beespace replay' and 'beespace predict' read it"},
     {"\"states\"",
      "JSON with state vectors (OpenSky); 'beespace replay' and 'beespace predict' read it"},
-    {"\"performances\"",
-     "JSON of a show for Finale 3D (VVIZ), which beespace does not read; export the show as .skyc, "
-     "or "
-     "as CSV with a table a drone"},
+    {"\"performances\"", "JSON of a drone show (VVIZ); 'beespace replay' reads it"},
     {"\"swarm\"", "JSON of a Skybrush show; 'beespace replay' reads it"},
     {"\"trajectory\"",
      "JSON of a Skybrush trajectory, which is a part of a show; 'beespace replay' reads the show"},

@@ -37,6 +37,12 @@ std::string clock_words(const SourceFacts& facts) {
   return facts.clock->dated ? "dates without a time zone" : "times of day without a date";
 }
 
+// As ulog2csv names tables of topics: "drone6_vehicle_gps_position_0.csv".
+bool are_topics_of_px4(std::string_view one, std::string_view other) {
+  constexpr std::string_view kTopic = "_vehicle_";
+  return one.find(kTopic) != std::string_view::npos && other.find(kTopic) != std::string_view::npos;
+}
+
 // Where the header says the unit, who says it again means the zero.
 std::string one_clock_option(const SourceFacts& facts) {
   if (facts.small_times) return "--one-clock";
@@ -111,6 +117,9 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
                         (facts.since_1970 ? " have a zero of their own" : " do not") +
                         (facts.clock || facts_->clock
                              ? "; say of dates without a time zone which it is, with --time-zone"
+                         : are_topics_of_px4(facts_source_, sources_.back())
+                             ? "; tables of topics, as ulog2csv makes them, are no bees each: read "
+                               "the logs themselves (.ulg)"
                              : "; read them apart, or name the column unix_time_s if it counts "
                                "from 1970"));
   }
@@ -186,7 +195,10 @@ std::optional<Error> RecordingAssembly::agree_on_zeros(const SourceFacts& facts)
 // Of places, and of the clocks of robots.
 std::optional<Error> RecordingAssembly::agree_on_origins(const SourceFacts& facts) {
   constexpr double kMostClocksDiffer_s = 0.5;
-  if (facts.own_origin && facts_->own_origin && options_.frame == Frame::kAuto) {
+  // Of two frames that cannot be compared there is nothing to ask.
+  const bool frames_differ =
+      !facts.axes.empty() && !facts_->axes.empty() && facts.axes != facts_->axes;
+  if (facts.own_origin && facts_->own_origin && options_.frame == Frame::kAuto && !frames_differ) {
     return Error{
         ErrorCode::kUnknownFrame,
         "this trajectory and another one before it, as in " + facts_source_ +

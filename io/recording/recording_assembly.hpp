@@ -50,6 +50,7 @@ struct SourceFacts {
   bool since_1970 = false;
   std::optional<WallClock> clock = {};
   bool own_origin = false;  // places may count from where the vehicle was switched on
+  std::string axes = {};    // of ROS: the frame of the first position
   // Of positions, where nothing says that they are in metres: see doubt_of_metres().
   std::optional<double> doubted_above_mps = {};
   std::optional<double> stamps_ahead_s = {};  // of ROS, of the times of recording

@@ -68,7 +68,7 @@ struct Listed {
   std::vector<std::string>& of(std::string_view name, const std::string& path) {
     if (is_folder(path)) return folders;
     if (is_table_name(name)) return has_ending(name, {".txt"}) ? texts : tables;
-    if (has_ending(name, {".skyc"})) return shows;
+    if (has_ending(name, {".skyc", ".vviz"})) return shows;
     if (has_ending(name, {".json", ".ndjson", ".jsonl"})) return documents;
     if (is_telemetry_name(name)) return logs;
     return is_flight_log_name(name) ? flights : others;
@@ -161,6 +161,19 @@ std::string with_those_beside(const std::string& first, const std::string& folde
          " for all of them, if they are of one time";
 }
 
+// The same of a folder within `inside`: of those of its name within the folders beside that one, as
+// mav0/leica0 and mav1/leica0.
+std::string with_those_alike(std::string first, const std::string& inside,
+                             const std::string& folder, const std::vector<std::string>& beside) {
+  const std::string within = first.substr(inside.size());
+  const bool any = std::any_of(beside.begin(), beside.end(), [&](const std::string& other) {
+    return other != inside && is_folder(other + within) && !listed(other + within).chosen().empty();
+  });
+  if (!any) return first;
+  return first + ", or " + (std::filesystem::path(folder) / "*").string() + within +
+         " for all of them, if they are of one time";
+}
+
 // Folders below this one that have something that is read, at most `depth` levels deep: the first,
 // and all beside it where there are several.
 std::string first_folder_with_recordings(const std::string& folder, int depth) {
@@ -170,7 +183,7 @@ std::string first_folder_with_recordings(const std::string& folder, int depth) {
     if (!listed(inside).chosen().empty()) return with_those_beside(inside, folder, found.folders);
     if (depth == 1) continue;
     if (std::string deeper = first_folder_with_recordings(inside, depth - 1); !deeper.empty()) {
-      return deeper;
+      return with_those_alike(std::move(deeper), inside, folder, found.folders);
     }
   }
   return {};

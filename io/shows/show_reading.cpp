@@ -1,18 +1,13 @@
 #include "io/shows/show_reading.hpp"
 
-#include "io/bytes/number_text.hpp"
 #include "io/problems/excerpt.hpp"
-#include "io/recording/show_ground.hpp"
+#include "io/shows/show_drones.hpp"
 #include "io/shows/show_settings.hpp"
 #include "io/shows/show_trajectory.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace beespace::io {
 namespace {
@@ -20,15 +15,6 @@ namespace {
 Error show_error(ErrorCode code, std::string message, std::string place) {
   return {code, std::move(message), {std::move(place)}};
 }
-
-// What is read of a drone, and where.
-struct Drone {
-  std::string name = {};
-  Trajectory trajectory = {};
-  Ground ground = {};
-  std::string place = {};  // of a trajectory of a single point
-  std::uint64_t index = 0;
-};
 
 class ShowReading {
  public:
@@ -60,7 +46,7 @@ class ShowReading {
     facts.description = "Skybrush show";
     if (auto error = assembly_.agree(facts)) return error;
     if (auto error = read_drones(root)) return error;
-    note_ground();
+    drones_.note_ground(assembly_);
     return std::nullopt;
   }
 
@@ -108,76 +94,17 @@ class ShowReading {
         error.location.record = index;
         if (auto fatal = assembly_.bad(std::move(error), name)) return fatal;
       } else {
-        drones_.push_back(*std::move(drone));
+        drones_.add(*std::move(drone));
       }
       ++index;
     }
     if (index == 0) return no_drones(*swarm.value());
-    if (auto error = keep_drones()) return error;
-    if (grounded_ == index) {
-      return show_error(ErrorCode::kNoPoints,
-                        "no drone of this show leaves the ground; --grounded checks them there",
+    if (auto error = drones_.keep(assembly_)) return error;
+    if (drones_.grounded() == index) {
+      return show_error(ErrorCode::kNoPoints, std::string(kNoDroneFlies),
                         documents_.place_of(root));
     }
     return std::nullopt;
-  }
-
-  // What is the ground, is known when all are read.
-  std::optional<Error> keep_drones() {
-    double ground_m = std::numeric_limits<double>::infinity();
-    for (const Drone& drone : drones_) {
-      ground_m = std::min(ground_m, lowest_of(drone.trajectory, drone.ground));
-    }
-    // As high as a roof only where all of them say so, and do so: otherwise a part of a show would
-    // look like the whole.
-    if (ground_m > kHighestShowGround_m) {
-      raised_ = std::all_of(drones_.begin(), drones_.end(), [ground_m](const Drone& drone) {
-        return starts_and_lands_at(drone.trajectory, drone.ground, ground_m);
-      });
-      if (raised_) {
-        raised_m_ = ground_m;
-      } else {
-        ground_m = 0.0;
-      }
-    }
-    if (!drones_.empty()) assembly_.declare_ground(ground_m);
-    const bool all = assembly_.options().grounded;
-    for (Drone& drone : drones_) {
-      BezierPath& path = drone.trajectory.path;
-      const bool single = path.pieces.empty();
-      if (single && (all || !on_ground(path.begin.z, ground_m))) {
-        if (auto fatal = assembly_.bad(single_point(drone), drone.name)) return fatal;
-        continue;
-      }
-      count_takeoff(drone.trajectory);
-      const bool stood = !all && keep_flight(drone.trajectory, ground_m);
-      if (path.pieces.empty()) {
-        ++grounded_;
-        assembly_.tracks().add_standing(std::move(drone.name), path.begin);
-        continue;
-      }
-      if (stood) ++stood_;
-      assembly_.tracks().add_path(std::move(drone.name), std::move(path));
-    }
-    drones_.clear();
-    return std::nullopt;
-  }
-
-  static Error single_point(const Drone& drone) {
-    Error error = show_error(ErrorCode::kMalformedRecord,
-                             "drone " + excerpt(drone.name) +
-                                 ": points has a single point, which does not say how long the "
-                                 "drone is there; add a second point with the time until which",
-                             drone.place);
-    error.location.record = drone.index;
-    return error;
-  }
-
-  void count_takeoff(const Trajectory& trajectory) {
-    const double takeoff_s = trajectory.takeoff_s.value_or(0.0);
-    if (takeoff_s != 0.0) ++shifted_;
-    first_takeoff_s_ = std::min(first_takeoff_s_, takeoff_s);
-    last_takeoff_s_ = std::max(last_takeoff_s_, takeoff_s);
   }
 
   [[nodiscard]] Error no_drones(const ShowValue& value) const {
@@ -187,8 +114,8 @@ class ShowReading {
   }
 
   // `name` is what it is called where it does not say so; and becomes what it says.
-  Result<Drone> read_drone(const ShowValue& element, std::uint64_t index, std::string& name) {
-    Drone drone;
+  Result<ShowDrone> read_drone(const ShowValue& element, std::uint64_t index, std::string& name) {
+    ShowDrone drone;
     auto value = documents_.resolve(element);
     if (!value) return value.error();
     auto settings = documents_.member(*value, "settings");
@@ -254,32 +181,9 @@ class ShowReading {
     return ground;
   }
 
-  void note_ground() {
-    if (shifted_ > 0) {
-      assembly_.note("the times of the points of " + std::to_string(shifted_) +
-                     (shifted_ == 1 ? " drone" : " drones") +
-                     " count from takeoffTime, which is not 0" +
-                     (first_takeoff_s_ < last_takeoff_s_ ? " and not the same for all" : "") +
-                     ", as Skybrush plays them");
-    }
-    if (raised_) {
-      assembly_.note("the ground is at z = " + exact(raised_m_) +
-                     " m, where all drones start and land, as their home and landAt say");
-    }
-    if (stood_ > 0) assembly_.note(standing_note(stood_));
-    if (grounded_ > 0) assembly_.note(grounded_note(grounded_));
-  }
-
   ShowDocuments& documents_;
   RecordingAssembly& assembly_;
-  std::vector<Drone> drones_;
-  bool raised_ = false;    // the ground is higher than kHighestShowGround_m:
-  double raised_m_ = 0.0;  // so high
-  std::uint64_t stood_ = 0;
-  std::uint64_t grounded_ = 0;
-  std::uint64_t shifted_ = 0;  // by takeoffTime
-  double first_takeoff_s_ = std::numeric_limits<double>::infinity();
-  double last_takeoff_s_ = -std::numeric_limits<double>::infinity();
+  ShowDrones drones_;
 };
 
 }  // namespace

@@ -5,6 +5,9 @@
 #include "io/table/column_names.hpp"
 #include "io/table/table_layout.hpp"
 #include "io/tracks/json_cells.hpp"
+#include "io/tracks/known_tables.hpp"
+#include "io/tracks/places_in_one.hpp"
+#include "io/tracks/ros_table.hpp"
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_columns.hpp"
 #include "io/tracks/track_layout.hpp"
@@ -20,19 +23,6 @@ namespace {
 
 enum class Form : std::uint8_t { kNone, kRecords, kColumns, kIndex, kSplit, kOneRecord };
 
-// Whether these keys name a position, as the header of a table does.
-template <class Names>
-bool names_position(const Names& names) {
-  unsigned found = 0;
-  for (const std::string_view name : names) {
-    const Role role = read_column_name(track_columns(), name).role;
-    if (const auto axis = part_within(Role::kLongitude, role)) found |= 1U << *axis;
-    if (const auto axis = part_within(Role::kX, role)) found |= 8U << *axis;
-  }
-  constexpr unsigned kDegrees = 3;
-  return (found & kDegrees) == kDegrees || (found & (kDegrees << 3U)) == kDegrees << 3U;
-}
-
 std::vector<std::string_view> keys_of(JsonMap object) {
   std::vector<std::string_view> keys;
   for (const auto [key, value] : object) {
@@ -42,9 +32,9 @@ std::vector<std::string_view> keys_of(JsonMap object) {
   return keys;
 }
 
-bool names_position(JsonElement record) {
+bool has_position(JsonElement record) {
   JsonMap object;
-  return record.get(object) && names_position(keys_of(object));
+  return record.get(object) && keys_name_position(keys_of(object));
 }
 
 std::optional<JsonArray> list_in(JsonMap object, std::string_view key) {
@@ -59,7 +49,7 @@ bool has_records(JsonArray list) {
   constexpr int kLookedAt = 16;
   int looked_at = 0;
   for (const JsonElement element : list) {
-    if (names_position(element)) return true;
+    if (has_position(element)) return true;
     if (++looked_at == kLookedAt) break;
   }
   return false;
@@ -69,12 +59,12 @@ Form form_of_object(JsonMap object) {
   const auto data = list_in(object, "data");
   if (data && list_in(object, "columns")) return Form::kSplit;
   if (data && has_records(*data)) return Form::kRecords;
-  if (names_position(keys_of(object))) {
+  if (keys_name_position(keys_of(object))) {
     const JsonElement first = (*object.begin()).value;
     const bool nested = first.is_object() || first.kind() == JsonKind::kArray;
     return nested ? Form::kColumns : Form::kOneRecord;
   }
-  const bool index = object.size() > 0 && names_position((*object.begin()).value);
+  const bool index = object.size() > 0 && has_position((*object.begin()).value);
   return index ? Form::kIndex : Form::kNone;
 }
 
@@ -288,14 +278,10 @@ std::optional<Error> nested_places(const JsonCells& cells, const RecordingOption
     return std::find(cells.names().begin(), cells.names().end(), name) != cells.names().end();
   };
   const bool of_messages = has("msg") || has("meta");  // of rosbridge, of mavlogdump
-  const bool named = names_position(cells.names()) || !options.columns.empty();
+  const std::vector<std::string_view> keys(cells.names().begin(), cells.names().end());
+  const bool named = keys_name_position(keys) || !options.columns.empty();
   if (named || of_messages || !cells.has_objects()) return std::nullopt;
-  return Error{ErrorCode::kMissingColumn,
-               "no key names a position, but there are objects within these objects; bring what is "
-               "in them up, with names as pose.x, and read that: jq -c '[paths(scalars) as $p | "
-               "{key: ($p | map(tostring) | join(\".\")), value: getpath($p)}] | from_entries' "
-               "FILE > flat.ndjson",
-               {}};
+  return places_within_objects(JsonFrom::kFile);
 }
 
 std::optional<Error> read_cells(JsonCells& cells, std::string description, const std::string& stem,
@@ -303,7 +289,14 @@ std::optional<Error> read_cells(JsonCells& cells, std::string description, const
   const RecordingOptions& options = assembly.options();
   if (auto problem = nested_places(cells, options)) return problem;
   if (options.progress != nullptr) options.progress->total += cells.text().size();
-  auto layout = choose_track_layout(layout_of(cells), cells.text(), options, SeenRecords::kWhole);
+  TableLayout table = layout_of(cells);
+  auto ros = names_columns_of_ros(options)
+                 ? find_ros_table(cells.text(), table, !names_position(options))
+                 : std::nullopt;
+  prefer_own_id(table, ros);
+  auto layout =
+      ros ? ros_layout(*ros, std::move(table), cells.text(), options, SeenRecords::kWhole)
+          : choose_track_layout(std::move(table), cells.text(), options, SeenRecords::kWhole);
   if (!layout) {
     Error error = std::move(layout).error();
     error.location.column.reset();

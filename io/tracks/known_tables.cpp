@@ -296,6 +296,10 @@ Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::stri
   layout->own_origin = options.frame == Frame::kAuto && layout->frame == Frame::kMetres &&
                        begins_at_zero(text, layout->table);
   layout->axes_name = ros.axes_name;
+  if (ros.axes_name) {
+    const FirstFields axes = first_fields(text, layout->table, *ros.axes_name);
+    if (!axes.empty()) layout->first_axes = without_padding(axes.front());
+  }
   layout->ids_within_file = each_child;
   layout->notes.push_back(ros.note);
   if (each_child) {

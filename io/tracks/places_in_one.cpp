@@ -5,10 +5,12 @@
 #include "io/table/column_overrides.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/tracks/first_fields.hpp"
+#include "io/tracks/track_columns.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace beespace::io {
@@ -27,40 +29,69 @@ bool begins_with(const TableLayout& table, std::string_view text, std::size_t co
   return !fields.empty() && fields.front() == first;
 }
 
+// The line to type that makes other JSON of it by that program of jq.
+std::string jq_line(std::string_view program, std::string_view file, JsonFrom from) {
+  std::string line = "jq -c ";
+  if (from == JsonFrom::kLines) line += "--unbuffered ";
+  line.append("'").append(program).append("'");
+  if (from == JsonFrom::kLines) return line + " before '| beespace watch'";
+  return line.append(" FILE > ").append(file);
+}
+
+Error place_in_array(const TableLayout& table, std::size_t column, JsonFrom from) {
+  const std::string at = "." + table.names[column];
+  std::string program = ". + {x: ";
+  program.append(at).append("[0], y: ").append(at).append("[1], z: ").append(at);
+  program.append("[2]} | del(").append(at).append(")");
+  return missing_column(column_text(table, column) +
+                        " is an array; of three numbers x, y, z make values of their own: " +
+                        jq_line(program, "xyz.ndjson", from) +
+                        " (or lon, lat, height, where these are degrees)");
+}
+
+Error place_in_object(const TableLayout& table, std::size_t column, JsonFrom from) {
+  std::string program = ". + .";
+  program.append(table.names[column]).append(" | del(.").append(table.names[column]).append(")");
+  return missing_column(column_text(table, column) +
+                        " is an object; put what it holds beside the others: " +
+                        jq_line(program, "flat.ndjson", from));
+}
+
 }  // namespace
 
-std::optional<Error> place_in_one_value(std::string_view text, const TableLayout& table) {
+bool keys_name_position(const std::vector<std::string_view>& keys) {
+  unsigned found = 0;
+  for (const std::string_view name : keys) {
+    const Role role = read_column_name(track_columns(), name).role;
+    if (const auto axis = part_within(Role::kLongitude, role)) found |= 1U << *axis;
+    if (const auto axis = part_within(Role::kX, role)) found |= 8U << *axis;
+  }
+  constexpr unsigned kDegrees = 3;
+  return (found & kDegrees) == kDegrees || (found & (kDegrees << 3U)) == kDegrees << 3U;
+}
+
+std::optional<Error> place_in_one_value(std::string_view text, const TableLayout& table,
+                                        JsonFrom from) {
   for (std::size_t i = 0; i < table.names.size(); ++i) {
     const std::string& name = table.names[i];
     if (!is_one_of("position pos xyz location coordinates translation", plain_name(name)) ||
         !is_plain_key(name)) {
       continue;
     }
-    if (begins_with(table, text, i, "an array")) {
-      std::string message = column_text(table, i);
-      message.append(" is an array; of three numbers x, y, z make values of their own: ")
-          .append("jq -c '. + {x: .")
-          .append(name)
-          .append("[0], y: .")
-          .append(name)
-          .append("[1], z: .")
-          .append(name)
-          .append("[2]} | del(.")
-          .append(name)
-          .append(")' FILE > xyz.ndjson (or lon, lat, height, where these are degrees)");
-      return missing_column(std::move(message));
-    }
-    if (begins_with(table, text, i, "an object")) {
-      std::string message = column_text(table, i);
-      message.append(" is an object; put what it holds beside the others: jq -c '. + .")
-          .append(name)
-          .append(" | del(.")
-          .append(name)
-          .append(")' FILE > flat.ndjson");
-      return missing_column(std::move(message));
-    }
+    if (begins_with(table, text, i, "an array")) return place_in_array(table, i, from);
+    if (begins_with(table, text, i, "an object")) return place_in_object(table, i, from);
   }
   return std::nullopt;
+}
+
+Error places_within_objects(JsonFrom from) {
+  constexpr std::string_view kUnnest =
+      "[paths(scalars) as $p | {key: ($p | map(tostring) | join(\".\")), value: getpath($p)}] | "
+      "from_entries";
+  return missing_column(
+      "no key names a position, but there are objects within these objects; bring what is in them "
+      "up, with names as pose.x, and read that: " +
+      jq_line(kUnnest, "flat.ndjson", from));
 }
 
 std::optional<Error> columns_of_pandas(std::string_view text, const TableLayout& table) {

@@ -5,13 +5,25 @@
 
 #include <beespace/result.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace beespace::io {
 
+// Whether these keys name a position, as the header of a table does.
+bool keys_name_position(const std::vector<std::string_view>& keys);
+
+// Where JSON comes from: a file becomes another one, lines that come one by one go through.
+enum class JsonFrom : std::uint8_t { kFile, kLines };
+
 // JSON with "position": [x, y, z], or {"x": x, ...}.
-std::optional<Error> place_in_one_value(std::string_view text, const TableLayout& table);
+std::optional<Error> place_in_one_value(std::string_view text, const TableLayout& table,
+                                        JsonFrom from);
+
+// JSON of which no key names a position, and some hold objects: {"pose": {"x": 1, "y": 2}}.
+Error places_within_objects(JsonFrom from);
 
 // Columns under two lines of names, as pandas writes them: "agent,A,A,A", "coord,x,y,z".
 std::optional<Error> columns_of_pandas(std::string_view text, const TableLayout& table);

@@ -6,6 +6,7 @@
 #include "io/table/column_names.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_walk.hpp"
+#include "io/tracks/track_columns.hpp"
 
 #include <algorithm>
 #include <array>
@@ -270,6 +271,14 @@ std::optional<std::size_t> find_axes_name(const TableLayout& table) {
 
 std::optional<RosTable> find_ros_table(std::string_view text, const TableLayout& table, bool free) {
   return table.names.empty() ? by_content(text, table) : by_names(text, table, free);
+}
+
+void prefer_own_id(const TableLayout& table, std::optional<RosTable>& ros) {
+  if (!ros) return;
+  for (std::size_t i = 0; i < table.names.size(); ++i) {
+    if (i == ros->child || i == ros->axes_name) continue;
+    if (read_column_name(track_columns(), table.names[i]).role == Role::kId) ros->child.reset();
+  }
 }
 
 }  // namespace beespace::io

@@ -28,4 +28,7 @@ std::optional<std::size_t> find_axes_name(const TableLayout& table);
 // not said (`free`), where it has several.
 std::optional<RosTable> find_ros_table(std::string_view text, const TableLayout& table, bool free);
 
+// Of JSON, to whose objects an id of their own may be added: that tells whose pose it is.
+void prefer_own_id(const TableLayout& table, std::optional<RosTable>& ros);
+
 }  // namespace beespace::io

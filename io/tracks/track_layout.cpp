@@ -13,6 +13,7 @@
 #include "io/table/record_walk.hpp"
 #include "io/table/table_sources.hpp"
 #include "io/table/unit_choice.hpp"
+#include "io/tracks/clover_table.hpp"
 #include "io/tracks/first_fields.hpp"
 #include "io/tracks/joined_place.hpp"
 #include "io/tracks/known_tables.hpp"
@@ -121,7 +122,7 @@ std::optional<Error> nameless_position(std::string_view text, const Header& head
                      (header.has(Role::kLongitude) && header.has(Role::kLatitude));
   if (overridden || named) return std::nullopt;
   const TableLayout& table = header.table();
-  if (auto problem = place_in_one_value(text, table)) return problem;
+  if (auto problem = place_in_one_value(text, table, JsonFrom::kFile)) return problem;
   if (auto problem = columns_of_pandas(text, table)) return problem;
   if (const auto joined = column_of_joined_place(table)) {
     return missing(column_text(table, *joined) +
@@ -156,6 +157,15 @@ std::optional<Error> nameless_position(std::string_view text, const Header& head
                                        "or longitude and latitude, and perhaps for an id and the "
                                        "height; name them in a header or with --columns (") +
                  list_columns(table) + ")");
+}
+
+// What is wrong with the time, and, so that it is asked for at once, with the position.
+Error with_position_problem(Error time, std::string_view text, const Header& header) {
+  if (time.code != ErrorCode::kInvalidArgument || header.table().names.empty()) return time;
+  auto position = joined_place_of(header) ? std::nullopt : nameless_position(text, header);
+  if (!position || !position->message.starts_with("the header names no position")) return time;
+  position->message += "; and " + time.message;
+  return *std::move(position);
 }
 
 std::string position_note(const TableLayout& table, const ColumnChoice& choice, Frame frame) {
@@ -300,7 +310,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   }
   if (auto problem = which_place_of_body(text, layout.table, options)) return *std::move(problem);
   auto time = choose_time(text, header, options);
-  if (!time) return time.error();
+  if (!time) return with_position_problem(std::move(time).error(), text, header);
   layout.time = time.value();
   // Who says a unit that the header says, too, knows what is counted.
   const bool known = header.source() != nullptr;
@@ -422,16 +432,25 @@ Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOpti
                                       bool bare_skybrush, SeenRecords seen) {
   if (auto problem = motion_capture_problem(text)) return *std::move(problem);
   if (auto problem = dumped_text_problem(text)) return *std::move(problem);
-  auto table = find_table(text, options.skip_bad);
-  if (!table) return table.error();
-  if (auto error = no_record_problem(text, *table)) return *std::move(error);
   const bool free = options.columns.empty();
-  const bool skybrush = bare_skybrush || (options.format == RecordingFormat::kAuto &&
-                                          is_path_with_colours(text, *table));
-  const auto ros = names_columns_of_ros(options)
+  const bool any_format = options.format == RecordingFormat::kAuto;
+  const std::size_t clover = free && any_format && options.time_unit == Unit::kUnstated
+                                 ? find_clover_records(text)
+                                 : kNoCloverTable;
+  const std::size_t begins = clover == kNoCloverTable ? 0 : clover;
+  auto table = find_table(text.substr(begins), options.skip_bad);
+  if (!table) return table.error();
+  table->data_offset += begins;
+  if (begins > 0) ++table->lines_before;
+  if (auto error = no_record_problem(text, *table)) return *std::move(error);
+  const bool skybrush = bare_skybrush || (any_format && is_path_with_colours(text, *table));
+  const bool is_clover =
+      clover != kNoCloverTable && (begins > 0 || !is_trajectory_of_poses(text, *table));
+  const auto ros = !is_clover && names_columns_of_ros(options)
                        ? find_ros_table(text, *table, !names_position(options))
                        : std::nullopt;
-  auto chosen = skybrush && table->names.empty() && free ? skybrush_layout(*table, text, options)
+  auto chosen = is_clover ? clover_layout(*table, text, options, seen)
+                : skybrush && table->names.empty() && free ? skybrush_layout(*table, text, options)
                 : ros ? ros_layout(*ros, *table, text, options, seen)
                 : free && is_trajectory_of_poses(text, *table)
                     ? layout_of_poses(*table, text, options, seen)

@@ -125,6 +125,7 @@ struct TrackLayout {
   std::optional<std::size_t> label = {};         // what each is called beside its id: the flight
   std::optional<std::size_t> on_ground = {};     // of those that are left out
   std::optional<std::size_t> axes_name = {};     // of ROS: what x, y, z are counted in ("map")
+  std::string first_axes = {};                   // and that of the first record, if it is known
   std::optional<LocalOrigin> local_origin = {};  // of PX4's local positions: brought to degrees
   bool own_origin = false;  // of poses: they begin at 0, 0, 0, as where a robot was switched on
   // Of ROS: by how much the stamps of the header are later than the times of recording.

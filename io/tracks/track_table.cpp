@@ -152,6 +152,7 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   facts.since_1970 = layout.time && layout.time->since_1970;
   if (layout.time) facts.clock = layout.time->clock;
   facts.own_origin = layout.own_origin;
+  facts.axes = layout.first_axes;
   facts.stamps_ahead_s = layout.stamps_ahead_s;
   facts.since_start = layout.time && layout.time->since_start;
   facts.small_times = layout.time && layout.time->is_small;

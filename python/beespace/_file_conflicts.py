@@ -15,6 +15,7 @@ from beespace._conflicts import Encounter, Gaps, RecordedConflicts
 from beespace._coverage import Coverage
 from beespace._errors import BeespaceError
 from beespace._file_columns import array_of
+from beespace._ranges import above_zero
 
 if TYPE_CHECKING:
     from beespace._file_recording import FileRecording
@@ -47,6 +48,10 @@ class FileConflicts(RecordedConflicts):
         Its ids are None where there are none.
     standing_count : int
         How many conflicts are with a drone of a show that stands on the ground.
+    ignored_count : int
+        How many conflicts `ignore_below` left out; the closest two may be of one of them.
+    takeoff_unknown_count : int
+        With it: of how many agents it is not known where they took off; none of theirs is left out.
     too_far : bool
         Whether velocities lead too far away from straight lines to be followed, so that they may hide
         a conflict.
@@ -69,8 +74,10 @@ class FileConflicts(RecordedConflicts):
         "closest",
         "compared",
         "coverage",
+        "ignored_count",
         "risky",
         "standing_count",
+        "takeoff_unknown_count",
         "threshold",
         "too_far",
     )
@@ -79,8 +86,10 @@ class FileConflicts(RecordedConflicts):
     closest: Encounter
     compared: bool
     coverage: Coverage
+    ignored_count: int
     risky: bool
     standing_count: int
+    takeoff_unknown_count: int
     threshold: float
     too_far: bool
 
@@ -101,6 +110,8 @@ class FileConflicts(RecordedConflicts):
         possible = int(np.count_nonzero(~self.certain))
         if possible:
             told.append(f"{possible:,} of them possible only")
+        if self.ignored_count:
+            told.append(f"{self.ignored_count:,} left out")
         if not self.compared:
             told.append("no two agents are there at the same time")
         if self.too_far:
@@ -119,6 +130,7 @@ def conflicts_of(
     inclusive: bool,
     max_gap: Any,
     straight: bool,
+    ignore_below: Any,
     max_results: Any,
     threads: Any,
 ) -> FileConflicts:
@@ -136,6 +148,8 @@ def conflicts_of(
         text = vertical if isinstance(vertical, str) else repr(length(vertical, "vertical"))
         options.vertical = _io_library.encoded(text)
     options.max_gap_s = 0.0 if max_gap is None else gap_of(max_gap)
+    if ignore_below is not None:
+        options.ignore_below_m = above_zero(length(ignore_below, "ignore_below"), "ignore_below")
     if max_results is not None:
         options.limited, options.max_results = 1, whole(max_results, "max_results")
     run = run_of(threads, len(recording), moving=True)
@@ -186,6 +200,8 @@ def _found_in(handle: ctypes.c_void_p, ids: NDArray[Any]) -> FileConflicts:
     found.too_far = bool(facts.too_far)
     found.threshold = float(facts.threshold_m)
     found.standing_count = int(facts.with_standing)
+    found.ignored_count = int(facts.ignored)
+    found.takeoff_unknown_count = int(facts.takeoff_unknown)
     found.coverage = Coverage(at_once.beespace_io_conflicts_coverage, handle)
     found.closest = Encounter(None, None, None, None, gaps)
     if facts.closest_first >= 0:

@@ -186,6 +186,7 @@ class FileRecording(Facts):
         inclusive: bool = False,
         max_gap: float | None = None,
         straight: bool = False,
+        ignore_below: float | None = None,
         max_results: int | None = None,
         threads: int = 1,
     ) -> FileConflicts:
@@ -210,6 +211,9 @@ class FileRecording(Facts):
             As of `coverage`. In a gap an agent is compared with none.
         straight : bool
             Whether agents fly in straight lines whatever velocities they have.
+        ignore_below : float, optional
+            Conflicts of two that are both lower than this, in metres, above where they took off are
+            left out, and counted, as in a take-off grid; without it none is.
         max_results : int, optional
             More conflicts than this are an error, "too_many_results". An answer is never cut.
         threads : int
@@ -236,7 +240,15 @@ class FileRecording(Facts):
         <FileConflicts: 0 conflicts of 12 agents; what is known is an all-clear>
         """
         return conflicts_of(
-            self, threshold, vertical, inclusive, max_gap, straight, max_results, threads
+            self,
+            threshold,
+            vertical,
+            inclusive,
+            max_gap,
+            straight,
+            ignore_below,
+            max_results,
+            threads,
         )
 
     def verify(
@@ -254,13 +266,15 @@ class FileRecording(Facts):
         max_gap: float | None = None,
         straight: bool = False,
         skip_limits: Iterable[str] = (),
+        ignore_below: float | None = None,
         threads: int = 1,
     ) -> FlightVerdict:
         """Did all keep apart, clear of obstacles and within their limits, each with times of its own?
 
         Drones of a show fly along its curves, and these are looked at, not `positions` on them; others
         on the curves that have the velocities of their fixes, or in straight lines where not all fixes
-        have one. This is what the command `beespace verify` says of shows. The recording is in metres.
+        have one. This is what the command `beespace verify` says of shows. Recordings in degrees, as logs
+        of drones, are looked at in straight lines, and along curves with the velocities that there are.
 
         Parameters
         ----------
@@ -285,6 +299,8 @@ class FileRecording(Facts):
         skip_limits : names of limits
             Those that the show declares and that need not be looked at where that is not done, as
             ["minNavAltitude"]; without it such a show does not hold.
+        ignore_below : float, optional
+            As of `conflicts`, of losses of separation.
         threads : int
             How many threads may work; 0: one for each processor. The verdict is always the same.
 
@@ -295,7 +311,7 @@ class FileRecording(Facts):
         Raises
         ------
         BeespaceFileError
-            "unknown_frame" of a recording in degrees; "missing_column" where an acceleration is limited
+            "unknown_frame" of obstacles beside degrees; "missing_column" where an acceleration is limited
             and velocities are missing; "unsupported_format" of an agent with a single fix.
 
         Examples
@@ -314,7 +330,16 @@ class FileRecording(Facts):
             "max_height": max_height,
         }
         return verify_recording(
-            self, threshold, limits, obstacles, clearance, max_gap, straight, skip_limits, threads
+            self,
+            threshold,
+            limits,
+            obstacles,
+            clearance,
+            max_gap,
+            straight,
+            skip_limits,
+            ignore_below,
+            threads,
         )
 
     @property

@@ -45,6 +45,7 @@ def verify_recording(
     max_gap: Any,
     straight: bool,
     skip_limits: Any,
+    ignore_below: Any,
     threads: Any,
 ) -> FlightVerdict:
     """As `FileRecording.verify`; `limits` by the names of its arguments."""
@@ -63,6 +64,8 @@ def verify_recording(
     options.max_gap_s = 0.0 if max_gap is None else gap_of(max_gap)
     skipped = _names_of(skip_limits)
     options.skipped_limits = ",".join(skipped).encode() if skipped else None
+    if ignore_below is not None:
+        options.ignore_below_m = above_zero(length(ignore_below, "ignore_below"), "ignore_below")
     keep = _set_obstacles(options, obstacles, clearance)
     run = run_of(threads, len(recording), moving=True)
     if run is not None:
@@ -130,6 +133,8 @@ def _verdict_of(handle: ctypes.c_void_p, ids: NDArray[Any]) -> FlightVerdict:
     names_left = at_once.beespace_io_verdict_not_looked_at(handle).decode()
     verdict.not_looked_at = tuple(names_left.split(",")) if names_left else ()
     verdict.gap_count, verdict.missing_count = facts.gaps, facts.missing
+    verdict.ignored_count = facts.ignored
+    verdict.takeoff_unknown_count = facts.takeoff_unknown
     verdict.coverage = Coverage(at_once.beespace_io_verdict_coverage, handle)
     limits = [*facts.most, math.nan, math.nan]
     _set_tables(verdict, handle, ids, np.array(names), np.array(limits))

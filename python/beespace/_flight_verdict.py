@@ -177,6 +177,9 @@ class FlightVerdict:
         In how many gaps between fixes it is unknown where an agent was.
     missing_count : int
         As `FileRecording.missing_count`.
+    ignored_count, takeoff_unknown_count : int
+        How many losses of separation `ignore_below` left out; and of how many agents it is not known
+        where they took off.
     coverage : Coverage
         Of how much of the recording it is known where its agents were: what the verdict is about.
 
@@ -199,11 +202,13 @@ class FlightVerdict:
         "gap_count",
         "greatest",
         "holds",
+        "ignored_count",
         "limits",
         "losses",
         "missing_count",
         "motion",
         "not_looked_at",
+        "takeoff_unknown_count",
         "threshold",
         "undecided",
     )
@@ -224,6 +229,8 @@ class FlightVerdict:
     closest_at: float | None
     gap_count: int
     missing_count: int
+    ignored_count: int
+    takeoff_unknown_count: int
     coverage: Coverage
 
     def __bool__(self) -> bool:
@@ -231,6 +238,8 @@ class FlightVerdict:
 
     def __repr__(self) -> str:
         told = [self._in_words(), f"threshold {self.threshold:.6g} m"]
+        if self.ignored_count:
+            told.append(f"{self.ignored_count:,} left out")
         if self.closest is not None:
             first, second = self.closest
             told.append(

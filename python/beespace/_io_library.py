@@ -106,6 +106,7 @@ class CConflictOptions(ctypes.Structure):
         ("vertical", c_char_p),
         ("max_results", c_uint64),
         ("run", POINTER(_library.CRun)),
+        ("ignore_below_m", c_double),
     ]
 
 
@@ -124,6 +125,8 @@ class CConflictFacts(ctypes.Structure):
         ("closest_second", c_int64),
         ("closest_m", c_double),
         ("closest_s", c_double),
+        ("ignored", c_int64),
+        ("takeoff_unknown", c_int64),
     ]
 
 
@@ -138,6 +141,7 @@ class CPageOptions(ctypes.Structure):
         ("vertical", c_char_p),
         ("title", c_char_p),
         ("run", POINTER(_library.CRun)),
+        ("ignore_below_m", c_double),
     ]
 
 
@@ -155,6 +159,7 @@ class CVerifyOptions(ctypes.Structure):
         ("clearance_m", c_double),
         ("run", POINTER(_library.CRun)),
         ("skipped_limits", c_char_p),
+        ("ignore_below_m", c_double),
     ]
 
 
@@ -180,6 +185,8 @@ class CVerdictFacts(ctypes.Structure):
         ("closest_second", c_int64),
         ("closest_m", c_double),
         ("closest_s", c_double),
+        ("ignored", c_int64),
+        ("takeoff_unknown", c_int64),
     ]
 
 

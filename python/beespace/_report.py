@@ -21,6 +21,7 @@ from beespace._files import (
     set_numbers,
 )
 from beespace._points import Points, PointsLike
+from beespace._ranges import above_zero
 from beespace._view import is_notebook, show_in_browser, show_in_notebook
 
 # How many points a file has, before it is read: enough to be watched for Ctrl-C.
@@ -144,6 +145,7 @@ def report(
     vertical: float | str | None = None,
     inclusive: bool = False,
     max_gap: float | None = None,
+    ignore_below: float | None = None,
     threads: int = 1,
     frame: str | None = None,
     columns: str | None = None,
@@ -183,6 +185,8 @@ def report(
     max_gap : float, optional
         Of recordings: between fixes farther apart in time, in seconds, nothing is known; otherwise
         five times the typical interval. Infinity joins all fixes.
+    ignore_below : float, optional
+        Of recordings: as of `FileRecording.conflicts`.
     threads : int
         How many threads may work; 0 for one per processor.
     frame, columns, units, heights, time_unit, one_clock, time_zone, dates, fps, scale, least_likelihood, tolerance, skip_bad, grounded
@@ -207,7 +211,11 @@ def report(
     <Report: no danger in what is known>
     """
     io = _io_library.load()
-    page_options = _page_options(threshold, title, vertical, inclusive, max_gap, threads)
+    if ignore_below is not None and not _are_paths(points):
+        raise invalid("points take off nowhere: this is for recordings in files", "ignore_below")
+    page_options = _page_options(
+        threshold, title, vertical, inclusive, max_gap, ignore_below, threads
+    )
     handle, error = io.handles["page"](), _io_library.new_error()
     tail = (page_options, ctypes.byref(handle), ctypes.byref(error))
     texts = {
@@ -300,7 +308,13 @@ def _are_paths(points: Any) -> bool:
 
 
 def _page_options(
-    threshold: Any, title: Any, vertical: Any, inclusive: bool, max_gap: Any, threads: Any
+    threshold: Any,
+    title: Any,
+    vertical: Any,
+    inclusive: bool,
+    max_gap: Any,
+    ignore_below: Any,
+    threads: Any,
 ) -> Any:
     options = _io_library.CPageOptions(ctypes.sizeof(_io_library.CPageOptions))
     options.flags = _library.INCLUSIVE if inclusive else 0
@@ -309,6 +323,8 @@ def _page_options(
     options.threshold_m = length(threshold, "threshold")
     if max_gap is not None:
         options.max_gap_s = gap_of(max_gap)
+    if ignore_below is not None:
+        options.ignore_below_m = above_zero(length(ignore_below, "ignore_below"), "ignore_below")
     if vertical is not None:
         text = vertical if isinstance(vertical, str) else repr(length(vertical, "vertical"))
         options.vertical = _io_library.encoded(text)

@@ -154,6 +154,7 @@ def verify(
     obstacles: Obstacles | None = None,
     clearance: float | None = None,
     skip_limits: Iterable[str] = (),
+    ignore_below: float | None = None,
     max_gap: float | None = None,
     threads: int = 1,
 ) -> FlightVerdict: ...
@@ -192,6 +193,7 @@ def verify(
     obstacles: Obstacles | None = None,
     clearance: float | None = None,
     skip_limits: Iterable[str] = (),
+    ignore_below: float | None = None,
     max_gap: float | None = None,
     threads: int = 1,
 ) -> Verdict | FlightVerdict:
@@ -223,6 +225,7 @@ def verify(
         As of `Verifier`; `max_acceleration` needs velocities.
     max_horizontal, max_climb, max_descent, max_height : float, optional
     skip_limits : names of limits
+    ignore_below : float, optional
         Of a `FileRecording` only: as of `FileRecording.verify`.
     max_gap : float, optional
         The longest step that was seen, in seconds; without it all were. What happens in a longer one
@@ -268,10 +271,12 @@ def verify(
                 raise invalid(
                     "a recording of a file has its own: give the threshold as threshold=", name
                 )
-        return ids.verify(threshold, skip_limits=skip_limits, **upright, **common)
+        return ids.verify(
+            threshold, skip_limits=skip_limits, ignore_below=ignore_below, **upright, **common
+        )
     if skip_limits:
         raise invalid("this is for recordings that read_recording has read", "skip_limits")
-    for name, given in upright.items():
+    for name, given in {**upright, "ignore_below": ignore_below}.items():
         if given is not None:
             raise invalid("this is for recordings that read_recording has read", name)
     for name, given in (("times", times), ("positions", positions), ("threshold", threshold)):

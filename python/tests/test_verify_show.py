@@ -127,7 +127,11 @@ def test_what_cannot_be_is_named(ring, tmp_path):
     limited = error_of(lambda: beespace.verify(flown, threshold=1, max_acceleration=1))
     assert limited[0] == "missing_column"
     degrees = written(tmp_path, "id,t_s,lon,lat,height_m\na,0,19,47,0\na,9,19,47,9\n")
-    assert error_of(lambda: beespace.verify(degrees, threshold=1))[0] == "unknown_frame"
+    beside = beespace.Obstacles([beespace.Box([0, 0, 0], [1, 1, 1])])
+    assert error_of(lambda: beespace.verify(degrees, threshold=1, obstacles=beside, clearance=1))[
+        0
+    ] == "unknown_frame"
+    assert error_of(lambda: ring.verify(ignore_below=0)) == ("invalid_argument", "ignore_below")
     columns = ["a", "a"], [0, 1], [[0, 0], [1, 0]], 5
     assert error_of(lambda: beespace.verify(*columns, max_height=1)) == (
         "invalid_argument",
@@ -135,6 +139,28 @@ def test_what_cannot_be_is_named(ring, tmp_path):
     )
     with pytest.raises(TypeError, match="threshold"):
         beespace.verify(*columns[:3])
+
+
+# As the command does, also of those that take off beside each other.
+def test_flights_in_degrees_and_low_conflicts(tmp_path):
+    degrees = written(
+        tmp_path,
+        "id,t_s,lon,lat,height_m\na,0,8,47,100\na,10,8.001,47,100\n"
+        "b,0.5,8.0005,47.0005,100\nb,10.5,8.0005,46.9995,100\n",
+    )
+    assert beespace.verify(degrees, threshold=1).motion == "straight"
+    assert len(beespace.verify(degrees, threshold=10).losses) == 1
+    show = written(
+        tmp_path,
+        "id,time_s,x [m],y [m],z [m],red,green,blue\na,0,0,0,0,1,1,1\na,4,0,0,2,1,1,1\n"
+        "a,8,-20,0,2,1,1,1\nb,0,1,0,0,1,1,1\nb,4,1,0,0,1,1,1\nb,8,1,0,9,1,1,1\n",
+    )
+    assert show.conflicts(2).risky
+    found = show.conflicts(2, ignore_below=3)
+    assert not found.risky and found.ignored_count == 1 and found.takeoff_unknown_count == 0
+    assert "1 left out" in repr(found)
+    verdict = beespace.verify(show, threshold=2, ignore_below=3)
+    assert verdict.ignored_count == 1 and not len(verdict.losses)
 
 
 # What is not looked at may be left out by name, and nothing else.

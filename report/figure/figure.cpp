@@ -65,11 +65,14 @@ std::string findings_of(const SnapshotFacts& facts) {
 
 std::string findings_of(const RecordingFacts& facts) {
   std::string text = counted(facts.tracks.size(), facts.swarm.noun) + ". ";
-  const std::string but_for = facts.standing_count == 0
-                                  ? ""
-                                  : ", but for " +
-                                        count_label(facts.standing_count, "conflict", "conflicts") +
-                                        " of two that both stand on the ground";
+  std::string but_for;
+  if (facts.standing_count > 0) {
+    but_for = ", but for " + count_label(facts.standing_count, "conflict", "conflicts") +
+              " of two that both stand on the ground";
+  }
+  if (facts.low_count > 0) {
+    but_for += (but_for.empty() ? ", but for " : " and ") + facts.low_text;
+  }
   if (facts.conflict_count == 0 && !facts.unknown.empty()) {
     return text + "No two come " + too_close(facts.swarm) + " in the known time" + but_for + "; " +
            facts.unknown + ".";
@@ -83,6 +86,7 @@ std::string findings_of(const RecordingFacts& facts) {
   if (facts.possible_count > 0) {
     text += "; " + count_label(facts.possible_count) + " of them possible, not certain";
   }
+  if (facts.low_count > 0) text += "; beside " + facts.low_text;
   if (!facts.unknown.empty()) text += "; " + facts.unknown;
   return text + ".";
 }
@@ -137,7 +141,8 @@ Listing closest_conflicts(const RecordingFacts& facts) {
     add(facts.conflicts[i], known ? std::optional(facts.conflicts_apart[i]) : std::nullopt);
   }
   if (facts.conflicts.empty() && facts.closest) {
-    listing.heading = "Closest encounter, not too close";
+    listing.heading =
+        facts.closest_left_out ? "Closest encounter, left out" : "Closest encounter, not too close";
     add(*facts.closest, facts.closest_apart);
   }
   return listing;

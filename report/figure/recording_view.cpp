@@ -165,7 +165,9 @@ void draw_closest(const RecordingFacts& facts, const View& view, Drawing& drawin
   draw_ring(view.panel.box, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)},
             view.from == View::From::kAbove
                 ? std::string(in_the_air ? "closest in the air" : "closest") +
-                      (keeps_apart ? ", not too close: " : ": ") +
+                      (facts.closest_left_out && !in_the_air ? ", left out: "
+                       : keeps_apart                         ? ", not too close: "
+                                                             : ": ") +
                       apart_words(facts.swarm, closest.closest_m, apart) +
                       (facts.closest_stands && !in_the_air ? kWithOneOnTheGround : "")
                 : std::string(),

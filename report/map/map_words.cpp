@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace beespace::report {
 namespace {
@@ -19,8 +20,8 @@ std::string closest_of(std::uint64_t all, std::uint64_t kept, const char* what) 
 
 std::string with_unknown(std::string words, const std::string& unknown) {
   if (unknown.empty()) return words;
-  if (!words.empty()) words += "; ";
-  return words + "conflicts are those of the bees and times that are known: " + unknown;
+  words += words.empty() ? "C" : "; c";
+  return words + "onflicts are those of the bees and times that are known: " + unknown;
 }
 
 // `apart` is that of each, or empty.
@@ -78,8 +79,11 @@ std::string kept_words(const SnapshotFacts& facts) {
 }
 
 std::string kept_words(const RecordingFacts& facts) {
-  return with_unknown(closest_of(facts.conflict_count, facts.conflicts.size(), " conflicts"),
-                      facts.unknown);
+  std::string words = closest_of(facts.conflict_count, facts.conflicts.size(), " conflicts");
+  if (facts.low_count > 0) {
+    words += (words.empty() ? "" : "; ") + facts.low_text + " are left out";
+  }
+  return with_unknown(std::move(words), facts.unknown);
 }
 
 std::string document_words(const SwarmFacts& swarm, const std::string& kept,

@@ -176,7 +176,8 @@ TEST_F(CIoConflicts, OptionsThatMakeNoSenseAreRefused) {
   EXPECT_EQ(code_of([](auto& o) { o.limited = 1; }), BEESPACE_TOO_MANY_RESULTS);
   EXPECT_EQ(code_of([](auto& o) { o.max_gap_s = -1; }), BEESPACE_INVALID_ARGUMENT);
   EXPECT_EQ(code_of([](auto& o) { o.vertical = "high"; }), BEESPACE_INVALID_ARGUMENT);
-  EXPECT_EQ(code_of([](auto& o) { o.struct_size -= 1; }), BEESPACE_INVALID_ARGUMENT);
+  EXPECT_EQ(code_of([](auto& o) { o.ignore_below_m = -1; }), BEESPACE_INVALID_ARGUMENT);
+  EXPECT_EQ(code_of([](auto& o) { o.struct_size = 8; }), BEESPACE_INVALID_ARGUMENT);
   auto error = io_error();
   EXPECT_EQ(beespace_io_find_conflicts(flight.get(), nullptr, nullptr, &error),
             BEESPACE_INVALID_ARGUMENT);
@@ -186,6 +187,24 @@ TEST_F(CIoConflicts, OptionsThatMakeNoSenseAreRefused) {
   beespace_io_conflicts_free(nullptr);
   EXPECT_EQ(beespace_io_conflicts_size(nullptr), 0);
   EXPECT_EQ(beespace_io_coverage_text(nullptr, nullptr, 0), 0U);
+}
+
+// Two that begin 1 m apart on the ground of a show, as a table of colours tells it.
+TEST_F(CIoConflicts, OfTwoThatAreLowAreLeftOutWhenAskedAndCounted) {
+  const Recording show = table(
+      "id,time_s,x [m],y [m],z [m],red,green,blue\na,0,0,0,0,1,1,1\na,4,0,0,2,1,1,1\n"
+      "a,8,-20,0,2,1,1,1\nb,0,1,0,0,1,1,1\nb,4,1,0,0,1,1,1\nb,8,1,0,9,1,1,1\n");
+  auto options = within(2.0);
+  const Found all = find(show, &options);
+  ASSERT_EQ(all.code, BEESPACE_OK) << text_of(all.error);
+  EXPECT_EQ(beespace_io_conflicts_size(all.conflicts.get()), 1);
+  EXPECT_EQ(all.facts.risky, 1);
+  options.ignore_below_m = 3.0;
+  const Found low = find(show, &options);
+  EXPECT_EQ(beespace_io_conflicts_size(low.conflicts.get()), 0);
+  EXPECT_EQ(low.facts.ignored, 1);
+  EXPECT_EQ(low.facts.risky, 0);
+  EXPECT_EQ(low.facts.takeoff_unknown, 0);
 }
 
 }  // namespace

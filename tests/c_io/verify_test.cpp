@@ -148,6 +148,64 @@ TEST_P(CVerifiedShow, KeepsClearOfObstaclesAlongItsCurves) {
 }
 
 // A limit that is not looked at, and need not be; and options of before there was such a thing.
+// a takes off a metre beside b, which stands until a has flown away.
+constexpr const char* kGrid =
+    R"({"version": 1, "swarm": {"drones": [
+       {"settings": {"name": "a", "home": [0, 0, 0], "trajectory": {"version": 1, "points": [
+         [0, [0, 0, 0], []], [10, [0, 0, 10], []], [20, [-20, 0, 10], []], [30, [-20, 0, 0], []]]}}},
+       {"settings": {"name": "b", "home": [1, 0, 0], "trajectory": {"version": 1, "takeoffTime": 40,
+         "points": [[0, [1, 0, 0], []], [10, [1, 0, 10], []], [20, [1, 0, 0], []]]}}}]}})";
+
+TEST(CVerified, WhoTakesOffBesideAnotherIsLeftOutWhenAsked) {
+  const TestFolder folder;
+  const auto read = read_recording({folder.file("grid.json", kGrid)});
+  ASSERT_EQ(read.code, BEESPACE_OK) << text_of(read.error);
+  beespace_io_verify_options options = verify_options();
+  options.threshold_m = 3;
+  const Verified all = verify(read.recording, &options);
+  EXPECT_EQ(all.facts.holds, 0);
+  EXPECT_EQ(all.facts.losses, 1);
+  EXPECT_EQ(all.facts.ignored, 0);
+  options.ignore_below_m = 3;
+  const Verified low = verify(read.recording, &options);
+  EXPECT_EQ(low.facts.holds, 1);
+  EXPECT_EQ(low.facts.losses, 0);
+  EXPECT_EQ(low.facts.ignored, 1);
+  EXPECT_EQ(low.facts.takeoff_unknown, 0);
+  options.ignore_below_m = -1;
+  EXPECT_EQ(verify(read.recording, &options).code, BEESPACE_INVALID_ARGUMENT);
+  // As a program sees it that was built before there was the field.
+  options.ignore_below_m = 3;
+  options.struct_size = offsetof(beespace_io_verify_options, ignore_below_m);
+  EXPECT_EQ(verify(read.recording, &options).facts.losses, 1);
+}
+
+TEST(CVerified, FlightsInDegreesAreLookedAtAsTheCommandDoes) {
+  const TestFolder folder;
+  const auto read = read_recording({folder.file(
+      "flights.csv",
+      "id,time_s,lon,lat,height_m\na,0,8,47,100\na,10,8.001,47,100\nb,0.5,8.0005,47.0005,100\n"
+      "b,10.5,8.0005,46.9995,100\n")});
+  ASSERT_EQ(read.code, BEESPACE_OK) << text_of(read.error);
+  beespace_io_verify_options options = verify_options();
+  options.threshold_m = 1;
+  const Verified apart = verify(read.recording, &options);
+  ASSERT_EQ(apart.code, BEESPACE_OK) << text_of(apart.error);
+  EXPECT_EQ(apart.facts.motion, BEESPACE_IO_IN_STRAIGHT_LINES);
+  EXPECT_EQ(apart.facts.losses, 0);
+  options.threshold_m = 10;
+  EXPECT_EQ(verify(read.recording, &options).facts.losses, 1);
+  options.limits = 1U << static_cast<unsigned>(BEESPACE_IO_SPEED);
+  options.most[BEESPACE_IO_SPEED] = 8;
+  EXPECT_GT(verify(read.recording, &options).facts.breaches, 0);
+  options.limits = 1U << static_cast<unsigned>(BEESPACE_IO_CLIMB);
+  options.most[BEESPACE_IO_SPEED] = 0;
+  options.most[BEESPACE_IO_CLIMB] = 8;
+  const auto without = read_recording(
+      {folder.file("flat.csv", "id,time_s,lon,lat\na,0,8,47\na,1,8,47\nb,0,9,47\nb,2,9,47\n")});
+  EXPECT_EQ(verify(without.recording, &options).code, BEESPACE_MISSING_COLUMN);
+}
+
 TEST(CVerifiedLimits, ThatNeedNotBeLookedAtAreSkipped) {
   const TestFolder folder;
   const auto read = read_recording({folder.file(
@@ -278,7 +336,14 @@ TEST_F(CVerifiedRecording, ThatCannotBeIsRefused) {
       table("id,t_s,lon,lat,height_m\na,0,19,47,0\na,9,19,47,9\nb,0,19.1,47,0\nb,9,19.1,47,9\n");
   auto options = verify_options();
   options.threshold_m = 5.0;
+  beespace_obstacle obstacle{};
+  obstacle.struct_size = sizeof obstacle;
+  options.obstacles = &obstacle;
+  options.obstacle_count = 1;
+  options.clearance_m = 1.0;
   EXPECT_EQ(verify(degrees, &options).code, BEESPACE_UNKNOWN_FRAME);
+  options = verify_options();
+  options.threshold_m = 5.0;
   const Recording single = table("id,t_s,x,y,z\na,0,0,0,0\na,9,1,0,0\nb,5,0,9,0\n");
   const Verified verified = verify(single, &options);
   EXPECT_EQ(verified.code, BEESPACE_UNSUPPORTED_FORMAT);

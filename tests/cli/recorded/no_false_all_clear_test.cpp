@@ -43,7 +43,7 @@ TEST(NoFalseAllClear, ADroneThatIsCutOffInTheAirIsNotCertified) {
   expect_parts(
       verify.err,
       {"verdict    not seen as a whole: holds in the known time; 1 bee known for a part of "
-       "the recording only (1 of which begins or ends in the air while others fly)\n",
+       "the recording only (1 of which begins or ends in the air while others fly: b)\n",
        "1 bee before the first or after the last fix, for 15 s in all; 1 of them in the "
        "air then\n"});
   const Finished replay = run({"replay", "--threshold", "2", "--fail-on-risk"}, input);
@@ -92,7 +92,7 @@ TEST(NoFalseAllClear, WhoIsCutOffInTheAirInDegreesIsNotCertified) {
     EXPECT_EQ(fine.exit_code, 0) << fine.err;
     const Finished cut = run(ask, broken);
     EXPECT_EQ(cut.exit_code, 1) << cut.err;
-    expect_parts(cut.err, {"(1 of which begins or ends in the air while others fly)\n"});
+    expect_parts(cut.err, {"(1 of which begins or ends in the air while others fly: b)\n"});
   }
 }
 

@@ -78,7 +78,7 @@ TEST_F(ShowReplay, ADroneWhosePathEndsInTheAirIsNoAllClear) {
   expect_parts(
       finished.err,
       {"verdict    no conflict in the known time; 1 bee known for a part of the recording "
-       "only (1 of which begins or ends in the air while others fly)\n",
+       "only (1 of which begins or ends in the air while others fly: right)\n",
        "before the first or after the last fix, for 9 s in all; 1 of them in the air then\n"});
   const Finished verified = run({"verify", folder_.file("show.json", show)});
   EXPECT_EQ(verified.exit_code, 1);

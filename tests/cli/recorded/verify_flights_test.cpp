@@ -143,6 +143,31 @@ TEST(IgnoreBelow, LeavesOutWhoTakesOffBesideAnotherOnlyWhenAsked) {
                      "--ignore-below does not apply to --report events");
 }
 
+TEST(IgnoreBelow, PagesPicturesAndFilesForMapsSayWhatIsLeftOut) {
+  const TemporaryFolder folder;
+  const std::string show = folder.file("show.json", grid());
+  const std::string text = "1 conflict of two lower than 3 m above where they took off";
+  for (const Arguments& asked :
+       {Arguments{"report", show, "-o", folder.path("page.html")},
+        Arguments{"plot", show, "-o", folder.path("picture.svg")},
+        Arguments{"export", show, "--origin", "19,47,100,90", "-o", folder.path("map.kml")}}) {
+    Arguments risky = asked;
+    risky.emplace_back("--fail-on-risk");
+    EXPECT_EQ(run(risky).exit_code, 1) << asked.front();
+    risky.insert(risky.end(), {"--ignore-below", "3"});
+    const Finished finished = run(risky);
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    expect_parts(finished.err, {"at risk    none, but for " + text,
+                                "note       " + text +
+                                    ", left out (--ignore-below), the closest a and b, 1.000 m"});
+  }
+  expect_parts(folder.read("picture.svg"), {"but for " + text});
+  expect_parts(folder.read("map.kml"), {text + " are left out"});
+  expect_failure({"report", "--ignore-below", "3", "-o", folder.path("none.html")},
+                 "x,y,z\n0,0,0\n1,0,0\n", kUsage,
+                 "is a snapshot, which does not say where bees took off; leave --ignore-below out");
+}
+
 TEST(IgnoreBelow, KeepsThoseOfWhichItIsNotKnownWhereTheyTookOff) {
   const std::string standing = "id,time_s,x,y,z\na,0,0,0,5\nb,0,1,0,5\na,2,0,0,5\nb,2,1,0,5\n";
   const Finished finished = run({"verify", "--threshold", "2", "--ignore-below", "3"}, standing);

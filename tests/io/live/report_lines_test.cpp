@@ -202,7 +202,12 @@ TEST(ReportLines, ObjectsThatSayTooLittle) {
            {R"({"id":"a","time_s":0,"position":[1,2,3]})", ErrorCode::kMissingColumn,
             "'position' is an array; of three numbers"},
            {R"({"id":"a","time_s":0,"position":{"x":1,"y":2}})", ErrorCode::kMissingColumn,
-            "jq -c '. + .position | del(.position)' FILE > flat.ndjson"},
+            "jq -c --unbuffered '. + .position | del(.position)' before '| beespace watch'"},
+           // The place before the unit of the time, and in objects within each other.
+           {R"({"id":"a","time":0,"position":[1,2,3]})", ErrorCode::kMissingColumn,
+            "make values of their own: jq -c --unbuffered '. + {x: .position[0]"},
+           {R"({"id":"a","time":0,"pose":{"position":{"x":1,"y":2}}})", ErrorCode::kMissingColumn,
+            "with names as pose.x, and read that: jq -c --unbuffered '[paths(scalars)"},
            // Where nothing is said of several files, which watch does not take.
            {R"({"id":"a","time":0,"x":1,"y":2})", ErrorCode::kInvalidArgument,
             "Say it with --time-unit s, ms, us or ns, or in the header: time_s"}}) {
@@ -215,6 +220,23 @@ TEST(ReportLines, ObjectsThatSayTooLittle) {
     EXPECT_FALSE(lines.understood());
     EXPECT_EQ(report_of(lines.take(R"({"id":"a","time_s":0,"x":1,"y":2,"z":3})")).id, "a");
   }
+}
+
+TEST(ReportLines, PosesOfRosInJsonHaveTheirNanosecondsAndAreInMetres) {
+  const auto line = [](const std::string& nanoseconds, const std::string& x) {
+    return R"({"name":"a","header.stamp.sec":1717250400,"header.stamp.nanosec":)" + nanoseconds +
+           R"(,"header.frame_id":"map","pose.position.x":)" + x +
+           R"(,"pose.position.y":2,"pose.position.z":3,"pose.orientation.w":1})";
+  };
+  ReportLines lines;
+  const ReportLine first = report_of(lines.take(line("250000000", "1")));
+  EXPECT_EQ(first.time_s, 1717250400.25);
+  EXPECT_EQ(first.frame, Frame::kMetres);
+  EXPECT_TRUE(first.since_1970);
+  EXPECT_EQ(report_of(lines.take(line("500000000", "2"))).time_s, 1717250400.5);
+  expect_line_error(lines.take(line("2000000000", "2")),
+                    {ErrorCode::kOutsideDomain, "<stdin>:3",
+                     "'header.stamp.nanosec' is 2e+09, no number of nanoseconds"});
 }
 
 TEST(ReportLines, WholeDegreesOfMavlinkAreTakenInJson) {

@@ -21,11 +21,11 @@ TEST(BadTrack, EmptyInputAndNothingBehindTheHeader) {
 
 // As folders of drones have them, without a header or with a name in its place.
 TEST(BadTrack, TablesOfOneDroneWithoutAHeaderAreOfferedColumnsWithoutAnId) {
-  expect_error(record("0,1,2,3,0,255,0,0\n1,1,2,3,0,255,0,0\n"),
+  expect_error(record("0,1,2,3,0,255,0,0\n2,1,2,3,0,255,0,0\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1",
                 "or, where each file is one bee, time=1,x=2,y=3,z=4, or frame=1,x=2,y=3,z=4 with "
                 "--fps N (there are 8 columns"});
-  expect_error(record("copter_1\n0,1,2,3,0,255,0,0\n1,1,2,3,0,255,0,0\n"),
+  expect_error(record("copter_1\n0,1,2,3,0,255,0,0\n2,1,2,3,0,255,0,0\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1",
                 "the first line has one cell, 'copter_1', and no header that tells the columns: if "
                 "it is the name of the drone, leave it out, as by sed 1d FILE > plain/FILE in a "

@@ -69,6 +69,34 @@ TEST(RosTable, SeveralThatBeginAtZeroAreAskedAbout) {
   EXPECT_TRUE(load_recording({first, second}, said));
 }
 
+TEST(RosTable, OfFramesThatCannotBeComparedNothingIsAsked) {
+  const TemporaryFolder folder;
+  const auto odometry = [&folder](const std::string& robot) {
+    return folder.write(robot + ".csv",
+                        "header.stamp.secs,header.stamp.nsecs,header.frame_id,pose.position.x,"
+                        "pose.position.y,pose.position.z\n1700000001,0," +
+                            robot + "/odom,0,0,0\n1700000002,0," + robot + "/odom,1,0,0\n");
+  };
+  const std::string first = odometry("uav1");
+  const std::string second = odometry("uav2");
+  expect_error(load_recording({first, second}),
+               {ErrorCode::kUnknownFrame, second + ":2", "is in the frame 'uav2/odom' of ROS"});
+}
+
+TEST(RosTable, ObjectsThatWereFlattenedAreInMetres) {
+  const auto line = [](const std::string& name, int second, int x) {
+    return R"({"name":")" + name + R"(","header.stamp.sec":)" + std::to_string(second) +
+           R"(,"header.stamp.nanosec":500000000,"header.frame_id":"map",)" +
+           R"("child_frame_id":"base_link","pose.position.x":)" + std::to_string(x) +
+           R"(,"pose.position.y":2,"pose.position.z":3})" + "\n";
+  };
+  const auto recording = recording_of(record(line("a", 1717250400, 1) + line("b", 1717250400, 5)));
+  EXPECT_EQ(ids_of(recording), (Ids{"a", "b"}));
+  EXPECT_EQ(recording.frame, Frame::kMetres);
+  EXPECT_EQ(times_of(recording.bees[1]), Times{1717250400.5});
+  EXPECT_TRUE(has_note(recording, "taken for a table of a topic of ROS"));
+}
+
 TEST(RosTable, TheTopicsTimeInOneColumn) {
   const auto recording =
       recording_of(record("%time,field.header.seq,field.header.stamp,field.header.frame_id,"

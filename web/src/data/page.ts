@@ -45,6 +45,8 @@ export interface RecordingRisk {
   pairs: number;
   bees: number;
   bee_seconds: number;
+  /** Beside the conflicts: "72 conflicts of two lower than 3 m above where they took off". */
+  left_out?: string;
   unknown?: string;
   /** `stands`: one of the two is a drone of a show that stands on the ground. */
   closest?: ClosestEncounter & { stands?: boolean };

@@ -62,6 +62,7 @@ function recordingRows(risk: RecordingRisk, count: number, duration_s: number): 
       unit: 'seconds',
     },
     { label: 'Length', value: formatDuration(duration_s) },
+    ...(risk.left_out === undefined ? [] : [{ label: 'Left out', value: risk.left_out }]),
     ...(risk.unknown === undefined ? [] : [{ label: 'Unknown', value: risk.unknown }]),
   ];
 }
