@@ -94,7 +94,9 @@ Status look_ahead(const io::Recording& recording, const std::vector<std::uint32_
   ahead.count = later.size();
   const PlacesAhead places(*in_space, bees, facts);
   const ApartOf apart = apart_of(*snapshot, unit_m);
-  for (std::size_t i = 0; i < std::min(kMostTold, later.size()); ++i) {
+  const std::size_t told_count = std::min(kMostTold, later.size());
+  ahead.conflicts.reserve(told_count);
+  for (std::size_t i = 0; i < told_count; ++i) {
     Conflict told = later[i];
     told.first = snapshot->bees[later[i].first];
     told.second = snapshot->bees[later[i].second];

@@ -80,6 +80,7 @@ std::vector<SwarmEvent> events_of_standing(const io::Recording& recording,
 std::vector<ToldEvent> put_together(const std::vector<ToldEvent>& told,
                                     const std::vector<SwarmEvent>& beside) {
   std::vector<ToldEvent> all;
+  all.reserve(told.size() + beside.size());
   auto next = beside.begin();
   for (const ToldEvent& each : told) {
     for (; next != beside.end() && next->time_s < each.event.time_s; ++next) {

@@ -76,6 +76,21 @@ TEST(AnswersForPeople, PredictTellsThemWhereTheyWillBe) {
   EXPECT_NEAR(std::stod(rows[1].at(7)), 4 + 0.02 * closest_s, 1e-9);
 }
 
+TEST(AnswersForPeople, ATableForSpreadsheetsTellsBothDistancesAndHowLong) {
+  const Finished finished =
+      run({"export", "--separation", "enroute", "--format", "csv", "--max-gap", "never"},
+          aircraft("0", "100", "time_s"));
+  const TextRows rows = rows_of(finished.out, ',');
+  ASSERT_EQ(rows.size(), 2u) << finished.err;
+  ASSERT_EQ(rows[0].size(), 18u);
+  const std::vector<std::string> last(rows[0].end() - 5, rows[0].end());
+  EXPECT_EQ(last, (std::vector<std::string>{"lasts_s", "horizontal_m", "vertical_m",
+                                            "horizontal_NM", "vertical_ft"}));
+  EXPECT_NEAR(std::stod(rows[1].at(13)), std::stod(rows[1].at(4)) - std::stod(rows[1].at(2)), 1e-9);
+  EXPECT_NEAR(std::stod(rows[1].at(16)), std::stod(rows[1].at(14)) / 1852, 1e-12);
+  EXPECT_NEAR(std::stod(rows[1].at(17)), 600, 1e-9);
+}
+
 TEST(AnswersForPeople, AviationHasNauticalMilesAndFeetToo) {
   const std::string input = aircraft("0", "100", "time_s");
   for (const char* const command : {"replay", "predict"}) {
