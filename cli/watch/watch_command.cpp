@@ -12,22 +12,20 @@
 #include "cli/watch/live_advice.hpp"
 #include "cli/watch/no_places.hpp"
 #include "cli/watch/pace.hpp"
+#include "cli/watch/track_doubts.hpp"
+#include "cli/watch/unplaced_bees.hpp"
 #include "cli/watch/watch_request.hpp"
 #include "cli/watch/watch_summary.hpp"
 #include "cli/watch/watch_tally.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/live/report_lines.hpp"
 #include "io/recording/frozen_places.hpp"
-#include "io/recording/jumps.hpp"
-#include "io/recording/shared_id.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -36,7 +34,7 @@
 namespace beespace::cli {
 namespace {
 
-constexpr std::uint64_t kMostBadLinesSaid = 20;
+constexpr std::uint64_t kMostSaid = 20;
 constexpr std::size_t kMostNotUnderstood = 10;
 
 class Watch {
@@ -85,13 +83,6 @@ class Watch {
   }
 
  private:
-  // What speaks against a track being that of one bee.
-  struct Doubts {
-    io::SharedId shared = {};
-    io::Jumps jumps = {};
-    bool jumping = false;
-  };
-
   // By a clock that never goes back, when the last line came, or nothing did; 0 where only the
   // clock of the reports counts.
   [[nodiscard]] double wall_s() const { return live_ ? came_s_ : 0.0; }
@@ -124,7 +115,7 @@ class Watch {
     if (!interrupted() && write_error_ == 0 && left_out_.shared == 0 && left_out_.jumping == 0) {
       if (auto doubt = no_places_.doubt_of_metres(true)) return *std::move(doubt);
     }
-    left_out_.nowhere = unplaced_.size();
+    left_out_.nowhere = unplaced_.count();
     left_out_.untimed = lines_.untimed();
     left_out_.no_place = no_places_.late();
     const NoPlaces::AtTheEnd ends = no_places_.at_the_end();
@@ -132,8 +123,8 @@ class Watch {
     for (const AgentId bee : ends.perhaps) {
       perhaps_frozen_.take(feed_->name(bee).id, no_places_.since_s(bee));
     }
-    const bool is_said = request_.lines.units.convention == io::UnitConvention::kAviation;
-    const auto doubt = is_said ? std::nullopt : no_places_.doubt_of_feet(lines_.units());
+    const bool in_feet = request_.lines.units.convention == io::UnitConvention::kAviation;
+    const auto doubt = in_feet ? std::nullopt : no_places_.doubt_of_feet(lines_.units());
     left_out_.feet_doubted = doubt.has_value();
     // A signal may end the reader as well, or a write that waits for them.
     const bool cut_off = interrupted() && (write_error_ == EPIPE || write_error_ == EINTR);
@@ -182,33 +173,32 @@ class Watch {
         [this](const std::string& lines) {
           if (write_error_ == 0) write_error_ = write_out(lines);
         });
-    advice_->note_unplaced(any_unplaced());
+    tell_advice_of_unplaced();
   }
 
   // A bee has been heard of, perhaps in a line that cannot be taken otherwise: as long as it is not
   // known where it is, the verdict says so, and advice certifies no bee.
   void note_heard_of(std::string_view id) {
-    constexpr std::size_t kMost = 100'000;
     if (id.empty()) return;
     const auto number = feed_ ? feed_->known(id) : std::nullopt;
     if (number && (!advice_ || advice_->knows(*number))) return;
-    if (unplaced_.size() < kMost) {
-      unplaced_.emplace(id);
-    } else {
-      many_unplaced_ = true;
-    }
-    if (advice_) advice_->note_unplaced(true);
+    unplaced_.add(id);
+    tell_advice_of_unplaced();
   }
 
   void note_placed(std::string_view id) {
-    if (unplaced_.empty()) return;
-    const auto known = unplaced_.find(id);
-    if (known == unplaced_.end()) return;
-    unplaced_.erase(known);
-    if (advice_) advice_->note_unplaced(any_unplaced());
+    if (unplaced_.remove(id)) tell_advice_of_unplaced();
   }
 
-  [[nodiscard]] bool any_unplaced() const { return many_unplaced_ || !unplaced_.empty(); }
+  // From here on it is not known where all are.
+  void doubt_places() {
+    unplaced_.add_for_good();
+    tell_advice_of_unplaced();
+  }
+
+  void tell_advice_of_unplaced() {
+    if (advice_) advice_->note_unplaced(unplaced_.any());
+  }
 
   Status take(const Result<std::optional<io::ReportLine>>& read) {
     if (!read) {
@@ -233,7 +223,7 @@ class Watch {
       note_placed(at.id);
       const auto bee = feed_ ? feed_->leave(at.id) : std::nullopt;
       if (bee && advice_) advice_->remove(*bee);
-      if (bee && *bee < tracks_.size()) tracks_[*bee] = {};
+      if (bee) tracks_.forget(*bee);
       if (bee) no_places_.forget(*bee);
       return std::monostate{};
     }
@@ -352,40 +342,39 @@ class Watch {
     return (lines_.in_frames() ? "record " : "line ") + std::to_string(line_number());
   }
 
-  // Two that report in turn under one id, and one that is somewhere else too fast: it is not known
-  // where they are.
+  // It is not known where they are of whose track it is in doubt that it is that of one bee.
   void look_for_doubt(AgentId number, const io::ReportLine& at, const Fix& fix,
                       const Velocity* velocity) {
-    if (number >= tracks_.size()) tracks_.resize(number + 1);
-    Doubts& doubts = tracks_[number];
-    if (doubts.jumps.take(fix, velocity) && !std::exchange(doubts.jumping, true)) {
-      if (advice_) advice_->note_unplaced(many_unplaced_ = true);
-      if (++left_out_.jumping <= kMostBadLinesSaid && !request_.quiet) {
-        say(jump_text(feed_->name(number).id, line_text(), fix.time_s));
-      }
-    }
-    if (doubts.shared.found()) return;
-    doubts.shared.take({fix.time_s, at.position}, at.frame);
-    if (!doubts.shared.found()) return;
-    if (advice_) advice_->note_unplaced(many_unplaced_ = true);
-    if (++left_out_.shared > kMostBadLinesSaid || request_.quiet) return;
-    say(shared_text(feed_->name(number).id, line_text(), fix.time_s));
+    const auto [jumps, shared] =
+        tracks_.take(number, {fix.time_s, at.position}, at.frame, fix, velocity);
+    if (jumps || shared) doubt_places();
+    const std::string& id = feed_->name(number).id;
+    if (jumps && is_said(++left_out_.jumping)) say(jump_text(id, line_text(), fix.time_s));
+    if (shared && is_said(++left_out_.shared)) say(shared_text(id, line_text(), fix.time_s));
   }
 
   void note_thawed(AgentId number, const io::ReportLine& at) {
-    if (advice_) advice_->note_unplaced(many_unplaced_ = true);
-    if (++left_out_.frozen > kMostBadLinesSaid || request_.quiet) return;
-    say(thawed_text(feed_->name(number).id, line_text(), time_of(at)));
+    doubt_places();
+    if (is_said(++left_out_.frozen)) {
+      say(thawed_text(feed_->name(number).id, line_text(), time_of(at)));
+    }
   }
 
   void note_contrary(const PositionReport& report) {
-    if (++left_out_.contrary > kMostBadLinesSaid || request_.quiet) return;
-    say(contrary_text(feed_->name(report.id).id, report.time_s));
+    if (is_said(++left_out_.contrary)) {
+      say(contrary_text(feed_->name(report.id).id, report.time_s));
+    }
   }
 
   void note_bad(const Error& error) {
-    if (++left_out_.lines > kMostBadLinesSaid || request_.quiet) return;
-    say("beespace: left out: " + printable(to_string(error)) + "\n");
+    if (is_said(++left_out_.lines)) {
+      say("beespace: left out: " + printable(to_string(error)) + "\n");
+    }
+  }
+
+  // Of so many of a kind; the others are counted only.
+  [[nodiscard]] bool is_said(std::uint64_t count) const {
+    return count <= kMostSaid && !request_.quiet;
   }
 
   void tell(const std::vector<SwarmEvent>& events) {
@@ -451,11 +440,10 @@ class Watch {
                                     std::chrono::steady_clock::now().time_since_epoch())
           .count();
   LeftOutOfWatch left_out_;
-  std::vector<Doubts> tracks_;  // by number
+  TrackDoubts tracks_;
   NoPlaces no_places_;
   io::FrozenEnds perhaps_frozen_;
-  std::set<std::string, std::less<>> unplaced_;  // ids, for advice
-  bool many_unplaced_ = false;                   // more than are kept
+  UnplacedBees unplaced_;
   std::uint64_t unadvised_looks_ = 0;
   int write_error_ = 0;  // the errno of it
 };

@@ -40,7 +40,7 @@ TEST_F(SnapshotAhead, APictureTellsWhatIsFoundAhead) {
   const std::string drawn = folder_.read("p.svg");
   expect_parts(
       drawn,
-      {"3 bees at 0.00 s. No bee is closer than 5 NM across and closer than 1,000 ft in "
+      {"3 aircraft at 0.00 s. No aircraft is closer than 5 NM across and closer than 1,000 ft in "
        "height to another at this moment. Ahead: flying straight on, 1 conflict within 300 s",
        "Ahead, flying straight on", ">AFR123</text>", ">BAW456</text>", "stroke-dasharray",
        "to where two are closest and too close"});
@@ -75,7 +75,7 @@ TEST_F(SnapshotAhead, ALookOfAReceiverNamesItsTime) {
       R"({"hex": "4008f6", "flight": "BAW456", "alt_baro": 35200, "gs": 430, "track": 0, )"
       R"("baro_rate": 0, "lat": 47.9306, "lon": 2.0, "seen_pos": 0.4}]})");
   EXPECT_EQ(plot(file, {"--fail-on-risk"}).exit_code, 1);
-  expect_parts(folder_.read("p.svg"), {"2 bees at 2024-06-05T10:04:00.000Z. "});
+  expect_parts(folder_.read("p.svg"), {"2 aircraft at 2024-06-05T10:04:00.000Z. "});
   if (!kHasPage) return;
   const Page page = reported({file, "--separation", "enroute"});
   expect_parts(std::string(page.parts.json),
