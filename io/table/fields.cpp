@@ -88,4 +88,11 @@ bool FieldCursor::next(Field& field) {
   return true;
 }
 
+std::vector<std::string> cells_of_line(std::string_view line, char delimiter) {
+  std::vector<std::string> cells;
+  FieldCursor cursor(line, delimiter);
+  for (Field field; cursor.next(field);) cells.emplace_back(without_padding(unquoted(field)));
+  return cells;
+}
+
 }  // namespace beespace::io

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace beespace::io {
 
@@ -47,5 +48,8 @@ class FieldCursor {
   bool more_;
   std::string_view problem_ = {};
 };
+
+// What the fields of a line mean, without padding; nothing of an empty line.
+std::vector<std::string> cells_of_line(std::string_view line, char delimiter);
 
 }  // namespace beespace::io

@@ -36,13 +36,6 @@ struct EthovisionLayout {
   std::string subject;
 };
 
-std::vector<std::string> cells_of_line(std::string_view line, char delimiter) {
-  std::vector<std::string> cells;
-  FieldCursor cursor(line, delimiter);
-  for (Field field; cursor.next(field);) cells.emplace_back(without_padding(unquoted(field)));
-  return cells;
-}
-
 bool find_named(const std::vector<std::string>& names, EthovisionLayout& layout) {
   for (std::size_t i = 0; i < kNamed.size(); ++i) {
     const auto found = std::find(names.begin(), names.end(), kNamed[i]);

@@ -18,8 +18,6 @@
 namespace beespace::io {
 namespace {
 
-using Cells = std::vector<std::string>;
-
 struct MotiveLayout {
   BodyTable table = {};
   std::string length_unit;  // as the file calls it: "Meters"
@@ -27,19 +25,12 @@ struct MotiveLayout {
   std::size_t others = 0;  // columns of markers and bones
 };
 
-Cells cells_of(std::string_view line) {
-  Cells cells;
-  FieldCursor cursor(line, ',');
-  for (Field field; cursor.next(field);) cells.emplace_back(without_padding(field.text));
-  return cells;
-}
-
-std::string_view cell(const Cells& cells, std::size_t at) {
+std::string_view cell(const std::vector<std::string>& cells, std::size_t at) {
   return at < cells.size() ? std::string_view(cells[at]) : std::string_view();
 }
 
 // Of "Length Units,Meters" in the first line.
-std::string value_behind(const Cells& cells, std::string_view name) {
+std::string value_behind(const std::vector<std::string>& cells, std::string_view name) {
   const auto found = std::find(cells.begin(), cells.end(), name);
   return found != cells.end() && std::next(found) != cells.end() ? *std::next(found)
                                                                  : std::string();
@@ -64,13 +55,13 @@ std::optional<MotiveLayout> motive_layout(std::string_view text) {
   constexpr std::size_t kMostLines = 12;
   if (!text.starts_with("Format Version,")) return std::nullopt;
   MotiveLayout layout;
-  std::vector<Cells> above;
-  Cells names;
+  std::vector<std::vector<std::string>> above;
+  std::vector<std::string> names;
   std::size_t at = 0;
   for (std::size_t line = 0; line < kMostLines && at < text.size(); ++line) {
     const Line read = line_at(text, at, '\n');
     at = read.next;
-    Cells cells = cells_of(read.text);
+    std::vector<std::string> cells = cells_of_line(read.text, ',');
     if (line == 0) layout.length_unit = value_behind(cells, "Length Units");
     if (cell(cells, 0) == "Frame") {
       names = std::move(cells);
@@ -85,9 +76,9 @@ std::optional<MotiveLayout> motive_layout(std::string_view text) {
   layout.table.time = 1;
   layout.table.columns = names.size();
   layout.data_offset = at;
-  const Cells& types = above[0];
-  const Cells& called = above[1];
-  const Cells& kinds = above.back();
+  const std::vector<std::string>& types = above[0];
+  const std::vector<std::string>& called = above[1];
+  const std::vector<std::string>& kinds = above.back();
   for (std::size_t column = 2; column < names.size(); ++column) {
     const bool is_body = cell(types, column) == "Rigid Body";
     if (!is_body && !cell(types, column).empty()) ++layout.others;

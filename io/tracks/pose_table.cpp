@@ -48,13 +48,6 @@ struct PoseLayout {
   std::vector<BodyPart> parts = {};
 };
 
-std::vector<std::string> fields_of(std::string_view line) {
-  std::vector<std::string> fields;
-  FieldCursor cursor(line, ',');
-  for (Field field; cursor.next(field);) fields.emplace_back(without_padding(unquoted(field)));
-  return fields;
-}
-
 // Takes a column that is a coordinate, or the likelihood, of that place.
 void take(PoseLayout& pose, const std::string& animal, const std::string& name,
           std::string_view what, std::size_t column) {
@@ -86,7 +79,7 @@ std::optional<PoseLayout> deeplabcut_layout(std::string_view text) {
   while (rows.size() < kMostRows && pose.offset < text.size()) {
     const Line line = line_at(text, pose.offset, '\n');
     if (line.text.size() > kLongestLine) return std::nullopt;
-    rows.push_back(fields_of(line.text));
+    rows.push_back(cells_of_line(line.text, ','));
     if (rows.back().empty()) return std::nullopt;
     pose.offset = line.next;
     ++pose.lines_before;
@@ -114,7 +107,7 @@ std::optional<PoseLayout> deeplabcut_layout(std::string_view text) {
 std::optional<PoseLayout> sleap_layout(std::string_view text) {
   const Line line = line_at(text, 0, '\n');
   if (line.text.size() > kLongestLine) return std::nullopt;
-  const std::vector<std::string> names = fields_of(line.text);
+  const std::vector<std::string> names = cells_of_line(line.text, ',');
   PoseLayout pose;
   pose.tool = "SLEAP";
   pose.offset = line.next;

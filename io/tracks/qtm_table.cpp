@@ -26,13 +26,6 @@ struct QtmLayout {
   std::size_t offset = 0;
 };
 
-std::vector<std::string> tab_cells(std::string_view line) {
-  std::vector<std::string> cells;
-  FieldCursor cursor(line, '\t');
-  for (Field field; cursor.next(field);) cells.emplace_back(without_padding(unquoted(field)));
-  return cells;
-}
-
 // "NO_OF_FRAMES", not "Frame", nor a number, nor an empty cell.
 bool is_key(std::string_view cell) {
   return !cell.empty() && std::all_of(cell.begin(), cell.end(),
@@ -82,7 +75,12 @@ std::optional<QtmLayout> qtm_layout(std::string_view text) {
   std::vector<std::string> markers;
   while (table.lines_before < kMostQtmLines && layout.offset < text.size()) {
     const Line line = line_at(text, layout.offset, '\n');
-    std::vector<std::string> cells = tab_cells(line.text);
+    const std::vector<std::string> cells = cells_of_line(line.text, '\t');
+    if (cells.empty()) {
+      layout.offset = line.next;
+      ++table.lines_before;
+      continue;
+    }
     if (is_key(cells.front()) && cells.size() > 1) {
       layout.offset = line.next;
       ++table.lines_before;

@@ -48,13 +48,6 @@ struct SpotLayout {
   std::uint64_t lines_before = 0;
 };
 
-std::vector<std::string> spot_fields(std::string_view line, char delimiter) {
-  std::vector<std::string> fields;
-  FieldCursor cursor(line, delimiter);
-  for (Field field; cursor.next(field);) fields.emplace_back(without_padding(unquoted(field)));
-  return fields;
-}
-
 bool is_spot_number(std::string_view text) {
   double number = 0.0;
   return parse_number(text, number) == NumberKind::kNumber;
@@ -89,7 +82,7 @@ std::optional<SpotLayout> spot_layout(std::string_view text) {
   bool found = false;
   for (const char delimiter : {',', '\t', ';'}) {
     spots.delimiter = delimiter;
-    found = found || find_columns(spot_fields(first.text, delimiter), spots);
+    found = found || find_columns(cells_of_line(first.text, delimiter), spots);
     if (found) break;
   }
   if (!found) return std::nullopt;
@@ -97,7 +90,7 @@ std::optional<SpotLayout> spot_layout(std::string_view text) {
   spots.lines_before = 1;
   for (int i = 0; i < kMostRowsOfNames && spots.offset < text.size(); ++i) {
     const Line line = line_at(text, spots.offset, '\n');
-    const auto fields = spot_fields(line.text, spots.delimiter);
+    const auto fields = cells_of_line(line.text, spots.delimiter);
     if (fields.size() != spots.columns || is_spot_number(fields[spots.read[kX]])) break;
     for (std::size_t k = 0; k < kRead.size(); ++k) {
       if (auto unit = in_brackets(fields[spots.read[k]]); !unit.empty()) {
@@ -132,7 +125,7 @@ std::string records_of(std::string_view text, const SpotLayout& spots, double ti
   while (walk.next()) {
     out.append(walk.line() - lines, '\n');
     lines = walk.line() + 1;
-    const auto fields = spot_fields(walk.record(), spots.delimiter);
+    const auto fields = cells_of_line(walk.record(), spots.delimiter);
     if (fields.size() != spots.columns) {
       out.append("a row of ").append(std::to_string(fields.size())).append(" values\n");
       continue;
@@ -191,7 +184,7 @@ std::optional<Error> units_unsaid(const SpotLayout& spots, const RecordingOption
 
 // Who says how many frames there are in a second has them counted.
 void take_frames(std::string_view text, SpotLayout& spots) {
-  const auto names = spot_fields(line_at(text, 0, '\n').text, spots.delimiter);
+  const auto names = cells_of_line(line_at(text, 0, '\n').text, spots.delimiter);
   const auto frame = std::find(names.begin(), names.end(), "FRAME");
   if (frame == names.end() && !spots.units[kTime].starts_with("frame")) return;
   spots.in_frames = true;

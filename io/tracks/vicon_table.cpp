@@ -19,8 +19,6 @@
 namespace beespace::io {
 namespace {
 
-using ViconCells = std::vector<std::string>;
-
 // In the order in which they are preferred.
 enum class SectionKind : std::uint8_t { kObjects, kSegments, kMarkers };
 
@@ -30,14 +28,7 @@ struct ViconSection {
   std::string_view rows = {};
 };
 
-ViconCells vicon_cells(std::string_view line) {
-  ViconCells cells;
-  FieldCursor cursor(line, ',');
-  for (Field field; cursor.next(field);) cells.emplace_back(without_padding(unquoted(field)));
-  return cells;
-}
-
-std::optional<SectionKind> kind_of(const ViconCells& cells) {
+std::optional<SectionKind> kind_of(const std::vector<std::string>& cells) {
   if (cells.empty()) return std::nullopt;
   if (cells[0] == "Objects") return SectionKind::kObjects;
   if (cells[0] == "Segments" || cells[0] == "Model Outputs") return SectionKind::kSegments;
@@ -50,7 +41,8 @@ bool is_end_of_section(std::string_view line) {
 }
 
 // The columns called as `axes`, each three under the name above them.
-std::vector<BodyColumns> bodies_under(const ViconCells& whose, const ViconCells& names,
+std::vector<BodyColumns> bodies_under(const std::vector<std::string>& whose,
+                                      const std::vector<std::string>& names,
                                       const std::array<std::string_view, 3>& axes) {
   std::vector<BodyColumns> bodies;
   std::string name;
@@ -67,12 +59,12 @@ std::vector<BodyColumns> bodies_under(const ViconCells& whose, const ViconCells&
 std::optional<ViconSection> section_at(std::string_view text, std::size_t& at,
                                        std::uint64_t& lines) {
   constexpr std::size_t kHeaderLines = 5;
-  std::array<ViconCells, kHeaderLines> header;
+  std::array<std::vector<std::string>, kHeaderLines> header;
   std::size_t offset = at;
-  for (ViconCells& cells : header) {
+  for (std::vector<std::string>& cells : header) {
     const Line line = line_at(text, offset, '\n');
     if (line.text.size() > kLongestLine) return std::nullopt;
-    cells = vicon_cells(line.text);
+    cells = cells_of_line(line.text, ',');
     offset = line.next;
     if (offset >= text.size()) return std::nullopt;
   }

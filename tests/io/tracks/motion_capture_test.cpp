@@ -109,6 +109,22 @@ TEST(QtmTable, BodiesAreInMillimetres) {
   EXPECT_TRUE(has_note(recording, "positions of 2 rigid bodies as QTM exports them"));
 }
 
+TEST(QtmTable, EmptyLinesAboveTheColumnsAreNoColumns) {
+  const auto right = recording_of(record(kSixD));
+  for (const char* empty : {"\n", "\r\n", "\n\n"}) {
+    std::string text = kSixD;
+    text.insert(text.find("Frame\t"), empty);
+    const auto recording = recording_of(record(text));
+    ASSERT_EQ(ids_of(recording), (Ids{"robot1", "robot2"}));
+    EXPECT_EQ(recording.bees[0].fixes, right.bees[0].fixes);
+    EXPECT_EQ(recording.bees[1].fixes, right.bees[1].fixes);
+  }
+  std::string nothing = kSixD;
+  nothing.resize(nothing.find("Frame\t"));
+  expect_error(record(nothing + "\n"),
+               {ErrorCode::kUnsupportedFormat, "bees.csv", "an export of QTM (Qualisys)"});
+}
+
 // Of two markers, with the lines and the columns that stand before the coordinates.
 std::string markers(const std::string& names, const std::string& columns, const char* first,
                     const char* second, const std::string& rate = "FREQUENCY\t10\n") {
