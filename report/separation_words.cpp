@@ -82,8 +82,10 @@ std::string apart_words(const SwarmFacts& swarm, double metres, const std::optio
 std::string listed_apart(const SwarmFacts& swarm, double metres,
                          const std::optional<Apart>& apart) {
   if (!swarm.vertical_m || !is_known(apart)) {
-    return swarm.aviation ? distance_words(swarm, metres)
-                          : listed_length_below(swarm.threshold_m, metres);
+    if (swarm.aviation) return distance_words(swarm, metres);
+    const bool small = distance_unit(swarm).metres == kMillimetre.metres;
+    return small ? in_unit(metres, swarm.threshold_m, kMillimetre, 1)
+                 : listed_length_below(swarm.threshold_m, metres);
   }
   if (swarm.aviation) {
     return distance_words(swarm, apart->horizontal_m) + ", " + height_words(swarm, apart->height_m);

@@ -3,6 +3,7 @@
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/recorded/apart.hpp"
 #include "analysis/recorded/last_snapshot.hpp"
+#include "analysis/recorded/usual_horizon.hpp"
 #include "report/earth_frame.hpp"
 #include "report/local_axes.hpp"
 
@@ -15,10 +16,6 @@
 
 namespace beespace::analysis {
 namespace {
-
-// So far aircraft fly straight on as a rule, and others do not.
-constexpr double kAheadOfAircraft_s = 300.0;
-constexpr double kAheadOfOthers_s = 60.0;
 
 constexpr std::size_t kMostTold = 20;
 
@@ -77,7 +74,7 @@ Status look_ahead(const io::Recording& recording, const std::vector<std::uint32_
   }
   if (snapshot->movers.empty()) return std::monostate{};
   report::Ahead ahead;
-  ahead.horizon_s = recording.of_aircraft ? kAheadOfAircraft_s : kAheadOfOthers_s;
+  ahead.horizon_s = usual_horizon_s(recording);
   ahead.complete = snapshot->stale == 0 && snapshot->unmoving.empty() && recording.missing.none();
   const double unit_m = height_unit_m(geometry, recording.height_unit);
   auto conflicts = predict_conflicts(

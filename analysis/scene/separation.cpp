@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -25,12 +26,16 @@ double every_s(const TimeSpan& time) {
   return lasts_s > 0.0 ? lasts_s / kMoments : 1.0;
 }
 
-// Into its place in time.
+// Into its place in time; of one moment the closer one is kept.
 void insert(const report::Separation& at, std::vector<report::Separation>& separation) {
-  const auto after = std::upper_bound(
+  const auto place = std::lower_bound(
       separation.begin(), separation.end(), at.time_s,
-      [](double time_s, const report::Separation& other) { return time_s < other.time_s; });
-  separation.insert(after, at);
+      [](const report::Separation& other, double time_s) { return other.time_s < time_s; });
+  if (place == separation.end() || place->time_s != at.time_s) {
+    separation.insert(place, at);
+  } else if (at.closest.distance_m < place->closest.distance_m) {
+    *place = at;
+  }
 }
 
 // Not known at this moment, nor since the one before, nor until the next one.
@@ -144,6 +149,22 @@ SeparationOverTime nearest_to_conflict(const Findings& findings, const Uprights&
   return over_time;
 }
 
+// Of conflicts that begin and end between two moments none would be seen: of each moment the
+// closest that is nearer in time to it than to others, where it is closest.
+void insert_conflicts(const Findings& findings, const TimeSpan& time,
+                      std::vector<report::Separation>& known) {
+  const double step_s = every_s(time);
+  std::map<std::int64_t, const Conflict*> closest;
+  for (const Conflict& conflict : findings.recorded.conflicts) {
+    const auto moment = std::llround((conflict.closest_s - time.begins_s) / step_s);
+    const auto [at, is_new] = closest.emplace(moment, &conflict);
+    if (!is_new && conflict.closest_m < at->second->closest_m) at->second = &conflict;
+  }
+  for (const auto& [moment, conflict] : closest) {
+    insert({conflict->closest_s, {conflict->first, conflict->second, conflict->closest_m}}, known);
+  }
+}
+
 SeparationOverTime closest_two(const Findings& findings, const TimeSpan& time) {
   SeparationOverTime over_time;
   const double step_s = every_s(time);
@@ -153,6 +174,7 @@ SeparationOverTime closest_two(const Findings& findings, const TimeSpan& time) {
     const auto [first, second] = std::minmax(moment.first, moment.second);
     over_time.known.push_back({moment.time_s, {first, second, moment.distance_m}});
   }
+  insert_conflicts(findings, time, over_time.known);
   if (findings.closest) {
     const Conflict& closest = *findings.closest;
     insert({closest.closest_s, {closest.first, closest.second, closest.closest_m}},

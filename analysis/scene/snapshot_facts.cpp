@@ -193,7 +193,9 @@ void note_ages(const Snapshot& snapshot, std::vector<std::string>& notes) {
   }
   if (!snapshot.unmoving.empty()) {
     notes.push_back(io::grouped(snapshot.unmoving.size()) +
-                    " left out: neither a velocity nor two fixes tell how fast they go" +
+                    " left out: neither a velocity (speed, direction and climb) nor two fixes tell "
+                    "how fast they "
+                    "go" +
                     (snapshot.climbless > 0 ? ", or nothing how fast they climb" : ""));
   }
 }

@@ -91,6 +91,21 @@ std::string input_summary(const io::Recording& recording, const MovingRequest& r
   return out;
 }
 
+std::string separation_typed(const MovingRequest& request) {
+  if (request.separation != nullptr) {
+    return " --separation " + std::string(request.separation->name);
+  }
+  std::string text;
+  const auto add = [&text](const char* option, const std::optional<io::StatedLength>& length) {
+    if (!length) return;
+    text.append(" ").append(option).append(" ").append(io::exact(length->value));
+    if (!length->bare) text.append(io::symbol_of(length->unit));
+  };
+  add("--threshold", request.threshold);
+  add("--vertical", request.vertical);
+  return text;
+}
+
 std::string separation_summary(const MovingRequest& request, double threshold_m,
                                const io::Recording& recording, bool aircraft) {
   std::string text = separation_text(threshold_m, request.vertical_m, request.inclusive,

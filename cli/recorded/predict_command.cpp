@@ -7,6 +7,7 @@
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/last_climb.hpp"
 #include "analysis/recorded/last_snapshot.hpp"
+#include "analysis/recorded/usual_horizon.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
@@ -88,6 +89,7 @@ struct Prediction {
   const std::vector<Conflict>& conflicts;
   const Distances& distances;
   std::optional<double> looked_since_s;  // where that is before now
+  double horizon_s;
 
   // Whether there are two, as far as they are known.
   [[nodiscard]] bool compares() const {
@@ -153,8 +155,8 @@ void append_unmoving(std::string& out, const analysis::Snapshot& snapshot, doubl
         red(io::grouped(count) + " checked for now only") + ", where last heard of: " + why);
   };
   say_of(snapshot.unmoving.size() - snapshot.climbless,
-         "neither a velocity nor two fixes, at most " + io::exact(max_age_s) +
-             " s apart, tell how fast they go");
+         "neither a velocity (speed, direction and climb) nor two fixes, at most " +
+             io::exact(max_age_s) + " s apart, tell how fast they go");
   say_of(snapshot.climbless, "neither a climb rate nor " + io::exact(analysis::kShortestClimb_s) +
                                  " s of heights, which go in steps, tell how fast they climb");
 }
@@ -225,6 +227,7 @@ void append_passed(std::string& out, const Prediction& prediction, const Predict
     text += ' ';
     text += printable(request.moving.inputs.front());
   }
+  text += separation_typed(request.moving);
   append_summary_line(out, "note", text + "'");
 }
 
@@ -249,7 +252,7 @@ std::string summary(const Prediction& prediction, const PredictRequest& request,
   append_summary_line(out, "threshold",
                       separation_summary(request.moving, prediction.threshold_m,
                                          prediction.recording, prediction.distances.aviation));
-  append_summary_line(out, "horizon", io::exact(request.horizon_s) + " s");
+  append_summary_line(out, "horizon", io::exact(prediction.horizon_s) + " s");
   append_summary_line(out, "conflicts", found_line(prediction));
   const auto& conflicts = prediction.conflicts;
   if (!conflicts.empty()) {
@@ -274,7 +277,7 @@ void write_outlook(io::JsonWriter& json, const Prediction& prediction,
                    const PredictRequest& request) {
   const analysis::Snapshot& snapshot = prediction.snapshot;
   write_head(json, prediction.recording, request.moving, prediction.threshold_m);
-  json.member("now_s", snapshot.time_s).member("horizon_s", request.horizon_s);
+  json.member("now_s", snapshot.time_s).member("horizon_s", prediction.horizon_s);
   json.member("looked_since_s", prediction.looked_since_s.value_or(snapshot.time_s));
   json.member("movers", snapshot.movers.size()).member("stale", snapshot.stale);
   json.member("on_ground", snapshot.on_ground);
@@ -311,15 +314,16 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
   Stopwatch watch;
   const double threshold_m = moving.threshold_m.value_or(
       analysis::default_threshold(*recording, kDefaultThreshold_m).metres);
+  const double horizon_s = request.horizon_s.value_or(analysis::usual_horizon_s(*recording));
   const PredictOptions options{
       .threshold_m = threshold_m,
       .vertical_m = vertical_in(geometry, moving.vertical, recording->height_unit),
-      .horizon_s = request.horizon_s,
+      .horizon_s = horizon_s,
       .inclusive = moving.inclusive,
       .threads = moving.threads,
       .max_results = moving.max_results,
       .height_unit_m = height_unit_m(geometry, recording->height_unit)};
-  const auto flights = analysis::created_flights(*recording, *snapshot, request.horizon_s);
+  const auto flights = analysis::created_flights(*recording, *snapshot, horizon_s);
   auto conflicts = flights ? conflicts_of(*flights, options) : conflicts_of(*snapshot, options);
   const std::optional<double> looked_since_s =
       flights ? std::exchange(snapshot->passed_over_since_s, std::nullopt) : std::nullopt;
@@ -333,8 +337,8 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
     // Times of conflicts lie within those of the outlook, in which all fly straight.
     distances.least_height = analysis::least_height_of(distances.apart);
   }
-  const Prediction prediction{*recording, *snapshot, threshold_m,
-                              *conflicts, distances, looked_since_s};
+  const Prediction prediction{*recording, *snapshot,      threshold_m, *conflicts,
+                              distances,  looked_since_s, horizon_s};
   const auto head = [&](io::JsonWriter& json) { write_outlook(json, prediction, request); };
   write_answer(conflict_rows(*conflicts, *recording, false, distances), moving, head, "conflicts",
                *output);

@@ -4,11 +4,13 @@
 #include "cli/command_line/command.hpp"
 #include "cli/input/moving_options.hpp"
 
+#include <optional>
+
 namespace beespace::cli {
 
 struct PredictRequest {
   MovingRequest moving;
-  double horizon_s = 60.0;
+  std::optional<double> horizon_s = {};  // absent: analysis::usual_horizon_s()
   double max_age_s = 30.0;
 };
 

@@ -55,7 +55,7 @@ Command predict_command() {
                  "Leave out who was not heard of for so long (default: 30)");
   add_separation_options(predict, moving);
   predict.option("--horizon", "SECONDS", request->horizon_s, amount("seconds", kFromZero),
-                 "How far to look ahead (default: 60)");
+                 "How far to look ahead (default: 60; of\naircraft: 300)");
   add_form_options(predict, moving);
   add_risk_option(predict, moving);
   add_quiet_option(predict, moving.quiet);

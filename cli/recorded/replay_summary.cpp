@@ -249,10 +249,16 @@ void append_wide_threshold(std::string& out, const analysis::Findings& findings,
   if (!is_default && !bare) return;
   const double wide_m = width_m(findings.tracks);
   if (!(wide_m > 0.0) || !(wide_m < threshold_m)) return;
-  const io::Unit unit = small ? taken->unit : io::Unit::kMetre;
+  const bool in_pixels = small && taken->unit == io::Unit::kPixel && request.load.pixel.has_value();
+  // What is typed is in the unit of the scale.
+  const io::Unit unit = in_pixels ? request.load.pixel->unit
+                        : small   ? taken->unit
+                                  : io::Unit::kMetre;
   const std::string name(io::symbol_of(unit));
   const double wide = io::from_metric(wide_m, unit);
-  const std::string so_wide = "all of it is " + io::grouped(wide, 1) + " " + name + " wide, and ";
+  std::string so_wide = "all of it is " + io::grouped(wide, 1) + " " + name;
+  if (in_pixels) so_wide += " (" + io::grouped(wide_m / request.load.pixel->metric, 0) + " px)";
+  so_wide += " wide, and ";
   if (is_default) {
     const double example = std::pow(10.0, std::floor(std::log10(wide)) - 1.0);
     return append_summary_line(out, "note",
@@ -261,10 +267,11 @@ void append_wide_threshold(std::string& out, const analysis::Findings& findings,
                                    "--threshold " +
                                    io::exact(example) + name);
   }
+  const double meant = request.threshold->value * (in_pixels ? request.load.pixel->value : 1.0);
   append_summary_line(out, "note",
-                      so_wide + "the threshold is " + io::exact(threshold_m) + " m: if " + name +
-                          " are meant, say --threshold " + io::exact(request.threshold->value) +
-                          name);
+                      so_wide + "the threshold is " + io::exact(threshold_m) + " m: if " +
+                          (in_pixels ? "px" : name) + " are meant, say --threshold " +
+                          io::exact(meant) + name);
 }
 
 // Of bees that are known nowhere no bar knows anything.

@@ -4,6 +4,7 @@
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/console/terminal.hpp"
+#include "cli/input/moving_output.hpp"
 #include "io/bytes/number_text.hpp"
 #include "report/ahead_words.hpp"
 
@@ -56,8 +57,8 @@ void append_ahead(std::string& out, const report::SnapshotFacts& facts,
   append_summary_line(out, "ahead", risk ? red(words) : words);
   if (!risk || request.inputs.size() != 1 || request.inputs.front() == "-") return;
   append_summary_line(out, "",
-                      "'beespace predict " + printable(request.inputs.front()) + " --horizon " +
-                          io::exact(facts.ahead->horizon_s) + "' tells more");
+                      "'beespace predict " + printable(request.inputs.front()) +
+                          separation_typed(request) + "' tells more");
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ bool has_ending(std::string_view name, std::initializer_list<std::string_view> e
 // What idtracker.ai writes beside its trajectories.
 bool is_beside_trajectories(std::string_view name) {
   const std::string lower = lower_case(name);
-  return is_one_of("areas.csv id_probabilities.csv lengths.csv", lower);
+  return is_one_of("areas.csv id_probabilities.csv lengths.csv attributes.json", lower);
 }
 
 // What lies beside the tables of a show: moments with names, and no places.
@@ -82,7 +82,9 @@ struct Listed {
       return named(path, [](std::string_view name) { return name == "trajectories.csv"; });
     });
     if (!trajectories) return;
-    std::erase_if(tables, [&](const auto& path) { return named(path, is_beside_trajectories); });
+    for (auto* kind : {&tables, &documents}) {
+      std::erase_if(*kind, [&](const auto& path) { return named(path, is_beside_trajectories); });
+    }
   }
   // Where there are other tables, a sheet of cues is none of a drone.
   void leave_cues() {

@@ -81,7 +81,7 @@ NamePattern coordinate() {
       {Says::kBeside, "above", Role::kNone, "Movebank"},
       {Says::kForeign, "px pixel pixels"},
       // What may stand beside a coordinate without changing what it is.
-      {Says::kBeside, "gps wgs84 decimal drone aircraft coord* koord*"},
+      {Says::kBeside, "gps wgs84 decimal drone aircraft coord* koord* hive comb"},
       {Says::kBeside, kBees},
       {Says::kBeside, kArticles},
       {0, "pos position"},

@@ -24,7 +24,9 @@ NamePattern time_names() {
       {Says::kBeside,
        "since start elapsed over utc iso iso8601 8601 rfc3339 boot begin sim simulation in of the "
        "from acq "
-       "flight mission sample header field message msg ros date datum fecha gmt"},
+       "flight mission sample header field message msg ros date datum fecha gmt "
+       // Druid: when a place was taken, not when it was sent.
+       "collecting"},
   };
   pattern.needed = Says::kNoun;
   pattern.unit = UnitPlace::kAnywhere;

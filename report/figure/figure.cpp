@@ -158,9 +158,15 @@ double draw_views(const std::vector<View>& views, const Draw& draw, Drawing& dra
   return views.back().panel.box.bottom() + kBelowViews;
 }
 
-void draw_below_chart(const Listing& listing, double bottom, Drawing& drawing) {
-  draw_listing(listing, {kChart.left, kChart.bottom() + kBelowChart}, kChart.width, bottom,
-               drawing);
+// The list below the chart; returns where the sheet ends above its notes. A few rows have room
+// where the views are low, too.
+double draw_below_chart(const Listing& listing, double bottom, Drawing& drawing) {
+  constexpr std::size_t kFew = 2;
+  const Spot corner{kChart.left, kChart.bottom() + kBelowChart};
+  const double least = corner.y + listing_height(listing, kChart.width, kFew);
+  bottom = std::max(bottom, least);
+  draw_listing(listing, corner, kChart.width, bottom, drawing);
+  return bottom;
 }
 
 }  // namespace
@@ -176,12 +182,12 @@ Drawing figure_of(const SnapshotFacts& facts) {
   }
   const auto views = views_of(extent, facts.swarm, kViews, kViewsWidth);
   Drawing drawing = begin_sheet(facts.swarm, findings_of(facts), key_of_bees(facts, views.front()));
-  const double bottom = draw_views(
+  double bottom = draw_views(
       views, [&](const View& view) { draw_bees(facts, view, drawing); }, drawing);
   if (const auto histogram = nearest_histogram(facts)) {
     draw_histogram(*histogram, facts.swarm, kChart, drawing);
   }
-  draw_below_chart(closest_pairs(facts), bottom, drawing);
+  bottom = draw_below_chart(closest_pairs(facts), bottom, drawing);
   finish_sheet(facts.swarm, bottom, drawing);
   return drawing;
 }
@@ -194,10 +200,10 @@ Drawing figure_of(const RecordingFacts& facts) {
   const auto views = views_of(extent, facts.swarm, kViews, kViewsWidth);
   Drawing drawing =
       begin_sheet(facts.swarm, findings_of(facts), key_of_paths(facts, views.front()));
-  const double bottom = draw_views(
+  double bottom = draw_views(
       views, [&](const View& view) { draw_paths(facts, view, drawing); }, drawing);
   draw_separation(facts, kChart, drawing);
-  draw_below_chart(closest_conflicts(facts), bottom, drawing);
+  bottom = draw_below_chart(closest_conflicts(facts), bottom, drawing);
   finish_sheet(facts.swarm, bottom, drawing);
   return drawing;
 }

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace beespace::report {
 namespace {
@@ -104,15 +105,29 @@ Axis distance_axis(const RecordingFacts& facts, const Measure& measure, const Bo
           title};
 }
 
+// Where spans of time lie, from left to right: none is narrower than that, and what would overlap
+// is joined.
+std::vector<std::pair<double, double>> places_of(const std::vector<TimeSpan>& spans,
+                                                 const Panel& panel, double narrowest) {
+  const Box& box = panel.box;
+  std::vector<std::pair<double, double>> places;
+  for (const TimeSpan& span : spans) {
+    const double left =
+        std::clamp(panel.across.scale(span.begins_s), box.left, box.right() - narrowest);
+    const double right = std::clamp(panel.across.scale(span.ends_s), left + narrowest, box.right());
+    if (!places.empty() && left <= places.back().second) {
+      places.back().second = std::max(places.back().second, right);
+    } else {
+      places.emplace_back(left, right);
+    }
+  }
+  return places;
+}
+
 void draw_bands(const RecordingFacts& facts, const Panel& panel, Drawing& drawing) {
   constexpr double kNarrowest = 1.0;
   const Box& box = panel.box;
-  double drawn_to = box.left - 1.0;
-  for (const TimeSpan& span : times_in_conflict(facts.at_risk)) {
-    const double left = std::max(drawn_to, panel.across.scale(span.begins_s));
-    const double right = std::max(left + kNarrowest, panel.across.scale(span.ends_s));
-    if (right <= drawn_to) continue;
-    drawn_to = right;
+  for (const auto& [left, right] : places_of(times_in_conflict(facts.at_risk), panel, kNarrowest)) {
     drawing.shapes.emplace_back(
         Area{{{left, box.top}, {right, box.top}, {right, box.bottom()}, {left, box.bottom()}},
              kRiskBand});
@@ -126,13 +141,7 @@ void draw_unknown(const RecordingFacts& facts, const Panel& panel, Drawing& draw
   constexpr double kFoot = 7.0;
   const Box& box = panel.box;
   const auto hatch = [&](const std::vector<TimeSpan>& spans, double height) {
-    double drawn_to = box.left - 1.0;
-    for (const TimeSpan& span : spans) {
-      const double left = std::max(drawn_to, panel.across.scale(span.begins_s));
-      const double right =
-          std::min(box.right(), std::max(left + kNarrowest, panel.across.scale(span.ends_s)));
-      if (right <= drawn_to) continue;
-      drawn_to = right;
+    for (const auto& [left, right] : places_of(spans, panel, kNarrowest)) {
       drawing.shapes.emplace_back(hatching({left, box.bottom() - height, right - left, height}));
     }
   };
@@ -150,9 +159,10 @@ Lines line_of(const RecordingFacts& facts, const Measure& measure, const Panel& 
   if (all.size() > 2) {
     std::vector<double> steps_s(all.size() - 1);
     for (std::size_t i = 0; i < steps_s.size(); ++i) steps_s[i] = all[i + 1].time_s - all[i].time_s;
-    const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
-    std::nth_element(steps_s.begin(), middle, steps_s.end());
-    usual_s = *middle;
+    // Some lie between two of the moments, as those of conflicts do.
+    const auto longer = steps_s.begin() + static_cast<std::ptrdiff_t>(9 * steps_s.size() / 10);
+    std::nth_element(steps_s.begin(), longer, steps_s.end());
+    usual_s = *longer;
   }
   Lines lines{{{}}, kText, 1.3};
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -80,13 +80,26 @@ double draw_sample(KeyEntry::Sample sample, Spot left, Drawing& drawing) {
   return 0.0;
 }
 
-void draw_key(const std::vector<KeyEntry>& key, Spot corner, Drawing& drawing) {
-  double x = corner.x;
+// Returns where it ends.
+double draw_key(const std::vector<KeyEntry>& key, Spot corner, double size, Drawing& drawing) {
+  const double between = size == kTextSize ? 22.0 : 14.0;
+  double x = corner.x - between;
   for (const KeyEntry& entry : key) {
+    x += between;
     x += draw_sample(entry.sample, {x, corner.y - 4.0}, drawing) + 5.0;
-    add_text({x, corner.y}, entry.text, kTextSize, kText, drawing);
-    x += text_width(entry.text, kTextSize) + 22.0;
+    add_text({x, corner.y}, entry.text, size, kText, drawing);
+    x += text_width(entry.text, size);
   }
+  return x;
+}
+
+// Smaller where it would leave the sheet.
+void draw_key(const std::vector<KeyEntry>& key, Spot corner, Drawing& drawing) {
+  constexpr double kSmallest = 10.0;
+  double size = kTextSize;
+  Drawing tried;
+  while (size > kSmallest && draw_key(key, corner, size, tried) > kRight) size -= 1.0;
+  draw_key(key, corner, size, drawing);
 }
 
 std::string degrees(double value, const char* positive, const char* negative) {
@@ -104,19 +117,23 @@ std::string as_sentence(std::string note) {
   return note;
 }
 
-// In one line, or in two smaller ones, so that who is unknown is not cut off.
+// In one line, or in two or three smaller ones, so that who is unknown is not cut off.
 void add_findings(const std::string& findings, double width, Drawing& drawing) {
   constexpr double kSize = 15.0;
   constexpr double kMiddle = 76.0;
+  constexpr std::size_t kMostLines = 3;
   if (text_width(findings, kSize) <= width) {
     return add_text({kMargin, kMiddle}, findings, kSize, kText, drawing);
   }
   std::vector<std::string> lines = wrapped(findings, kTextSize, width);
-  for (std::size_t i = 2; i < lines.size(); ++i) lines[1] += ' ' + lines[i];
-  add_text({kMargin, kMiddle - 5.0}, lines.front(), kTextSize, kText, drawing);
-  if (lines.size() < 2) return;
-  add_text({kMargin, kMiddle + 11.0}, fitted(lines[1], kTextSize, width), kTextSize, kText,
-           drawing);
+  for (std::size_t i = kMostLines; i < lines.size(); ++i) lines[kMostLines - 1] += ' ' + lines[i];
+  lines.resize(std::min(lines.size(), kMostLines));
+  const double apart = lines.size() < kMostLines ? 16.0 : 14.0;
+  double y = lines.size() < kMostLines ? kMiddle - 5.0 : kMiddle - 10.0;
+  for (const std::string& line : lines) {
+    add_text({kMargin, y}, fitted(line, kTextSize, width), kTextSize, kText, drawing);
+    y += apart;
+  }
 }
 
 // Whether a note says which columns, or units, were taken.
@@ -134,6 +151,22 @@ std::string origin_note(const GeographicPosition& origin, const HeightWords& hei
   return "East and north are counted along the ground from " +
          degrees(origin.latitude_deg, "N", "S") + ", " + degrees(origin.longitude_deg, "E", "W") +
          (flat ? "." : "; heights are " + std::string(counted) + ".");
+}
+
+constexpr double kBesideName = 12.0;
+constexpr double kAboveRows = 6.0 + kRowHeight;
+
+// Whether what is said of a row goes below its name, where that would be cut.
+bool is_said_below(const Listing& listing, double width) {
+  return std::any_of(listing.rows.begin(), listing.rows.end(), [&](const Row& row) {
+    return text_width(one_line(row.left), kLabelSize) + text_width(row.right, kLabelSize) +
+               kBesideName >
+           width;
+  });
+}
+
+double row_height(const Listing& listing, double width) {
+  return is_said_below(listing, width) ? 1.9 * kRowHeight : kRowHeight;
 }
 
 }  // namespace
@@ -175,19 +208,19 @@ Drawing begin_sheet(const SwarmFacts& swarm, const std::string& findings,
   return drawing;
 }
 
+double listing_height(const Listing& listing, double width, std::size_t most) {
+  if (listing.rows.empty()) return 0.0;
+  const std::size_t rows = std::min(most, listing.rows.size());
+  return kAboveRows + static_cast<double>(rows) * row_height(listing, width);
+}
+
 void draw_listing(const Listing& listing, Spot corner, double width, double bottom,
                   Drawing& drawing) {
   if (listing.rows.empty()) return;
-  constexpr double kBetween = 12.0;
-  // Where a name would be cut, what is said of it goes below.
-  const bool below = std::any_of(listing.rows.begin(), listing.rows.end(), [&](const Row& row) {
-    return text_width(one_line(row.left), kLabelSize) + text_width(row.right, kLabelSize) +
-               kBetween >
-           width;
-  });
-  const double row_height = below ? 1.9 * kRowHeight : kRowHeight;
-  const double first = corner.y + 6.0 + kRowHeight;
-  const double room = std::max(0.0, std::floor((bottom - first) / row_height) + 1.0);
+  const bool below = is_said_below(listing, width);
+  const double height = row_height(listing, width);
+  const double first = corner.y + kAboveRows;
+  const double room = std::max(0.0, std::floor((bottom - first) / height) + 1.0);
   const std::size_t shown = std::min(listing.rows.size(), static_cast<std::size_t>(room));
   std::string heading = listing.heading;
   if (shown < listing.count)
@@ -195,8 +228,8 @@ void draw_listing(const Listing& listing, Spot corner, double width, double bott
   add_text(corner, heading, kTextSize, kText, drawing, Anchor::kStart, true);
   for (std::size_t i = 0; i < shown; ++i) {
     const Row& row = listing.rows[i];
-    const double y = first + static_cast<double>(i) * row_height;
-    const double right = below ? 0.0 : text_width(row.right, kLabelSize) + kBetween;
+    const double y = first + static_cast<double>(i) * height;
+    const double right = below ? 0.0 : text_width(row.right, kLabelSize) + kBesideName;
     add_text({corner.x, y}, fitted(one_line(row.left), kLabelSize, width - right), kLabelSize,
              kText, drawing);
     add_text({corner.x + width, below ? y + 0.8 * kRowHeight : y}, row.right, kLabelSize,

@@ -5,6 +5,7 @@
 #include "report/facts.hpp"
 #include "report/figure/panel.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -52,6 +53,9 @@ std::string too_close(const SwarmFacts& swarm);
 // What a line at the threshold says: "threshold 100 m", or "horizontally 100 m" where heights are
 // compared apart, as then it tells less of a distance in a straight line.
 std::string threshold_name(const SwarmFacts& swarm);
+
+// How much room its heading and so many of its rows take, if it has as many.
+double listing_height(const Listing& listing, double width, std::size_t most);
 
 // As many rows as there is room for, down to `bottom`; the heading says of how many.
 void draw_listing(const Listing& listing, Spot corner, double width, double bottom,

@@ -391,6 +391,35 @@ TEST(Figure, TimesInConflictThatTouchAreOneBand) {
   EXPECT_EQ(bands, (std::vector<TimeSpan>{{1.0, 3.0}, {5.0, 7.0}}));
 }
 
+// However many of them are narrower than what can be seen.
+TEST(Figure, BandsAndHatchingLieAtTheirTimes) {
+  RecordingFacts facts;
+  facts.swarm.threshold_m = 5.0;
+  facts.tracks = {{{{0.0, {0, 0, 0}}, {1'000.0, {100, 0, 0}}}},
+                  {{{0.0, {0, 50, 0}}, {1'000.0, {100, 50, 0}}}}};
+  facts.separation = {{0.0, {0, 1, 50.0}}, {1'000.0, {0, 1, 50.0}}};
+  for (int i = 0; i < 400; ++i) {
+    const double begins_s = 0.25 * i;
+    facts.at_risk.push_back({0, {begins_s, begins_s + 0.01}});
+    facts.unknown_spans.push_back({1, begins_s, begins_s + 0.01});
+  }
+  facts.at_risk.push_back({0, {999.99, 1'000.0}});
+  const Drawing drawing = figure_of(facts);
+  double last = 0.0;
+  double right = 0.0;
+  std::size_t bands = 0;
+  for (const Area& area : shapes_of<Area>(drawing)) {
+    if (area.ink.rgb != kRiskBand.rgb || area.corners[1].x - area.corners[0].x == 14.0) continue;
+    last = std::max(right, area.corners[0].x);
+    right = std::max(right, area.corners[1].x);
+    ++bands;
+  }
+  ASSERT_EQ(bands, 2U) << "joined where they overlap";
+  EXPECT_LE(right, kRight + 1e-9) << "none is beyond the axis";
+  EXPECT_NEAR(last, right - 1.0, 1e-9);
+  expect_inside(drawing);
+}
+
 // In conflict all the time on a path of so many corners.
 RecordingFacts winding(int corners) {
   RecordingFacts facts = two_tracks();

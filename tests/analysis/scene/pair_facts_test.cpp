@@ -94,6 +94,38 @@ TEST_F(PairFacts, BetweenMetresAreAlongZ) {
   EXPECT_FALSE(facts.separation.front().apart.has_value());
 }
 
+// Short ones, between moments of which some hundred are looked at.
+TEST_F(PairFacts, EveryConflictIsSeenInTheSeparationOverTime) {
+  std::string text = "id,time_s,x,y\n";
+  const auto add = [&text](const char* id, double time_s, double x) {
+    text += std::string(id) + "," + std::to_string(time_s) + "," + std::to_string(x) + ",0\n";
+  };
+  for (int i = 0; i < 60; ++i) {
+    const double begins_s = 997.0 * i;
+    add("a", begins_s, 0.0);
+    // Close for a second, far for the rest.
+    for (const auto& [after_s, x] : {std::pair(0.0, 90.0), std::pair(500.3, 90.0),
+                                     std::pair(500.8, 1.0), std::pair(501.3, 90.0)}) {
+      add("b", begins_s + after_s, x);
+    }
+  }
+  add("a", 997.0 * 60, 0.0);
+  auto request = within(20.0, {});
+  request.max_gap_s = 2'000.0;
+  const auto facts = this->facts<report::RecordingFacts>(text, request);
+  ASSERT_EQ(facts.conflicts.size(), 60U);
+  const auto dips =
+      std::count_if(facts.separation.begin(), facts.separation.end(),
+                    [](const report::Separation& at) { return at.closest.distance_m < 20.0; });
+  EXPECT_EQ(dips, 60);
+  const auto twice =
+      std::adjacent_find(facts.separation.begin(), facts.separation.end(),
+                         [](const report::Separation& a, const report::Separation& b) {
+                           return a.time_s >= b.time_s;
+                         });
+  EXPECT_EQ(twice, facts.separation.end()) << "no moment comes twice";
+}
+
 TEST_F(PairFacts, WaysEndWhereABeeIsUnknown) {
   // Known from 0 to 4 s and from 100 s on; closest at 2 s.
   auto request = within(20.0, {});

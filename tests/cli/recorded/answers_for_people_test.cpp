@@ -187,6 +187,11 @@ TEST(AnswersForPeople, AThresholdThatIsWiderThanTheSceneIsPointedOut) {
     const Finished finished = run({"replay", "--threshold", threshold}, small);
     EXPECT_EQ(finished.err.find("wide"), std::string::npos) << finished.err;
   }
+  const std::string pixels = "id,frame,x,y\na,0,0,0\na,9,0,0\nb,0,300,400\nb,9,300,400\n";
+  expect_parts(
+      run({"replay", "--fps", "25", "--scale", "0.5mm", "--threshold", "20"}, pixels).err,
+      {"note       all of it is 250.0 mm (500 px) wide, and the threshold is 20 m: if px are "
+       "meant, say --threshold 10mm\n"});
 }
 
 TEST(AnswersForPeople, UnitsOfAviationMayBeAskedForOrNot) {

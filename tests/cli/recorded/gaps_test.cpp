@@ -205,8 +205,10 @@ TEST_F(Gaps, PredictTakesNoVelocityFromFixesThatAreFarApart) {
       kHeader + "a,0,0,0,0\na,3600,3600,0,0\nb,3599,3700,0,0\nb,3600,3699,0,0\n";
   const Finished finished = ask({"predict", "--threshold", "5"}, input);
   EXPECT_EQ(finished.exit_code, 0);
-  expect_parts(finished.err, {"none of those that are known; 1 bee is checked for now only",
-                              "neither a velocity nor two fixes, at most 30 s apart"});
+  expect_parts(
+      finished.err,
+      {"none of those that are known; 1 bee is checked for now only",
+       "neither a velocity (speed, direction and climb) nor two fixes, at most 30 s apart"});
   EXPECT_EQ(
       lines_of(
           ask({"predict", "--threshold", "5", "--max-age", "3600", "--horizon", "100"}, input).out)

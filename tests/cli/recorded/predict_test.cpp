@@ -119,9 +119,10 @@ TEST(Predict, ABeeWithNeitherVelocityNorTwoReportsIsCheckedForNowAndCounted) {
       run({"predict", "--threshold", "5"},
           "id,time_s,x,y,z\na,0,0,0,0\na,1,1,0,0\nb,1,2,2,2\nc,0,9,0,0\nc,1,9,0,0\n");
   EXPECT_EQ(finished.exit_code, 0);
-  expect_parts(finished.err, {"bees       2 of 3\n",
-                              "unknown    1 checked for now only, where last heard "
-                              "of: neither a velocity nor two fixes, at "});
+  expect_parts(finished.err,
+               {"bees       2 of 3\n",
+                "unknown    1 checked for now only, where last heard "
+                "of: neither a velocity (speed, direction and climb) nor two fixes, at "});
   expect_rows(without_lasts(rows_of(finished.out)),
               {{"a", "b", "1", "1", "3", "1"}, {"a", "c", "4", "9", "0", "14"}});
 }

@@ -39,9 +39,13 @@ TEST(BadTrack, MissingColumnsAreNamedWithThoseThatAreThere) {
                 "the header names no position (x and y, or longitude and latitude); say which is "
                 "which, perhaps with --columns id=1,time=2,x=3,y=4, or, of degrees, "
                 "id=1,time=2,lon=3,lat=4 (the columns are 1 'id', 2 'time_s', 3 'a', 4 'b')"});
+  // A height that is none would keep apart who is not.
   expect_error(record("id,time_s,a,b,c\nx,0,1,2,3\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1",
-                "say which is which, perhaps with --columns id=1,time=2,x=3,y=4,z=5"});
+                "say which is which, perhaps with --columns id=1,time=2,x=3,y=4, or"});
+  expect_error(record("id,time_s,a,b,up\nx,0,1,2,3\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "say which is which, perhaps with --columns id=1,time=2,x=3,y=4,z=5, or"});
   // Of DAIDALUS without its line of units, and of a data frame of move.
   expect_error(record("NAME,sx,sy,sz,vz,trk,gs,time_s\nA,0,0,5,0,0,180,0\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1", "--columns id=1,time=8,x=2,y=3,z=4, or"});
