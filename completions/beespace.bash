@@ -60,7 +60,7 @@ _beespace() {
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
-        --report) values='conflicts bees separation events' ;;
+        --report) values='conflicts pairs bees separation events' ;;
         -o | --output) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --max-results | --ignore-below | --every | --horizon | --leave-factor | --look-every | --memory | --temporary) return ;;
         *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --straight --threshold --vertical --separation --inclusive --threads --max-results --ignore-below --report --every --horizon --leave-factor --look-every --memory --temporary --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;

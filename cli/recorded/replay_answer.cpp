@@ -49,6 +49,7 @@ void write_velocities(io::JsonWriter& json, const analysis::Findings& findings) 
 Rows rows_of(const ReplayRequest& request, const analysis::Findings& findings,
              const Distances& distances) {
   if (request.report == "bees") return bee_rows(findings, distances);
+  if (request.report == "pairs") return pair_rows(findings, distances);
   if (request.report == "separation") {
     return separation_rows(analysis::separation_over_time(findings, request.every_s), findings,
                            distances);

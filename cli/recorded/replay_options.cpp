@@ -44,6 +44,8 @@ constexpr const char* kReplayDetails =
     "whether "
     "it\n"
     "              is certain, where there are curves of shows or velocities)\n"
+    "  pairs       each pair in conflict: id, id, conflicts, time in conflict, when it is closest, "
+    "how close\n"
     "  bees        each bee: id, conflicts, time in conflict, its closest in conflict, of shows "
     "always: how\n"
     "              close, when, with whom; for how long it is unknown\n"
@@ -56,7 +58,7 @@ constexpr const char* kReplayDetails =
     "  beespace replay flight.csv --threshold 5 --max-gap 2 --output conflicts.csv\n"
     "  beespace replay north.ulg south.ulg --threshold 5\n"
     "  beespace replay logs/ --threshold 10 --report bees\n"
-    "  beespace replay storks.csv --threshold 50 --time-zone Europe/Madrid\n"
+    "  beespace replay storks.csv --threshold 50 --report pairs --time-zone Europe/Madrid\n"
     "  beespace replay fish.csv --threshold 3mm --fps 25 --scale 0.1mm\n"
     "  beespace replay show.skyc --fail-on-risk --quiet --output /dev/null\n"
     "\n"
@@ -100,10 +102,12 @@ Status check_memory(const ReplayRequest& request) {
   if (request.moving.ignore_below_m) {
     return usage_error("replay", "--memory does not take --ignore-below; leave one of them out");
   }
-  if (request.report == "conflicts" || request.report == "bees") return std::monostate{};
+  if (request.report == "conflicts" || request.report == "pairs" || request.report == "bees") {
+    return std::monostate{};
+  }
   return usage_error("replay", "--memory does not take --report " + request.report +
-                                   ", for which all bees must be in memory; it takes conflicts "
-                                   "and bees");
+                                   ", for which all bees must be in memory; it takes conflicts, "
+                                   "pairs and bees");
 }
 
 Status settle(const Command& command, ReplayRequest& request) {
@@ -134,7 +138,7 @@ Command replay_command() {
   replay.flag("--straight", request->straight, "Straight lines, whatever the velocities");
   add_separation_options(replay, moving);
   add_low_option(replay, moving);
-  replay.choice("--report", request->report, {"conflicts", "bees", "separation", "events"},
+  replay.choice("--report", request->report, {"conflicts", "pairs", "bees", "separation", "events"},
                 "What to find, see below (default: conflicts)", "WHAT");
   replay.option("--every", "SECONDS", request->every_s, amount("seconds", kAboveZero),
                 "How often --report separation looks (default: 1)");
@@ -143,7 +147,7 @@ Command replay_command() {
   replay.group("Memory");
   replay.option("--memory", "SIZE", request->memory_bytes, read_memory,
                 "Use so much memory and temporary files, for tables\nthat do not fit: 500MB, 4GB "
-                "(conflicts and bees only)");
+                "(conflicts, pairs and bees only)");
   replay.option("--temporary", "FOLDER", request->temporary, take_text,
                 "Where temporary files go, which have no name\n(default: $TMPDIR, or /var/tmp)");
   add_form_options(replay, moving);

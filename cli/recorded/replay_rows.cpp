@@ -66,6 +66,33 @@ Rows bee_rows(const analysis::Findings& findings, const Distances& distances) {
   return rows;
 }
 
+Rows pair_rows(const analysis::Findings& findings, const Distances& distances) {
+  const io::Recording& recording = findings.recording;
+  Rows rows{{{"first", "first_label"},
+             {"second", "second_label"},
+             {"conflicts"},
+             {"in_conflict_s"},
+             {"closest_s", nullptr, "closest"},
+             {"closest_m"}},
+            {},
+            analysis::has_labels(recording),
+            io::calendar_of(recording)};
+  add_apart_columns(rows.columns, distances);
+  for (const analysis::PairInConflict& pair :
+       analysis::pairs_in_conflict(findings.recorded.conflicts)) {
+    const Conflict& closest = pair.closest;
+    std::vector<Value> row{analysis::name_at(closest.closest_s, closest.first, recording),
+                           analysis::name_at(closest.closest_s, closest.second, recording),
+                           std::uint64_t{pair.conflicts},
+                           pair.time_s,
+                           closest.closest_s,
+                           closest.closest_m};
+    add_apart(row, distances.of(closest), distances);
+    rows.rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 Rows separation_rows(const std::vector<analysis::Moment>& moments,
                      const analysis::Findings& findings, const Distances& distances) {
   const io::Recording& recording = findings.recording;

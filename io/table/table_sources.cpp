@@ -316,7 +316,7 @@ constexpr std::string_view kOtherQuantities =
     "score prob probability temperature temp humidity battery voltage satellites sats hdop vdop "
     "pdop dop accuracy area size width length count missing error mass ecc eccentricity signal ep "
     "intensity brightness year month julianday hour minute fixtime activity numsats 2d roll pitch "
-    "yaw frame conf rollrate pitchrate yawrate climbrate groundspeed airspeed vx vy vz varx vary "
+    "yaw conf rollrate pitchrate yawrate climbrate groundspeed airspeed vx vy vz varx vary "
     "varxy covxy "
     "nbs "
     "ptt step dx dy dz dt dist r2n burst pkey satcount red green blue rx ry rz";

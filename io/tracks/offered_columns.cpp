@@ -39,15 +39,8 @@ std::optional<std::size_t> with_end(const std::vector<std::string>& names,
   return std::nullopt;
 }
 
-// Whether a name may be that of a height, where it stands behind two coordinates.
-bool may_be_height(const std::string& name) {
-  const std::string lower = lower_case(name);
-  return lower.find('z') != std::string::npos ||
-         is_one_of("u h d up down *alt* *hei* *elev* *hgt* *depth*", lower);
-}
-
-// Two or three that go together by their names, or else the first two, with a height behind them if
-// it is called so: a wrong one would keep apart who is not.
+// Two or three that go together by their names, or else the first two: a height that is none would
+// keep apart who is not.
 std::vector<std::size_t> coordinates_among(const std::vector<std::string>& names,
                                            const std::vector<std::size_t>& numbers) {
   constexpr std::array<std::string_view, 2> kEnds = {"xyz", "123"};
@@ -62,7 +55,6 @@ std::vector<std::size_t> coordinates_among(const std::vector<std::string>& names
     }
   }
   if (numbers.size() < 2) return {};
-  if (numbers.size() == 3 && may_be_height(names[numbers[2]])) return numbers;
   return {numbers[0], numbers[1]};
 }
 

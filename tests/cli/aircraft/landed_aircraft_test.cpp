@@ -80,7 +80,7 @@ TEST(PredictOfARecording, SaysThatItLooksAheadOfItsEnd) {
                {before +
                 "130.40 s: only what lies ahead of its end is looked at; for the rest ask "
                 "'beespace replay " +
-                folder.path("") + "'\n"});
+                folder.path("") + " --separation enroute'\n"});
   const Finished one = run({"predict", folder.path("history_0.json"), "--separation", "enroute"});
   EXPECT_EQ(one.err.find(before), std::string::npos) << one.err;
 }

@@ -108,7 +108,7 @@ TEST_F(ReplayOutOfCore, AnswersInEveryForm) {
   const std::string file = folder_.file("lines.csv", text);
   for (const Arguments& more :
        {Arguments{}, Arguments{"--json", "--inclusive"}, Arguments{"--report", "bees", "--csv"},
-        Arguments{"--max-gap", "3", "--csv"}}) {
+        Arguments{"--report", "pairs"}, Arguments{"--max-gap", "3", "--csv"}}) {
     expect_same(Arguments{file, "--threshold", "5"} + more);
   }
   for (const Arguments& more : {Arguments{}, Arguments{"--json", "--units", "aviation"},

@@ -36,7 +36,7 @@ TEST_F(SnapshotAhead, APictureTellsWhatIsFoundAhead) {
   expect_parts(finished.err,
                {"now        0.00 s\n", "at risk    none at this moment\n",
                 "ahead      flying straight on, 1 conflict within 300 s: AFR123 and BAW456 in ",
-                "'beespace predict " + file + " --horizon 300' tells more\n"});
+                "'beespace predict " + file + " --separation enroute' tells more\n"});
   const std::string drawn = folder_.read("p.svg");
   expect_parts(
       drawn,

@@ -43,9 +43,6 @@ TEST(BadTrack, MissingColumnsAreNamedWithThoseThatAreThere) {
   expect_error(record("id,time_s,a,b,c\nx,0,1,2,3\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1",
                 "say which is which, perhaps with --columns id=1,time=2,x=3,y=4, or"});
-  expect_error(record("id,time_s,a,b,up\nx,0,1,2,3\n"),
-               {ErrorCode::kMissingColumn, "bees.csv:1",
-                "say which is which, perhaps with --columns id=1,time=2,x=3,y=4,z=5, or"});
   // Of DAIDALUS without its line of units, and of a data frame of move.
   expect_error(record("NAME,sx,sy,sz,vz,trk,gs,time_s\nA,0,0,5,0,0,180,0\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1", "--columns id=1,time=8,x=2,y=3,z=4, or"});
