@@ -163,8 +163,8 @@ Result<std::unique_ptr<beespace_io_conflicts>> find(const beespace_io_recording&
   analysis::Findings findings{recording,      *tracks,  *in_space, found->recorded,
                               found->closest, coverage, compared};
   findings.curves = &found->curves;
-  auto kept =
-      analysis::kept_by_height(recording, options, of.tolerance_m, found->recorded.conflicts);
+  auto kept = analysis::kept_by_height(recording, options, of.tolerance_m,
+                                       found->recorded.conflicts, low.left_out);
   if (!kept) return kept.error();
   findings.kept_by_height = *std::move(kept);
   auto conflicts = std::make_unique<beespace_io_conflicts>();

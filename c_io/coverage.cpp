@@ -42,6 +42,9 @@ analysis::Coverage in_words_of_analysis(const beespace_io_coverage& given) {
   coverage.bees_partly = count(given.agents_partly);
   coverage.bees_cut_off = count(given.agents_cut_off);
   coverage.bees_unplaced = count(given.agents_unplaced);
+  coverage.unseen.resize(count(given.agents_on_ground));
+  coverage.alone.resize(count(given.agents_alone));
+  coverage.alone_is_known = false;
   coverage.missing.count = count(given.missing);
   coverage.missing.nowhere = count(given.nowhere);
   coverage.missing.shared = count(given.shared_ids);
@@ -80,6 +83,8 @@ beespace_io_coverage as_struct(const analysis::Coverage& coverage) {
   into.untimed = number(missing.untimed);
   into.rough = number(missing.rough);
   into.agents_unplaced = number(coverage.bees_unplaced);
+  into.agents_on_ground = number(coverage.unseen.size());
+  into.agents_alone = number(coverage.compared_with_none() ? coverage.alone.size() : 0);
   return into;
 }
 

@@ -177,7 +177,8 @@ struct RecordingFacts {
   std::uint64_t standing_count = 0;      // beside these, of two that both stand on the ground
   std::uint64_t low_count = 0;           // likewise, of two that are low: see low_text
   std::string low_text = {};             // "72 conflicts of two lower than 3 m above where ..."
-  std::uint64_t pair_count = 0;          // in conflict
+  std::vector<Conflict> with_standing = {};  // of all: with a drone that stands on the ground
+  std::uint64_t pair_count = 0;              // in conflict
   std::optional<Conflict> closest = {};  // of the conflicts; where there is none, of all encounters
   bool closest_left_out = false;         // it is one of those that are low
   bool closest_stands = false;           // one of these two is a drone that stands on the ground:

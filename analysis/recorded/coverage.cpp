@@ -1,11 +1,9 @@
 #include "analysis/recorded/coverage.hpp"
 
+#include "analysis/recorded/airborne.hpp"
 #include "analysis/recorded/ends.hpp"
 #include "analysis/recorded/jump_spans.hpp"
-#include "analysis/text/bee_name.hpp"
-#include "io/bytes/number_text.hpp"
 #include "io/recording/flat_distance.hpp"
-#include "io/recording/moment_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -108,11 +106,13 @@ std::pair<double, double> whole_time(const io::Recording& recording) {
 }
 
 // How long a bee is not known before its first fix and after its last one, and whether it was in
-// the air then, or there without a place: `hidden` is when.
+// the air then, or there without a place, or never seen in the air while others fly: `hidden` is
+// when.
 struct Outside {
   double seconds = 0.0;
   bool cut_off = false;
   bool unplaced = false;
+  bool unseen = false;
   std::vector<TimeSpan> hidden = {};
 };
 
@@ -127,15 +127,17 @@ double grounded(const std::optional<double>& ground_s, double end_s, double whol
 // A drone of a show is known while it stands on the ground. Those in degrees report each at times
 // of its own: one is cut off where it is not heard of for longer than that is usual.
 // What is shorter than `interval_s`, the typical time between two fixes, is no part of the
-// recording of its own, unless one is in the air then.
-std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s,
-                                double interval_s) {
+// recording of its own, unless one is in the air then. `unseen_s`: while others fly for longer than
+// that, it is not known whether a drone still stands that is never seen in the air.
+std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s, double interval_s,
+                                double unseen_s) {
   const double usual_s = recording.frame == io::Frame::kWgs84 ? max_gap_s : 0.0;
   const auto whole = whole_time(recording);
   const double ground_m = ground_of(recording);
   const bool flies = may_be_cut_off(recording);
   const bool in_a_plane = is_in_a_plane(recording);
   const Surroundings surroundings(recording);
+  const Airborne airborne(recording);
   std::vector<Outside> outside(recording.bees.size());
   // `away` is when it is not known; of that it is there without a place in `unplaced`.
   const auto add = [&](Outside& of, const TimeSpan& away, const TimeSpan& unplaced, const Fix& end,
@@ -180,6 +182,14 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
         ends->first, ends->second);
     add(outside[i], {last_s, until_s}, {last_s, bee.unplaced_until_s.value_or(last_s)}, ends->last,
         ends->last_but_one);
+    if (outside[i].cut_off) continue;
+    double seen_by_none_s = 0.0;
+    for (const TimeSpan& span : airborne.unseen(static_cast<PointId>(i), unseen_s)) {
+      outside[i].unseen = true;
+      outside[i].hidden.push_back(span);
+      seen_by_none_s += span.ends_s - span.begins_s;
+    }
+    outside[i].seconds = std::max(outside[i].seconds, seen_by_none_s);
   }
   return outside;
 }
@@ -207,26 +217,6 @@ std::vector<Gap> apart_from_each_other(std::vector<Gap> all) {
     }
   }
   return apart;
-}
-
-// ": d1 and d2", where all that begin or end in the air are few enough to be named.
-std::string names_cut_off(const Coverage& coverage, const io::Recording& recording) {
-  constexpr std::size_t kFew = 3;
-  if (coverage.bees_cut_off > kFew) return {};
-  std::vector<PointId> bees;
-  for (const Gap& gap : coverage.longest_outside) {
-    if (std::find(bees.begin(), bees.end(), gap.track) == bees.end()) bees.push_back(gap.track);
-  }
-  if (bees.size() != coverage.bees_cut_off) return {};
-  std::sort(bees.begin(), bees.end());
-  std::string names;
-  for (const PointId bee : bees) {
-    names += (names.empty()        ? ": "
-              : bee == bees.back() ? " and "
-                                   : ", ") +
-             text_of(name_of(bee, recording));
-  }
-  return names;
 }
 
 // So many as are named, the longest first.
@@ -274,7 +264,7 @@ std::vector<double> unknown_times_s(const io::Recording& recording, const std::v
                                     const MaxGap& max_gap) {
   std::vector<double> unknown_s;
   constexpr double kAny = std::numeric_limits<double>::infinity();
-  for (const Outside& outside : outside_of(recording, kAny, 0.0)) {
+  for (const Outside& outside : outside_of(recording, kAny, 0.0, max_gap.seconds)) {
     unknown_s.push_back(outside.seconds);
   }
   // A long gap may be within a doubtful span, or across its ends.
@@ -286,7 +276,8 @@ std::vector<double> unknown_times_s(const io::Recording& recording, const std::v
 std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector<Gap>& gaps,
                                const MaxGap& max_gap) {
   std::vector<Gap> all = joined_gaps(gaps, doubtful_spans(recording, max_gap));
-  const auto outside = outside_of(recording, max_gap.seconds, max_gap.typical_s.value_or(0.0));
+  const auto outside =
+      outside_of(recording, max_gap.seconds, max_gap.typical_s.value_or(0.0), max_gap.seconds);
   for (std::size_t track = 0; track < outside.size(); ++track) {
     for (const TimeSpan& span : outside[track].hidden) {
       all.push_back({static_cast<PointId>(track), span.begins_s, span.ends_s});
@@ -332,11 +323,12 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& lon
   std::vector<Gap> hidden;
   PointId bee = 0;
   for (const Outside& outside :
-       outside_of(recording, max_gap.seconds, max_gap.typical_s.value_or(0.0))) {
+       outside_of(recording, max_gap.seconds, max_gap.typical_s.value_or(0.0), max_gap.seconds)) {
     coverage.outside_s += outside.seconds;
     if (outside.seconds > 0.0) ++coverage.bees_partly;
     if (outside.cut_off) ++coverage.bees_cut_off;
     if (outside.unplaced) ++coverage.bees_unplaced;
+    if (outside.unseen) coverage.unseen.push_back(bee);
     for (const TimeSpan& span : outside.hidden) {
       hidden.push_back({bee, span.begins_s, span.ends_s});
     }
@@ -345,105 +337,11 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& lon
   coverage.longest_outside = longest_of(std::move(hidden));
   coverage.in_a_plane = is_in_a_plane(recording) || recording.flat;
   coverage.instants_only = is_of_instants(recording);
+  coverage.alone = recorded_alone(recording);
+  coverage.alone_is_known = !recording.of_drones;
+  coverage.bridged = longest_bridged(recording, max_gap);
   coverage.missing = recording.missing;
   return coverage;
-}
-
-std::string unknown_text(const Coverage& coverage, const io::Recording* recording) {
-  std::string text;
-  const auto append = [&text](const std::string& more) {
-    if (!text.empty() && !more.empty()) text += ", ";
-    text += more;
-  };
-  if (coverage.gaps > 0) {
-    append(io::counted(coverage.bees_with_gaps, "bee", "bees") + " unknown for " +
-           io::time_span(coverage.in_gaps_s) + " in all");
-  }
-  if (coverage.bees_partly > 0) {
-    append(io::counted(coverage.bees_partly, "bee", "bees") + " known for " +
-           (coverage.instants_only ? "an instant only, each" : "a part of the recording only"));
-    if (coverage.bees_cut_off > 0) {
-      const bool one = coverage.bees_cut_off == 1;
-      text += " (" + io::grouped(std::uint64_t{coverage.bees_cut_off}) + " of which ";
-      if (coverage.in_a_plane) {
-        text += one ? "appears or vanishes on its way" : "appear or vanish on their way";
-      } else {
-        text +=
-            std::string(one ? "begins or ends" : "begin or end") + " in the air while others fly";
-      }
-      if (recording != nullptr) text += names_cut_off(coverage, *recording);
-      text += ")";
-    }
-    if (coverage.bees_unplaced > 0) {
-      append(io::grouped(std::uint64_t{coverage.bees_unplaced}) +
-             " of them there without a place before or after");
-    }
-  }
-  append(missing_text(coverage.missing));
-  return text;
-}
-
-std::string missing_text(const io::MissingRecords& missing) {
-  std::string text;
-  if (missing.shared > 0) {
-    text = io::grouped(missing.shared) + (missing.shared == 1 ? " id seems to be of two bees"
-                                                              : " ids seem to be of two bees each");
-  }
-  if (missing.files > 0) {
-    if (!text.empty()) text += ", ";
-    text += io::counted(missing.files, "file or folder was", "files or folders were") + " left out";
-  }
-  if (missing.jumping > 0) {
-    text += (text.empty() ? "" : ", ") + io::grouped(missing.jumping) +
-            (missing.jumping == 1 ? " bee jumps" : " bees jump");
-  }
-  if (missing.swapped > 0) {
-    if (!text.empty()) text += ", ";
-    text += "longitude and latitude of " + io::counted(missing.swapped, "bee", "bees") +
-            " seem to be the other way round";
-  }
-  if (missing.untimed > 0) {
-    if (!text.empty()) text += ", ";
-    text += "when " + io::counted(missing.untimed, "vehicle was", "vehicles were") +
-            " where they say is not known";
-  }
-  if (missing.rough > 0) {
-    if (!text.empty()) text += ", ";
-    text += io::counted(missing.rough, "bee has", "bees have") + " places off by kilometres";
-  }
-  if (missing.count == 0) return text;
-  if (!text.empty()) text += ", ";
-  if (missing.nowhere > 0) {
-    text += io::grouped(missing.nowhere) +
-            (missing.nowhere == 1 ? " bee is known nowhere, " : " bees are known nowhere, ");
-  }
-  return text + io::counted(missing.count, "record", "records") +
-         (missing.count == 1 ? " was" : " were") + " left out";
-}
-
-std::string gap_text(const Gap& gap, const io::Recording& recording) {
-  return text_of(name_at(gap.begins_s, gap.track, recording)) + " from " +
-         io::moment_text(gap.begins_s, recording) + " for " + io::time_span(length_of(gap));
-}
-
-std::string slow_text(const Coverage& coverage, const io::Recording& recording) {
-  if (coverage.slow.empty()) return {};
-  std::string names;
-  for (std::size_t i = 0; i < std::min(coverage.slow.size(), Coverage::kMostNamed); ++i) {
-    names += (i > 0 ? ", " : "") + text_of(name_of(coverage.slow[i], recording));
-  }
-  const std::size_t more =
-      coverage.slow.size() - std::min(coverage.slow.size(), Coverage::kMostNamed);
-  if (more > 0) names += " and " + io::grouped(std::uint64_t{more}) + " more";
-  const bool one = coverage.slow.size() == 1;
-  const std::string has = coverage.bursts ? (one ? " has bursts of fixes as far apart as "
-                                                 : " have bursts of fixes as far apart as ")
-                          : one           ? " has a fix every "
-                                          : " have fixes as far apart as ";
-  return names + has + io::time_span(coverage.slowest_interval_s) +
-         ", which is more than the max gap, and " + (one ? "is" : "are") +
-         " hardly ever known: --max-gap " + io::exact(max_gap_for(coverage.slowest_interval_s)) +
-         " joins such fixes by straight lines";
 }
 
 }  // namespace beespace::analysis

@@ -14,7 +14,8 @@
 // or ends while it moves. Between two fixes it is unknown, too, where two records or more without a
 // place are between them, unless it is asked how long a gap is. In a plane it is there, and it
 // is not known where, while it has records without a place. An aircraft that says to be on the
-// ground before or after is known from there on, and so is a drone that says that it has landed.
+// ground before or after is known from there on, and so is a drone that says that it has landed,
+// unless it is never seen in the air itself while others fly (see airborne.hpp).
 #pragma once
 
 #include "analysis/recorded/gaps.hpp"
@@ -24,6 +25,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +50,14 @@ struct Coverage {
       0;  // whose first fix is later, or whose last is earlier, than of others
   std::size_t bees_cut_off = 0;   // of these: in the air then, or on their way in a plane
   std::size_t bees_unplaced = 0;  // of these: there then, in records without a place
+  // Of these: never in the air in their own records, and not known while others fly.
+  std::vector<PointId> unseen = {};
+  // Recorded while no other is, though others are at the same time: compared with none.
+  std::vector<PointId> alone = {};
+  // As animals over years, and aircraft that pass. Logs of drones that fly together are of one
+  // time, or a clock is wrong.
+  bool alone_is_known = true;
+  std::optional<Gap> bridged = {};  // the longest interval that was joined, where that is unusual
   bool in_a_plane = false;
   // Each bee is known for an instant, while time goes on: that of two bees at one is chance.
   bool instants_only = false;
@@ -60,9 +70,12 @@ struct Coverage {
 
   // Whether it is known all the time where all bees were.
   [[nodiscard]] bool complete() const { return !may_hide_conflicts() && bees_partly == 0; }
+  // Whether a drone is that should have been with others.
+  [[nodiscard]] bool compared_with_none() const { return !alone_is_known && !alone.empty(); }
   // Whether a bee was there, but it is not known where.
   [[nodiscard]] bool may_hide_conflicts() const {
-    return gaps > 0 || !missing.none() || bees_cut_off > 0 || bees_unplaced > 0 || instants_only;
+    return gaps > 0 || !missing.none() || bees_cut_off > 0 || bees_unplaced > 0 || instants_only ||
+           !unseen.empty() || compared_with_none();
   }
 };
 
@@ -93,6 +106,12 @@ std::string missing_text(const io::MissingRecords& missing);
 
 // "a1b2c3 (UAL123) from 12.50 s for 3 min 20 s".
 std::string gap_text(const Gap& gap, const io::Recording& recording);
+
+// "3 is recorded while no other is: compared with none"; nothing where there is none.
+std::string alone_text(const Coverage& coverage, const io::Recording& recording);
+
+// "3 from 20:00:33 for 5 s"; nothing where none is longer than is usual.
+std::string bridged_text(const Coverage& coverage, const io::Recording& recording);
 
 // "d2 has a fix every 2 s, which is more than the max gap, and is hardly ever known: --max-gap 10
 // joins such fixes by straight lines"; nothing where there is none.

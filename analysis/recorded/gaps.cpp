@@ -73,6 +73,35 @@ MaxGap max_gap_of(const std::vector<BeeInterval>& bees, const std::optional<doub
   return {max_gap_for(*typical_s), with_three_digits(*typical_s)};
 }
 
+std::optional<Gap> longest_bridged(const io::Recording& recording, const MaxGap& max_gap) {
+  constexpr double kUnusual = 2.0;
+  if (recording.show || recording.reach) return std::nullopt;
+  const double usual_s =
+      max_gap.typical_s.value_or(max_gap_of(recording, std::nullopt).typical_s.value_or(0.0));
+  std::optional<Gap> longest;
+  double longest_s = kUnusual * usual_s;
+  for (PointId bee = 0; bee < recording.bees.size(); ++bee) {
+    const io::RecordedBee& of = recording.bees[bee];
+    std::optional<Gap> of_this;
+    double of_this_s = longest_s;
+    for (std::size_t i = 1; i < of.fixes.size(); ++i) {
+      const double from_s = of.fixes[i - 1].time_s;
+      const double to_s = of.fixes[i].time_s;
+      if (!(to_s - from_s > of_this_s) || to_s - from_s > max_gap.seconds) continue;
+      const bool lost = std::any_of(of.lost.begin(), of.lost.end(), [&](const TimeSpan& span) {
+        return span.begins_s < to_s && from_s < span.ends_s;
+      });
+      if (lost && !max_gap.asked) continue;
+      of_this = Gap{bee, from_s, to_s};
+      of_this_s = to_s - from_s;
+    }
+    if (!of_this || !(of_this_s > kUnusual * interval_of(of).median_s)) continue;
+    longest = of_this;
+    longest_s = of_this_s;
+  }
+  return longest;
+}
+
 std::string max_gap_text(const MaxGap& max_gap) {
   if (!std::isfinite(max_gap.seconds)) return max_gap.asked ? "never (--max-gap)" : "never";
   std::string text = io::exact(max_gap.seconds) + " s";

@@ -10,6 +10,8 @@
 
 #include "io/recording/recording.hpp"
 
+#include <beespace/find_conflicts.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -41,6 +43,10 @@ MaxGap max_gap_of(const std::vector<BeeInterval>& bees, const std::optional<doub
 
 // A --max-gap that leaves no gap between fixes that are so far apart as a rule.
 double max_gap_for(double interval_s);
+
+// The longest time between two fixes that is joined by a straight line though it is more than twice
+// what is usual, of all and of this bee. Nothing of shows, and where only ends are kept.
+std::optional<Gap> longest_bridged(const io::Recording& recording, const MaxGap& max_gap);
 
 // "5 s, 5 times the typical interval of 1 s (--max-gap)".
 std::string max_gap_text(const MaxGap& max_gap);

@@ -66,6 +66,14 @@ TimeOfPairs time_in_conflict(const std::vector<Conflict>& conflicts) {
   return times_s;
 }
 
+// Whether the same two are so close while they are low.
+bool is_of_low(const Conflict& over_ground, const std::vector<Conflict>& low) {
+  return std::any_of(low.begin(), low.end(), [&over_ground](const Conflict& in_space) {
+    return pair_of(in_space) == pair_of(over_ground) && in_space.begins_s <= over_ground.ends_s &&
+           over_ground.begins_s <= in_space.ends_s;
+  });
+}
+
 // " (Wolf1 and Wolf2: 2 h, not 53 min 37 s)".
 std::string longest_text(const KeptByHeight& kept, const io::Recording& recording) {
   if (!kept.longest) return {};
@@ -88,7 +96,8 @@ std::string longer_text(const KeptByHeight& kept, const io::Recording& recording
 Result<std::optional<KeptByHeight>> kept_by_height(const io::Recording& recording,
                                                    const ConflictOptions& options,
                                                    double tolerance_m,
-                                                   const std::vector<Conflict>& conflicts) {
+                                                   const std::vector<Conflict>& conflicts,
+                                                   const std::vector<Conflict>& low) {
   if (recording.flat || recording.show || options.vertical_m || recording.bees.size() < 2) {
     return std::optional<KeptByHeight>();
   }
@@ -121,6 +130,8 @@ Result<std::optional<KeptByHeight>> kept_by_height(const io::Recording& recordin
   if (!found) return std::move(found).error();
   const auto left_out = leave_out_standing(recording, *tracks, over_ground, found->conflicts);
   if (!left_out) return left_out.error();
+  std::erase_if(found->conflicts,
+                [&low](const Conflict& conflict) { return is_of_low(conflict, low); });
   constexpr double kLonger = 1.01;  // than what rounding makes of it
   const TimeOfPairs in_space_s = time_in_conflict(conflicts);
   const auto is_in_space = [&](const Conflict& conflict) {

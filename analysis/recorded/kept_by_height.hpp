@@ -39,11 +39,13 @@ struct KeptByHeight {
 
 // Nothing where it was not looked at: without heights, of shows, which are planned so, with a
 // vertical threshold, and in metres where there are conflicts. `options` are those with which
-// `conflicts` were found. Errors: those of find_conflicts() and of the conversion.
+// `conflicts` were found; `low` are those that are left out as both are low, which no height keeps
+// apart. Errors: those of find_conflicts() and of the conversion.
 Result<std::optional<KeptByHeight>> kept_by_height(const io::Recording& recording,
                                                    const ConflictOptions& options,
                                                    double tolerance_m,
-                                                   const std::vector<Conflict>& conflicts);
+                                                   const std::vector<Conflict>& conflicts,
+                                                   const std::vector<Conflict>& low = {});
 
 // "2 pairs come closer than 50 m over ground, and only their heights keep them apart (a and b: 10.2
 // m at ...): --vertical 100 counts them"; nothing where none is.

@@ -1,6 +1,7 @@
 #include "analysis/recorded/landed_times.hpp"
 
 #include "analysis/recorded/apart.hpp"
+#include "analysis/recorded/closest_of_each.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -173,6 +174,27 @@ Result<std::optional<Conflict>> closest_of_flying(const io::Recording& recording
   // In ascending order of bees, as the tracks are.
   (*closest)->first = flying.bees[(*closest)->first];
   (*closest)->second = flying.bees[(*closest)->second];
+  return closest;
+}
+
+Result<std::vector<std::optional<Conflict>>> closest_of_each_flying(
+    const io::Recording& recording, const std::vector<Track>& tracks, double threshold_m,
+    double max_gap_s, unsigned threads) {
+  if (!says_who_has_landed(recording)) {
+    return closest_of_each(tracks, threshold_m, max_gap_s, threads);
+  }
+  const FlyingTracks flying = flying_in(recording, tracks);
+  const auto of_flights = closest_of_each(flying.tracks, threshold_m, max_gap_s, threads);
+  if (!of_flights) return of_flights.error();
+  std::vector<std::optional<Conflict>> closest(tracks.size());
+  for (std::size_t flight = 0; flight < of_flights->size(); ++flight) {
+    std::optional<Conflict> found = (*of_flights)[flight];
+    if (!found) continue;
+    found->first = flying.bees[found->first];
+    found->second = flying.bees[found->second];
+    auto& of = closest[flying.bees[flight]];
+    if (!of || found->closest_m < of->closest_m) of = found;
+  }
   return closest;
 }
 

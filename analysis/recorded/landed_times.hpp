@@ -41,4 +41,9 @@ Result<std::optional<Conflict>> closest_of_flying(const io::Recording& recording
                                                   const std::vector<Track>& tracks,
                                                   double max_gap_s, const RunOptions& run);
 
+// As closest_of_each(), of those that fly: of each bee in all its flights.
+Result<std::vector<std::optional<Conflict>>> closest_of_each_flying(
+    const io::Recording& recording, const std::vector<Track>& tracks, double threshold_m,
+    double max_gap_s, unsigned threads);
+
 }  // namespace beespace::analysis

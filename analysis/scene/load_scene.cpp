@@ -235,6 +235,11 @@ Result<Scene> scene_of(const Loaded& loaded, const std::string& title,
   return scene_from(snapshot_facts(recording, title, request));
 }
 
+// Whether it declares how close is too close, or is of a kind of which something is usual.
+bool has_threshold_of_its_own(const report::SwarmFacts& swarm) {
+  return !swarm.threshold_words.empty();
+}
+
 }  // namespace
 
 Result<Scene> load_scene(const std::vector<std::string>& inputs, const SceneRequest& request,
@@ -255,12 +260,28 @@ Result<std::vector<Scene>> load_scenes(const std::vector<std::vector<std::string
                                        const SceneRequest& request, const SceneProgress& progress) {
   std::vector<Scene> scenes;
   SceneRequest like_the_first = request;
+  like_the_first.load.one_of_several = inputs.size() > 1;
   for (const auto& files : inputs) {
     auto scene = load_scene(files, like_the_first, progress);
     if (!scene) return std::move(scene).error();
-    like_the_first.origin = swarm_of(*scene).origin;
+    const report::SwarmFacts& swarm = swarm_of(*scene);
+    like_the_first.origin = swarm.origin;
     like_the_first.fleet_log.clear();
+    if (has_threshold_of_its_own(swarm)) like_the_first.threshold_m = swarm.threshold_m;
     scenes.push_back(*std::move(scene));
+  }
+  // What is compared is judged alike, though the second one may be the first that says how.
+  // Standard input is read once.
+  const auto is_kept = [](const std::string& name) { return name != "-"; };
+  if (scenes.size() == 2 && std::all_of(inputs[0].begin(), inputs[0].end(), is_kept) &&
+      like_the_first.threshold_m &&
+      swarm_of(scenes[0]).threshold_m != swarm_of(scenes[1]).threshold_m) {
+    SceneRequest like_the_second = request;
+    like_the_second.load.one_of_several = true;
+    like_the_second.threshold_m = like_the_first.threshold_m;
+    auto again = load_scene(inputs.front(), like_the_second, progress);
+    if (!again) return std::move(again).error();
+    scenes.front() = *std::move(again);
   }
   return scenes;
 }

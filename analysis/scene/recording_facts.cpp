@@ -314,8 +314,9 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
     facts.swarm.notes.push_back("conflicts of two that both stand on the ground, left out: " +
                                 io::grouped(facts.standing_count));
   }
+  LowConflicts low;
   if (request.ignore_below_m) {
-    const LowConflicts low = leave_out_low(recording, *request.ignore_below_m, recorded->conflicts);
+    low = leave_out_low(recording, *request.ignore_below_m, recorded->conflicts);
     leave_out_too(low, *standing);
     take_low(low, recording, facts);
   }
@@ -356,7 +357,8 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.separation_open = std::move(over_time.open);
   stand_in_tracks(recording, *in_space);
   facts.unknown = unknown_text(coverage, &recording);
-  const auto kept = kept_by_height(recording, options, request.tolerance_m, recorded->conflicts);
+  const auto kept =
+      kept_by_height(recording, options, request.tolerance_m, recorded->conflicts, low.left_out);
   if (!kept) return kept.error();
   if (*kept) note_kept_by_height(**kept, recording, facts);
   facts.hidden = facts.hidden || coverage.may_hide_conflicts() || !curves->followed;
@@ -373,6 +375,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   if (std::string slow = slow_text(coverage, recording); !slow.empty()) {
     swarm.notes.push_back(std::move(slow));
   }
+  facts.with_standing = *standing;
   take_conflicts(std::move(recorded->conflicts), facts);
   if (!standing->empty()) {
     swarm.notes.push_back(io::counted(standing->size(), "conflict is", "conflicts are") +

@@ -3,6 +3,7 @@
 #include "analysis/recorded/findings.hpp"
 #include "io/bytes/number_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 
@@ -21,7 +22,17 @@ std::string link_of(const report::SnapshotFacts& facts) {
 std::string link_of(const report::RecordingFacts& facts) {
   const auto time = time_of(facts.tracks);
   if (facts.conflicts.empty() || !time) return {};
-  const Conflict& worst = facts.conflicts.front();
+  // Of two in the air, if there is one, as other answers have it.
+  const auto& standing = facts.with_standing;
+  const auto in_the_air = standing.empty()
+                              ? facts.conflicts.begin()
+                              : std::find_if(facts.conflicts.begin(), facts.conflicts.end(),
+                                             [&standing](const Conflict& conflict) {
+                                               return std::find(standing.begin(), standing.end(),
+                                                                conflict) == standing.end();
+                                             });
+  const Conflict& worst =
+      in_the_air == facts.conflicts.end() ? facts.conflicts.front() : *in_the_air;
   // To the millisecond, as the page itself writes it.
   const double since_s = std::round((worst.closest_s - time->begins_s) * 1e3) / 1e3;
   return "#t=" + io::exact(since_s) + "&" + bees_in_link(worst.first, worst.second);

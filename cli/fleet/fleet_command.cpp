@@ -47,7 +47,9 @@ Result<Compared> compare(const io::Recording& flown, const io::Recording& set, d
   if (flown.frame != set.frame) {
     return cannot_compare(
         "of what was set and what was flown, one is in degrees and the other in metres; give both "
-        "in the same");
+        "in the same: of a show and logs in degrees, the logs as a table, with the columns "
+        "id,time_s,x_m,y_m,z_m: the ids of the show, seconds since it began, and metres from its "
+        "place of take-off along its own axes");
   }
   auto flown_tracks = tracks_in_space(flown);
   if (!flown_tracks) return flown_tracks.error();
@@ -147,9 +149,10 @@ std::string json_of(const Compared& compared) {
 }  // namespace
 
 Result<ExitCode> run_fleet(const FleetRequest& request) {
-  const auto flown = io::load_recording(request.moving.inputs, request.moving.load);
-  if (!flown) return flown.error();
   io::RecordingOptions load = request.moving.load;
+  load.one_of_several = true;
+  const auto flown = io::load_recording(request.moving.inputs, load);
+  if (!flown) return flown.error();
   if (!request.set_columns.empty()) load.columns = request.set_columns;
   const auto set = io::load_recording({request.set}, load);
   if (!set) return in_words_of_set(set.error());

@@ -26,6 +26,11 @@ void append_coverage(std::string& out, const analysis::Coverage& coverage,
   if (coverage.max_gap.typical_s || coverage.max_gap.asked) {
     append_summary_line(out, "max gap", analysis::max_gap_text(coverage.max_gap));
   }
+  if (coverage.bridged) {
+    append_summary_line(out, "bridged",
+                        "gaps up to that, by straight lines; the longest: " +
+                            printable(analysis::bridged_text(coverage, recording)));
+  }
   if (coverage.gaps > 0) {
     append_summary_line(out, "unknown",
                         red(io::counted(coverage.bees_with_gaps, "bee", "bees")) + " in " +
@@ -54,9 +59,22 @@ void append_coverage(std::string& out, const analysis::Coverage& coverage,
                                                                    : " of them in the air then")) +
             (coverage.bees_unplaced == 0 ? ""
                                          : "; " + red(io::grouped(coverage.bees_unplaced)) +
-                                               " of them there then, in records without a place"));
+                                               " of them there then, in records without a place") +
+            (coverage.unseen.empty()
+                 ? ""
+                 : "; " + red(io::grouped(coverage.unseen.size())) +
+                       " of them on the ground by all its records, while others fly"));
     for (const Gap& gap : coverage.longest_outside) {
       append_summary_line(out, "", printable(analysis::gap_text(gap, recording)));
+    }
+  }
+  if (const std::string alone = printable(analysis::alone_text(coverage, recording));
+      !alone.empty()) {
+    if (coverage.compared_with_none()) {
+      append_summary_line(out, "alone",
+                          red(alone) + "; is it of another day, or is a clock wrong? Leave it out");
+    } else if (!recording.of_aircraft && recording.frame == io::Frame::kWgs84) {
+      append_summary_line(out, "note", alone);
     }
   }
   append_missing(out, coverage.missing);
@@ -71,6 +89,8 @@ void write_coverage(io::JsonWriter& json, const analysis::Coverage& coverage,
   json.member("in_gaps_s", coverage.in_gaps_s).member("bees_partly_known", coverage.bees_partly);
   json.member("bees_cut_off_in_the_air", coverage.bees_cut_off);
   json.member("bees_there_without_a_place", coverage.bees_unplaced);
+  json.member("bees_on_ground_only", coverage.unseen.size());
+  json.member("bees_alone", coverage.alone.size());
   json.member("before_first_and_after_last_s", coverage.outside_s);
   json.new_line();
   write_missing(json, coverage.missing);
@@ -82,7 +102,17 @@ void write_coverage(io::JsonWriter& json, const analysis::Coverage& coverage,
     json.member("lasts_s", analysis::length_of(gap));
     json.end();
   }
-  json.end().end();
+  json.end();
+  json.key("longest_bridged");
+  if (coverage.bridged) {
+    json.begin_object().member("id", recording.bees[coverage.bridged->track].id);
+    json.member("begins_s", coverage.bridged->begins_s).member("ends_s", coverage.bridged->ends_s);
+    json.member("lasts_s", analysis::length_of(*coverage.bridged));
+    json.end();
+  } else {
+    json.null();
+  }
+  json.end();
 }
 
 void append_missing(std::string& out, const io::MissingRecords& missing) {

@@ -3,11 +3,11 @@
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/all_conflicts.hpp"
-#include "analysis/recorded/closest_of_each.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/kept_by_height.hpp"
+#include "analysis/recorded/landed_times.hpp"
 #include "analysis/recorded/low_conflicts.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
@@ -159,12 +159,13 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   findings.low = std::move(low);
   findings.closest_in_the_air = found->closest_in_the_air;
   findings.curves = &found->curves;
-  auto kept =
-      analysis::kept_by_height(*recording, options, request.tolerance_m, found->recorded.conflicts);
+  auto kept = analysis::kept_by_height(*recording, options, request.tolerance_m,
+                                       found->recorded.conflicts, findings.low.left_out);
   if (!kept) return in_words_of_the_command(kept.error(), moving);
   findings.kept_by_height = *std::move(kept);
-  if (request.report == "bees" && recording->show && !moving.vertical) {
-    auto each = analysis::closest_of_each(*tracks, threshold_m, max_gap.seconds, moving.threads);
+  if (request.report == "bees" && (recording->show || recording->of_drones) && !moving.vertical) {
+    auto each = analysis::closest_of_each_flying(*recording, *tracks, threshold_m, max_gap.seconds,
+                                                 moving.threads);
     if (!each) return each.error();
     findings.closest_of_each = *std::move(each);
   }

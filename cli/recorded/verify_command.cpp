@@ -123,6 +123,18 @@ Status check_curves(const io::Recording& recording, const VerifyRequest& request
   return std::monostate{};
 }
 
+// Some formats of shows have places alone, others curves between them.
+std::string motion_of_show(const io::Recording& recording) {
+  const bool bends =
+      std::any_of(recording.bees.begin(), recording.bees.end(), [](const io::RecordedBee& bee) {
+        if (!bee.path) return false;
+        const auto& pieces = bee.path->pieces;
+        return std::any_of(pieces.begin(), pieces.end(),
+                           [](const BezierPiece& piece) { return piece.control_count > 0; });
+      });
+  return bends ? "along the curves of the show" : "along the straight lines of the show";
+}
+
 // Of flights in degrees; sets `check.straight` where there is no other way.
 std::string motion_on_earth(const io::Recording& recording, VerifyOptions& check) {
   if (check.straight) return "straight lines from fix to fix (--straight)";
@@ -162,7 +174,7 @@ Result<ExitCode> verify_along_curves(const VerifyRequest& request, const io::Rec
   if (Status good = check_curves(recording, request); !good) return good.error();
   const bool curves = has_curves(recording);
   const bool on_earth = recording.frame == io::Frame::kWgs84;
-  auto motion = curves ? Result<std::string>("along the curves of the show")
+  auto motion = curves ? Result<std::string>(motion_of_show(recording))
                 : on_earth
                     ? Result<std::string>(motion_on_earth(recording, check))
                     : settle_motion(recording, !recording.show && needs_velocities(request), check);

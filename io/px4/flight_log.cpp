@@ -14,6 +14,8 @@ constexpr std::string_view kGlobalTopic = "vehicle_global_position";
 constexpr std::string_view kLocalTopic = "vehicle_local_position";
 constexpr std::string_view kLandTopic = "vehicle_land_detected";
 constexpr std::string_view kGpsTopic = "vehicle_gps_position";
+// What a receiver says, which is the same before it is blended: logs may have it alone.
+constexpr std::string_view kReceiverTopic = "sensor_gps";
 constexpr std::string_view kStatusTopic = "vehicle_status";
 
 // PX4's own failsafe of a lost position begins at less, by default.
@@ -131,6 +133,8 @@ class Gathering {
         add(local_[topic.instance], &local_place);
       } else if (topic.name == kGpsTopic) {
         add_time(gps_[topic.instance]);
+      } else if (topic.name == kReceiverTopic && has_time(topic)) {
+        add_time(receivers_[topic.instance]);
       } else if (topic.name == kLandTopic) {
         add_landed(landed_[topic.instance]);
       } else if (topic.name == kStatusTopic) {
@@ -142,6 +146,7 @@ class Gathering {
     log.global = first_of(global_, kGlobalTopic, log);
     log.local = first_of(local_, kLocalTopic, log);
     log.clock = clock_of(first_of(gps_, kGpsTopic, log));
+    if (!log.clock) log.clock = clock_of(first_of(receivers_, kReceiverTopic, log));
     log.losses = walk_.losses();
     log.on_surface = on_surface_;
     for (const auto& [micros, landed] : first_of(landed_, kLandTopic, log)) {
@@ -175,6 +180,11 @@ class Gathering {
     place.sample_micros = numbers.micros("timestamp_sample");
     place.message = places.size();
     places.push_back(place);
+  }
+
+  static bool has_time(const UlogTopic& topic) {
+    return topic.layout && topic.layout->number("timestamp") != nullptr &&
+           topic.layout->number("time_utc_usec") != nullptr;
   }
 
   // GPS says what UTC was at an instant that may lie beside that of the message.
@@ -235,6 +245,7 @@ class Gathering {
   std::map<std::uint8_t, std::vector<Px4Place>> global_;
   std::map<std::uint8_t, std::vector<Px4Place>> local_;
   std::map<std::uint8_t, std::vector<std::int64_t>> gps_;
+  std::map<std::uint8_t, std::vector<std::int64_t>> receivers_;
   std::map<std::uint8_t, std::vector<std::pair<std::int64_t, bool>>> landed_;
   bool never_lands_ = false;
   bool on_surface_ = false;

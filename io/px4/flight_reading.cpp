@@ -155,7 +155,8 @@ class FlightReading {
     if (!log_.clock) {
       return Error{
           ErrorCode::kInvalidArgument,
-          "this PX4 log has no time of GPS (vehicle_gps_position), only one since the drone "
+          "this PX4 log has no time of GPS (vehicle_gps_position, sensor_gps), only one since the "
+          "drone "
           "was switched on, so that it shares no clock with other inputs; read it alone, leave it "
           "out, or, if you know how far the clocks are apart, make tables with a common time: "
           "ulog2csv -m vehicle_local_position FILE (pip install pyulog), and of each, with what "

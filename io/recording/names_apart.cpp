@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <string_view>
 #include <unordered_set>
 
@@ -21,6 +22,12 @@ PathParts parts_of_path(std::string_view path) {
     if (end == std::string_view::npos) return parts;
     path.remove_prefix(end + 1);
   }
+}
+
+// Or an archive.
+std::string_view folder_of(std::string_view path) {
+  const std::size_t end = path.find_last_of("/!");
+  return end == std::string_view::npos ? std::string_view() : path.substr(0, end);
 }
 
 // How many of the parts, from the one end, are the same in all.
@@ -61,6 +68,18 @@ std::unordered_map<std::string, std::string> names_apart(const std::vector<std::
       stems[name].insert(stem);
       names.emplace(sources[same[k]], std::move(name));
     }
+  }
+  // Who lies beside one of these, as a second log of the same drone, is of the same.
+  std::map<std::string_view, std::string> by_folder;
+  for (const auto& [source, name] : names) {
+    std::string& of = by_folder[folder_of(source)];
+    if (of.empty() || name < of) of = name;
+  }
+  for (const std::string& source : sources) {
+    const auto beside = by_folder.find(folder_of(source));
+    if (names.contains(source) || beside == by_folder.end()) continue;
+    stems[beside->second].insert(stem_of(source));
+    names.emplace(source, beside->second);
   }
   // Folders that hold several each: which of them is said, too.
   for (auto& [source, name] : names) {

@@ -1,8 +1,11 @@
 #include "io/recording/show_ground.hpp"
 
+#include <beespace/conflict.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace beespace::io {
@@ -42,6 +45,35 @@ Flight flight_of(const std::vector<Fix>& fixes, double ground_m) {
     --flight.last;
   }
   return flight;
+}
+
+// When any is in the air, by what is kept of the fixes or by a path; nothing where none is.
+std::optional<TimeSpan> time_in_the_air(const Recording& recording,
+                                        const std::vector<Flight>& flights) {
+  std::optional<TimeSpan> time;
+  const auto add = [&time](double begins_s, double ends_s) {
+    const TimeSpan so_far = time.value_or(TimeSpan{begins_s, ends_s});
+    time = TimeSpan{std::min(so_far.begins_s, begins_s), std::max(so_far.ends_s, ends_s)};
+  };
+  for (std::size_t i = 0; i < flights.size(); ++i) {
+    const RecordedBee& bee = recording.bees[i];
+    if (bee.path && !bee.path->pieces.empty()) {
+      add(bee.path->begins_s, bee.path->pieces.back().ends_s);
+    } else if (flights[i].first < flights[i].last) {
+      add(bee.fixes[flights[i].first].time_s, bee.fixes[flights[i].last].time_s);
+    }
+  }
+  return time;
+}
+
+// Whether its table is as long as others fly, but for a few rows: one that is cut off says nothing
+// of what follows.
+bool lasts_as_long(const RecordedBee& bee, const TimeSpan& flown) {
+  constexpr double kFewRows = 5.0;
+  const double first_s = bee.fixes.front().time_s;
+  const double last_s = bee.fixes.back().time_s;
+  const double few_s = kFewRows * (last_s - first_s) / static_cast<double>(bee.fixes.size() - 1);
+  return first_s <= flown.begins_s + few_s && last_s >= flown.ends_s - few_s;
 }
 
 template <class Value>
@@ -96,12 +128,11 @@ void leave_ground_time_out(Recording& recording) {
     return;
   }
   std::vector<Flight> flights;
-  bool any_flies = false;
   for (const RecordedBee& bee : recording.bees) {
     flights.push_back(bee.fixes.empty() ? Flight{} : flight_of(bee.fixes, ground_m));
-    any_flies = any_flies || bee.path || flights.back().first < flights.back().last;
   }
-  if (!any_flies) return;
+  const auto flown = time_in_the_air(recording, flights);
+  if (!flown) return;
   std::uint64_t stood = 0;
   std::uint64_t grounded = 0;
   for (std::size_t i = 0; i < flights.size(); ++i) {
@@ -111,6 +142,7 @@ void leave_ground_time_out(Recording& recording) {
       continue;
     }
     if (flight.first == flight.last) {
+      if (!lasts_as_long(bee, *flown)) continue;
       ++grounded;
       bee.stands = bee.fixes.front().position;
       bee.fixes.clear();

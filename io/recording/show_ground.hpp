@@ -15,7 +15,8 @@ std::string grounded_note(std::uint64_t drones);
 
 // Of tables of shows, as of shows that are curves: fixes at the same place on the ground are left
 // out at the beginning and at the end, but for the last and the first of them; a drone that has no
-// others stands all the time. Nothing where all do. Says it in the notes.
+// others stands all the time, if its table lasts as long as others fly. Nothing where all do. Says
+// it in the notes.
 void leave_ground_time_out(Recording& recording);
 
 }  // namespace beespace::io

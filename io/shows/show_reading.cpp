@@ -65,7 +65,7 @@ class ShowReading {
     if (options.units.any()) {
       return invalid("the numbers of a Skybrush show have their units; leave --units out");
     }
-    if (options.time_unit != Unit::kUnstated) {
+    if (options.time_unit != Unit::kUnstated && !options.one_of_several) {
       return invalid("the times of a Skybrush show are in seconds; leave --time-unit out");
     }
     return std::nullopt;

@@ -77,7 +77,8 @@ class VvizReading {
           "a show as VVIZ has positions alone; say their unit with --units position=ft, and leave "
           "other units out");
     }
-    if (options.time_unit != Unit::kUnstated || options.frames_per_second) {
+    const bool timed = options.time_unit != Unit::kUnstated || options.frames_per_second;
+    if (timed && !options.one_of_several) {
       return invalid("the times of VVIZ are in seconds; leave --time-unit and --fps out");
     }
     return std::nullopt;

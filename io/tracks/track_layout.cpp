@@ -105,6 +105,21 @@ bool names_colours(const TableLayout& table) {
   return has("red") && has("green") && has("blue");
 }
 
+// Whether the header is that of a Skybrush CSV, which some write without the colours: "Time
+// [msec],x [m],y [m],z [m]", or "Time_msec,x_m,y_m,z_m".
+bool has_header_of_skybrush(const TableLayout& table) {
+  using Header = std::array<std::string_view, 4>;
+  constexpr std::array<Header, 2> kHeaders = {Header{"time [msec]", "x [m]", "y [m]", "z [m]"},
+                                              Header{"time_msec", "x_m", "y_m", "z_m"}};
+  return std::any_of(kHeaders.begin(), kHeaders.end(), [&table](const Header& header) {
+    return table.names.size() >= header.size() &&
+           std::equal(header.begin(), header.end(), table.names.begin(),
+                      [](std::string_view word, const std::string& name) {
+                        return lower_case(name) == word;
+                      });
+  });
+}
+
 // Lights of a drone, as programs for shows write them beside its path: a time, and its colours.
 std::optional<Error> lights_problem(const TableLayout& table) {
   constexpr std::size_t kTimeAndColours = 4;
@@ -408,7 +423,8 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
     if (seen == SeenRecords::kWhole) return *std::move(problem);
     layout.perhaps_numbers = std::move(problem);
   }
-  layout.show = layout.time && layout.frame != Frame::kWgs84 && names_colours(layout.table);
+  layout.show = layout.time && layout.frame != Frame::kWgs84 &&
+                (names_colours(layout.table) || has_header_of_skybrush(layout.table));
   layout.doubted_above_mps = doubted_above(layout);
   if (layout.time) {
     if (seen != SeenRecords::kWhole) layout.time->bare_midnights = false;

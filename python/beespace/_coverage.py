@@ -35,6 +35,11 @@ class Coverage:
         Of how many agents the first fix is later, or the last one earlier, than those of others.
     agents_cut_off : int
         Of these: in the air then.
+    agents_on_ground : int
+        Of those that are partly known: on the ground by all their records, which do not reach as
+        far as others fly.
+    agents_alone : int
+        How many drones fly while no other is known, and are compared with none.
     agents_unplaced : int
         Of those that are partly known: there then, in records without a place.
     outside : float
@@ -69,7 +74,9 @@ class Coverage:
     """
 
     __slots__ = (
+        "agents_alone",
         "agents_cut_off",
+        "agents_on_ground",
         "agents_partly_known",
         "agents_unplaced",
         "agents_with_gaps",
@@ -121,6 +128,8 @@ class Coverage:
         self.untimed_count = int(found.untimed)
         self.rough_count = int(found.rough)
         self.agents_unplaced = int(found.agents_unplaced)
+        self.agents_on_ground = int(found.agents_on_ground)
+        self.agents_alone = int(found.agents_alone)
         self.unknown = _text_of(found)
         found.gaps = 0
         self.beside_gaps = _text_of(found)

@@ -92,6 +92,8 @@ class CCoverage(ctypes.Structure):
         ("agents_unplaced", c_int64),
         ("untimed", c_int64),
         ("rough", c_int64),
+        ("agents_on_ground", c_int64),
+        ("agents_alone", c_int64),
     ]
 
 

@@ -15,7 +15,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace beespace::report {
@@ -128,22 +131,65 @@ std::string duration_of(const Conflict& conflict) {
   return lasts_s > 0.0 ? ", for " + io::time_span(lasts_s) : std::string();
 }
 
+// Which conflicts are with a drone on the ground.
+class WithStanding {
+ public:
+  explicit WithStanding(const RecordingFacts& facts) {
+    for (const Conflict& conflict : facts.with_standing) keys_.insert(key_of(conflict));
+  }
+  [[nodiscard]] bool any() const { return !keys_.empty(); }
+  [[nodiscard]] bool has(const Conflict& conflict) const {
+    return keys_.find(key_of(conflict)) != keys_.end();
+  }
+
+ private:
+  using Key = std::tuple<PointId, PointId, double>;
+  static Key key_of(const Conflict& conflict) {
+    return {conflict.first, conflict.second, conflict.begins_s};
+  }
+  std::set<Key> keys_;
+};
+
+// Of each pair the closest of its conflicts, by place: those in the air first, and behind them of
+// each pair that which is with a drone on the ground, if it has no other.
+std::vector<std::size_t> closest_of_each_pair(const RecordingFacts& facts,
+                                              const WithStanding& with_standing) {
+  std::vector<std::size_t> places;
+  std::set<std::pair<PointId, PointId>> pairs;
+  for (const bool standing : {false, true}) {
+    if (standing && !with_standing.any()) break;
+    for (std::size_t i = 0; i < facts.conflicts.size(); ++i) {
+      const Conflict& conflict = facts.conflicts[i];
+      if (with_standing.has(conflict) != standing) continue;
+      if (pairs.emplace(conflict.first, conflict.second).second) places.push_back(i);
+    }
+  }
+  return places;
+}
+
 Listing closest_conflicts(const RecordingFacts& facts) {
-  Listing listing{"Closest conflicts" + order_words(facts.swarm), {}, facts.conflict_count};
-  const auto add = [&](const Conflict& conflict, const std::optional<Apart>& apart) {
+  Listing listing{"Closest pairs in conflict" + order_words(facts.swarm), {}, facts.pair_count};
+  const auto add = [&](const Conflict& conflict, const std::optional<Apart>& apart,
+                       const char* kind) {
     listing.rows.push_back({name_of(facts.swarm.names, conflict.first, conflict.second),
                             listed_apart(facts.swarm, conflict.closest_m, apart) + " at " +
-                                moment_label(conflict.closest_s, facts.since_1970) +
-                                (conflict.certain ? "" : ", possible") + duration_of(conflict)});
+                                moment_label(conflict.closest_s, facts.since_1970) + kind +
+                                duration_of(conflict)});
   };
-  for (std::size_t i = 0; i < std::min(kMostRows, facts.conflicts.size()); ++i) {
-    const bool known = i < facts.conflicts_apart.size();
-    add(facts.conflicts[i], known ? std::optional(facts.conflicts_apart[i]) : std::nullopt);
+  const WithStanding with_standing(facts);
+  for (const std::size_t place : closest_of_each_pair(facts, with_standing)) {
+    if (listing.rows.size() == kMostRows) break;
+    const Conflict& conflict = facts.conflicts[place];
+    const bool known = place < facts.conflicts_apart.size();
+    add(conflict, known ? std::optional(facts.conflicts_apart[place]) : std::nullopt,
+        with_standing.has(conflict) ? kWithOneOnTheGround
+        : conflict.certain          ? ""
+                                    : ", possible");
   }
   if (facts.conflicts.empty() && facts.closest) {
     listing.heading =
         facts.closest_left_out ? "Closest encounter, left out" : "Closest encounter, not too close";
-    add(*facts.closest, facts.closest_apart);
+    add(*facts.closest, facts.closest_apart, "");
   }
   return listing;
 }

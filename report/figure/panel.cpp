@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <variant>
+#include <vector>
 
 namespace beespace::report {
 namespace {
@@ -98,6 +100,32 @@ std::ptrdiff_t spots_within(const Lines& lines, Spot at, double width) {
         count +=
             covered({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)}) ? 1 : 0;
       }
+    }
+  }
+  return count;
+}
+
+// How much a label would cover that begins there: of paths and curves, and of marks, but not of
+// what is behind all of them.
+std::ptrdiff_t in_the_way(const Drawing& drawing, Spot at, double width) {
+  const auto is_data = [](const Ink& ink) {
+    return ink.rgb != kGrid.rgb && ink.rgb != kAxis.rgb && ink.rgb != kThreshold.rgb;
+  };
+  std::ptrdiff_t count = 0;
+  for (const Shape& shape : drawing.shapes) {
+    if (const auto* lines = std::get_if<Lines>(&shape)) {
+      const bool curve = !lines->dashed && lines->ink.rgb == kText.rgb && !lines->runs.empty() &&
+                         lines->runs.front().size() > 2;
+      if (curve || is_data(lines->ink)) count += spots_within(*lines, at, width);
+    }
+    Lines marks{{{}}, kText};
+    if (const auto* dots = std::get_if<Dots>(&shape)) marks.runs.front() = dots->centres;
+    if (const auto* diamonds = std::get_if<Diamonds>(&shape)) {
+      for (const Diamond& mark : diamonds->marks) marks.runs.front().push_back(mark.centre);
+    }
+    constexpr std::ptrdiff_t kMark = 4;  // a mark hides more than a spot of a line
+    for (const Spot& mark : marks.runs.front()) {
+      count += kMark * spots_within(Lines{{{mark}}, kText}, at, width);
     }
   }
   return count;
@@ -229,30 +257,38 @@ void draw_line_upwards(const Panel& panel, double value, const std::string& name
 double draw_ring(const Box& box, Spot spot, const std::string& text, Drawing& drawing,
                  std::optional<double> line_y) {
   constexpr double kRadius = 8.0;
-  drawing.shapes.emplace_back(Dots{{spot}, kRadius, kText, 1.6});
+  constexpr double kAside = 14.0;  // so far above or below, where it is in a corner
   double y = std::min(spot.y + 4.0, box.bottom() - 6.0);
   if (line_y) y = clear_of(*line_y, y, box);
-  if (text.empty()) return y;
   const double beside = kRadius + 5.0;
   const double width = kBold * text_width(text, kLabelSize);
-  const bool to_the_right = spot.x + beside + width <= box.right();
-  const bool to_the_left = !to_the_right && spot.x - beside - width >= box.left;
-  double x = to_the_left ? spot.x - beside : spot.x + beside;
-  if (!to_the_right && !to_the_left) {
-    // Above it or below, within the panel: outside there are the labels of its axes.
-    const double above = spot.y - beside;
-    y = above - kLabelSize >= box.top ? above : spot.y + beside + kLabelSize;
-    x = std::max(box.left, std::min(spot.x - 0.5 * width, box.right() - width));
+  const double right = spot.x + beside;
+  const double left = spot.x - beside - width;
+  const double middle = std::max(box.left, std::min(spot.x - 0.5 * width, box.right() - width));
+  const double above = spot.y - beside;
+  const double below = spot.y + beside + kLabelSize;
+  // The first of those of which least is in the way; the last two fit across, wherever it is.
+  std::vector<Spot> places;
+  for (const Spot at :
+       {Spot{right, y}, Spot{left, y}, Spot{right, y - kAside}, Spot{right, y + kAside},
+        Spot{left, y - kAside}, Spot{left, y + kAside}, Spot{middle, above}, Spot{middle, below}}) {
+    const bool struck = line_y && clear_of(*line_y, at.y, box) != at.y;
+    const bool fits = at.x >= box.left && at.x + width <= box.right() &&
+                      at.y - kLabelSize >= box.top && at.y + 4.0 <= box.bottom();
+    if (fits && !struck) places.push_back(at);
   }
-  drawing.shapes.emplace_back(Text{{x, y},
-                                   text,
-                                   kLabelSize,
-                                   to_the_left ? Anchor::kEnd : Anchor::kStart,
-                                   true,
-                                   false,
-                                   true,
-                                   kText});
-  return y;
+  if (places.empty()) places.push_back({middle, above - kLabelSize >= box.top ? above : below});
+  std::vector<std::ptrdiff_t> covered(places.size());
+  if (!text.empty()) {
+    std::transform(places.begin(), places.end(), covered.begin(),
+                   [&](const Spot& at) { return in_the_way(drawing, at, width); });
+  }
+  const Spot at = places[static_cast<std::size_t>(std::min_element(covered.begin(), covered.end()) -
+                                                  covered.begin())];
+  drawing.shapes.emplace_back(Dots{{spot}, kRadius, kText, 1.6});
+  if (text.empty()) return y;
+  drawing.shapes.emplace_back(Text{at, text, kLabelSize, Anchor::kStart, true, false, true, kText});
+  return at.y;
 }
 
 }  // namespace beespace::report

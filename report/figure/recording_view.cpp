@@ -1,11 +1,13 @@
 #include "report/figure/recording_view.hpp"
 
+#include "report/drawing/text_fit.hpp"
 #include "report/figure/density.hpp"
 #include "report/figure/path_labels.hpp"
 #include "report/figure/style.hpp"
 #include "report/number_label.hpp"
 #include "report/separation_words.hpp"
 #include "report/shown_fixes.hpp"
+#include "report/xml_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -149,6 +151,15 @@ std::string one_of(const Noun& noun) {
   return (vowel ? "an " : "a ") + noun.one;
 }
 
+// "Drone 3 – Drone 7", as short as there is room for.
+std::string names_of(const Conflict& pair, const RecordingFacts& facts) {
+  constexpr double kWidest = 130.0;
+  const auto name = [&](PointId bee) {
+    return fitted(one_line(facts.swarm.names.of(bee)), kLabelSize, kWidest);
+  };
+  return name(pair.first) + " \u2013 " + name(pair.second);
+}
+
 void draw_closest(const RecordingFacts& facts, const View& view, Drawing& drawing) {
   if (!facts.closest) return;
   // Of a show with drones on the ground, those that are closest in the air.
@@ -162,16 +173,18 @@ void draw_closest(const RecordingFacts& facts, const View& view, Drawing& drawin
   if (!first || !second) return;
   const Spot a = view.spot_of(*first);
   const Spot b = view.spot_of(*second);
-  draw_ring(view.panel.box, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)},
-            view.from == View::From::kAbove
-                ? std::string(in_the_air ? "closest in the air" : "closest") +
-                      (facts.closest_left_out && !in_the_air ? ", left out: "
-                       : keeps_apart                         ? ", not too close: "
-                                                             : ": ") +
-                      apart_words(facts.swarm, closest.closest_m, apart) +
-                      (facts.closest_stands && !in_the_air ? kWithOneOnTheGround : "")
-                : std::string(),
-            drawing);
+  std::string words;
+  if (view.from == View::From::kAbove) {
+    words = in_the_air ? "closest in the air" : "closest";
+    words += facts.closest_left_out && !in_the_air ? ", left out: "
+             : keeps_apart                         ? ", not too close: "
+                                                   : ": ";
+    // A few paths have their names at their ends.
+    if (facts.tracks.size() > kMostNamedPaths) words += names_of(closest, facts) + ", ";
+    words += apart_words(facts.swarm, closest.closest_m, apart);
+    if (facts.closest_stands && !in_the_air) words += kWithOneOnTheGround;
+  }
+  draw_ring(view.panel.box, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}, words, drawing);
 }
 
 }  // namespace

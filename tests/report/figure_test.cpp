@@ -363,7 +363,57 @@ TEST(Figure, TheHeadingOfTheListGivesTheTotal) {
   EXPECT_TRUE(says(drawing, "Closest pairs: " + std::to_string(rows) + " of 100"));
   RecordingFacts flown = two_tracks();
   flown.conflict_count = 26;
-  EXPECT_TRUE(says(figure_of(flown), "Closest conflicts: 1 of 26"));
+  flown.pair_count = 26;
+  EXPECT_TRUE(says(figure_of(flown), "Closest pairs in conflict: 1 of 26"));
+}
+
+TEST(Figure, ListsEachPairOnceAndThoseOnTheGroundBehindThoseInTheAir) {
+  RecordingFacts facts = two_tracks();
+  const Track third = facts.tracks[0];
+  facts.tracks.push_back(third);
+  facts.swarm.names.texts = {"a", "b", "c"};
+  facts.conflicts = {{0, 2, 0.0, 0.5, 1.0, 1.0},
+                     {0, 1, 0.0, 0.5, 1.0, 1.5},
+                     {0, 1, 2.0, 2.5, 3.0, 1.8},
+                     {0, 1, 4.0, 4.5, 5.0, 1.9}};
+  facts.conflict_count = 4;
+  facts.pair_count = 2;
+  facts.with_standing = {facts.conflicts[0], facts.conflicts[1]};
+  const Drawing drawing = figure_of(facts);
+  EXPECT_FALSE(says(drawing, "1.500 m"));
+  EXPECT_FALSE(says(drawing, "1.900 m"));
+  EXPECT_TRUE(says(drawing, ", with one on the ground"));
+  const auto texts = shapes_of<Text>(drawing);
+  const auto place_of = [&texts](const std::string& part) {
+    return std::find_if(texts.begin(), texts.end(),
+                        [&part](const Text& text) {
+                          return text.text.find(part) != std::string::npos &&
+                                 text.text.find(" at ") != std::string::npos;
+                        }) -
+           texts.begin();
+  };
+  EXPECT_LT(place_of("1.800 m"), place_of("1.000 m"));
+}
+
+TEST(Figure, OfManyPathsTheClosestTwoAreNamedWhereTheyAre) {
+  RecordingFacts facts = two_tracks();
+  const Track one = facts.tracks[0];
+  facts.tracks.resize(20, one);
+  facts.swarm.names.texts.resize(20, "c");
+  const auto texts = shapes_of<Text>(figure_of(facts));
+  EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [](const Text& text) {
+    return text.text.starts_with("closest") && text.text.find(" \u2013 ") != std::string::npos;
+  }));
+}
+
+// An encounter that is not too close is not "possible".
+TEST(Figure, AnEncounterThatIsNoConflictIsNotCalledPossible) {
+  RecordingFacts facts = two_tracks();
+  facts.conflicts.clear();
+  facts.conflict_count = 0;
+  facts.at_risk.clear();
+  facts.closest->certain = false;
+  EXPECT_FALSE(says(figure_of(facts), "possible"));
 }
 
 TEST(Figure, NoLabelOfTheSeparationIsStruckThroughByTheThreshold) {

@@ -90,6 +90,21 @@ TEST(KeptByHeight, OfAnimalsInConflictItIsToldWhereTheyAreCloseForLonger) {
   EXPECT_GT(kept.longest->by_s(), 0.0);
 }
 
+// What is left out as both are low is kept apart by no height.
+TEST(KeptByHeight, TwoThatAreLeftOutAsBothAreLowAreNotKeptApartByIt) {
+  ConflictOptions options;
+  options.threshold_m = 5.0;
+  const auto all = kept_by_height(layers(), options, 0.0, {});
+  ASSERT_TRUE(all && all->has_value() && (*all)->closest);
+  const Conflict& closest = *(*all)->closest;
+  const auto others = kept_by_height(layers(), options, 0.0, {}, {closest});
+  ASSERT_TRUE(others && others->has_value());
+  EXPECT_EQ((*others)->pairs + 1, (*all)->pairs);
+  ASSERT_TRUE((*others)->closest);
+  EXPECT_FALSE((*others)->closest->first == closest.first &&
+               (*others)->closest->second == closest.second);
+}
+
 TEST(KeptByHeight, IsNotLookedAtWhereHeightsSayNothingOrAreAskedFor) {
   ConflictOptions options;
   options.threshold_m = 5.0;

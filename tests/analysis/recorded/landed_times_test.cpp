@@ -63,6 +63,21 @@ io::Recording taking_off() {
   return recording;
 }
 
+TEST(LandedTimes, OfEachThatFliesTheClosestIsToldAndNotOfTwoThatStand) {
+  io::Recording recording;
+  recording.bees = {drone("a", 0.0, 0.0), drone("b", 1.0, 0.0), drone("c", -20.0, 4.0)};
+  recording.bees[0].landed = {{0.0, 9.0}};
+  recording.bees[1].landed = {{0.0, 4.0}};
+  std::vector<Track> tracks;
+  for (const io::RecordedBee& bee : recording.bees) tracks.push_back({bee.fixes});
+  const auto closest = closest_of_each_flying(recording, tracks, 2.0, 5.0, 1);
+  ASSERT_TRUE(closest);
+  EXPECT_FALSE((*closest)[0]) << "it never flies";
+  ASSERT_TRUE((*closest)[1] && (*closest)[2]);
+  EXPECT_EQ((*closest)[1]->second, 2U);
+  EXPECT_EQ((*closest)[2]->first, 1U);
+}
+
 TEST(LandedTimes, AConflictBeginsWhenOneOfBothTakesOff) {
   const auto found = conflicts_in(taking_off());
   ASSERT_EQ(found.size(), 1U);

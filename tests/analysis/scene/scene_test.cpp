@@ -156,6 +156,24 @@ TEST_F(SceneTest, ScenesThatAreComparedHaveOneOrigin) {
   EXPECT_EQ(first->latitude_deg, second->latitude_deg);
 }
 
+// Drones of a show keep 2 m, if none is said; a table says of nothing how close is too close.
+TEST_F(SceneTest, ScenesThatAreComparedAreJudgedByOneThreshold) {
+  const std::string show =
+      file("show.csv", "Time [msec],x [m],y [m],z [m]\n0,0,0,0\n2000,0,0,10\n4000,0,0,0\n");
+  const std::string flight = file("flight.csv", kRecording);
+  io::RecordingOptions load;
+  load.one_clock = true;
+  SceneRequest request;
+  request.load = load;
+  for (const auto& inputs : {std::vector<std::vector<std::string>>{{show}, {flight}},
+                             std::vector<std::vector<std::string>>{{flight}, {show}}}) {
+    const auto scenes = load_scenes(inputs, request);
+    ASSERT_TRUE(scenes.has_value()) << to_string(scenes.error());
+    EXPECT_EQ(swarm_of((*scenes)[0]).threshold_m, 2.0);
+    EXPECT_EQ(swarm_of((*scenes)[1]).threshold_m, 2.0);
+  }
+}
+
 TEST_F(SceneTest, TheLinkToTheWorstPairNamesItsMoment) {
   EXPECT_EQ(worst_link(loaded(file("bees.csv", kSnapshot))), "#bees=0,1");
   EXPECT_EQ(worst_link(loaded(file("flight.csv", kRecording))), "#t=5&bees=0,1");

@@ -91,6 +91,21 @@ TEST_F(SeveralLogs, WithoutATimeOfGpsShareNoClock) {
   EXPECT_TRUE(load_recording({without}, {}));
 }
 
+// What a receiver says is logged before it is blended, and perhaps alone.
+TEST_F(SeveralLogs, HaveTheTimeOfAReceiverWhereThatIsAllTheyHave) {
+  constexpr unsigned kReceiver = 13;
+  UlogMaking other = px4_log();
+  other.format(
+      "sensor_gps:uint64_t timestamp;uint64_t time_utc_usec;int32_t lat;int32_t lon;"
+      "int32_t alt;int32_t timestamp_time_relative;uint8_t fix_type;uint8_t[7] _padding0;");
+  other.subscribe(kReceiver, "sensor_gps");
+  other.data(kReceiver, gps_message(1'000'000, kNoon_us + 101'000'000));
+  other.data(kGlobalNumber, global_message({.micros = 2'000'000, .lat = 47.3}));
+  const auto recording = recording_of(
+      load_recording({write("a.ulg", small_log().bytes()), write("b.ulg", other.bytes())}, {}));
+  EXPECT_EQ(times_of(recording.bees[1]), Times{kNoon_s + 102});
+}
+
 TEST_F(SeveralLogs, WhoseClocksContradictGpsAreRefused) {
   UlogMaking other = px4_log();
   for (std::uint64_t i = 1; i < 40; ++i) {

@@ -274,6 +274,11 @@ TEST(PlainTables, ThatEachBeginAtTimeZeroAreAskedAbout) {
     EXPECT_TRUE(several({zero, table(time, "1")}));
   }
   // What is a plan has one clock.
+  // Some programs write no colours; the header is that of Skybrush, all the same.
+  for (const char* const header : {"Time [msec],x [m],y [m],z [m]\n", "Time_msec,x_m,y_m,z_m\n"}) {
+    const std::string bare = std::string(header) + "0,1,2,3\n99,1,2,3\n";
+    EXPECT_TRUE(recording_of(several({bare, bare})).show);
+  }
   const std::string show = "Time_msec,x_m,y_m,z_m,Red,Green,Blue\n0,1,2,3,0,0,0\n99,1,2,3,0,0,0\n";
   EXPECT_TRUE(several({show, show}));
   const std::string colour = "time_s,x_m,y_m,z_m,color\n0,1,2,3,#000000\n1,1,2,3,#ff8000\n";

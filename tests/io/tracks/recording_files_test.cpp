@@ -65,7 +65,14 @@ TEST(RecordingFiles, FoldersOfTheSameNamesSayFolderAndName) {
             (std::unordered_map<std::string, std::string>{{"two/draft/1.csv", "draft/1"},
                                                           {"two/draft/2.csv", "draft/2"},
                                                           {"two/final/1.csv", "final/1"},
-                                                          {"two/final/2.csv", "final/2"}}));
+                                                          {"two/final/2.csv", "final/2"},
+                                                          {"two/final/3.csv", "final/3"}}));
+  // A second log of one drone, which was restarted: it is not a name beside those of the others.
+  EXPECT_EQ(
+      names_apart({"one/log/20_00_00.ulg", "two/log/20_00_00.ulg", "two/log/20_00_28.ulg"}),
+      (std::unordered_map<std::string, std::string>{{"one/log/20_00_00.ulg", "one"},
+                                                    {"two/log/20_00_00.ulg", "two/20_00_00"},
+                                                    {"two/log/20_00_28.ulg", "two/20_00_28"}}));
   EXPECT_EQ(names_apart({"one/log.csv", "two/log.csv"}),
             (std::unordered_map<std::string, std::string>{{"one/log.csv", "one"},
                                                           {"two/log.csv", "two"}}));

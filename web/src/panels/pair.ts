@@ -98,7 +98,10 @@ function nowFacts(shown: Shown, swarm: Recording, way: number, within_s: number)
   }
   // What rounding leaves of nothing is nothing.
   const still_mps = Math.max(kStill_mps, (closest ? kStillShareWhenClosest : kStillShare) * apart.relative_mps);
-  const closing = Math.abs(apart.closing_mps) < still_mps ? 0 : apart.closing_mps;
+  // So it is where it is closest, unless that is how the conflict begins or ends.
+  const { begins_s, ends_s } = swarm.conflicts;
+  const turns = closest && begins_s[way] < within_s && within_s < ends_s[way];
+  const closing = turns || Math.abs(apart.closing_mps) < still_mps ? 0 : apart.closing_mps;
   return [
     ...limitFacts(shown, rounded(apart, swarm.head.threshold_m)),
     [closing >= 0 ? 'Closing' : 'Parting', formatSpeed(Math.abs(closing), swarm.head.heights)],

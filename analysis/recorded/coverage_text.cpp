@@ -1,0 +1,173 @@
+#include "analysis/recorded/coverage.hpp"
+#include "analysis/text/bee_name.hpp"
+#include "io/bytes/number_text.hpp"
+#include "io/recording/moment_text.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace beespace::analysis {
+namespace {
+
+constexpr std::size_t kFew = 3;
+
+// "d1, d2 and d3".
+std::string listed(const std::vector<PointId>& bees, const io::Recording& recording) {
+  std::string names;
+  for (const PointId bee : bees) {
+    if (!names.empty()) names += bee == bees.back() ? " and " : ", ";
+    names += text_of(name_of(bee, recording));
+  }
+  return names;
+}
+
+// ": d1 and d2", where they are few enough to be named.
+std::string names_of(const std::vector<PointId>& bees, const io::Recording* recording) {
+  if (recording == nullptr || bees.size() > kFew) return {};
+  return ": " + listed(bees, *recording);
+}
+
+// ": d1 and d2", where all that begin or end in the air are few enough to be named.
+std::string names_cut_off(const Coverage& coverage, const io::Recording& recording) {
+  std::vector<PointId> bees;
+  for (const Gap& gap : coverage.longest_outside) {
+    const auto& unseen = coverage.unseen;
+    if (std::find(unseen.begin(), unseen.end(), gap.track) != unseen.end()) continue;
+    if (std::find(bees.begin(), bees.end(), gap.track) == bees.end()) bees.push_back(gap.track);
+  }
+  if (bees.size() != coverage.bees_cut_off) return {};
+  std::sort(bees.begin(), bees.end());
+  return names_of(bees, &recording);
+}
+
+}  // namespace
+
+std::string unknown_text(const Coverage& coverage, const io::Recording* recording) {
+  std::string text;
+  const auto append = [&text](const std::string& more) {
+    if (!text.empty() && !more.empty()) text += ", ";
+    text += more;
+  };
+  if (coverage.gaps > 0) {
+    append(io::counted(coverage.bees_with_gaps, "bee", "bees") + " unknown for " +
+           io::time_span(coverage.in_gaps_s) + " in all");
+  }
+  if (coverage.bees_partly > 0) {
+    append(io::counted(coverage.bees_partly, "bee", "bees") + " known for " +
+           (coverage.instants_only ? "an instant only, each" : "a part of the recording only"));
+    if (coverage.bees_cut_off > 0) {
+      const bool one = coverage.bees_cut_off == 1;
+      text += " (" + io::grouped(std::uint64_t{coverage.bees_cut_off}) + " of which ";
+      if (coverage.in_a_plane) {
+        text += one ? "appears or vanishes on its way" : "appear or vanish on their way";
+      } else {
+        text +=
+            std::string(one ? "begins or ends" : "begin or end") + " in the air while others fly";
+      }
+      if (recording != nullptr) text += names_cut_off(coverage, *recording);
+      text += ")";
+    }
+    if (!coverage.unseen.empty()) {
+      const auto count = std::uint64_t{coverage.unseen.size()};
+      text += " (" + io::grouped(count) +
+              " of which known on the ground only, and not while others fly" +
+              names_of(coverage.unseen, recording) + ")";
+    }
+    if (coverage.bees_unplaced > 0) {
+      append(io::grouped(std::uint64_t{coverage.bees_unplaced}) +
+             " of them there without a place before or after");
+    }
+  }
+  if (coverage.compared_with_none()) {
+    const bool one = coverage.alone.size() == 1;
+    const bool named = recording != nullptr && coverage.alone.size() <= kFew;
+    append((named ? listed(coverage.alone, *recording)
+                  : io::counted(coverage.alone.size(), "bee", "bees")) +
+           (one ? " flies" : " fly") + " while no other is known");
+  }
+  append(missing_text(coverage.missing));
+  return text;
+}
+
+std::string missing_text(const io::MissingRecords& missing) {
+  std::string text;
+  if (missing.shared > 0) {
+    text = io::grouped(missing.shared) + (missing.shared == 1 ? " id seems to be of two bees"
+                                                              : " ids seem to be of two bees each");
+  }
+  if (missing.files > 0) {
+    if (!text.empty()) text += ", ";
+    text += io::counted(missing.files, "file or folder was", "files or folders were") + " left out";
+  }
+  if (missing.jumping > 0) {
+    text += (text.empty() ? "" : ", ") + io::grouped(missing.jumping) +
+            (missing.jumping == 1 ? " bee jumps" : " bees jump");
+  }
+  if (missing.swapped > 0) {
+    if (!text.empty()) text += ", ";
+    text += "longitude and latitude of " + io::counted(missing.swapped, "bee", "bees") +
+            " seem to be the other way round";
+  }
+  if (missing.untimed > 0) {
+    if (!text.empty()) text += ", ";
+    text += "when " + io::counted(missing.untimed, "vehicle was", "vehicles were") +
+            " where they say is not known";
+  }
+  if (missing.rough > 0) {
+    if (!text.empty()) text += ", ";
+    text += io::counted(missing.rough, "bee has", "bees have") + " places off by kilometres";
+  }
+  if (missing.count == 0) return text;
+  if (!text.empty()) text += ", ";
+  if (missing.nowhere > 0) {
+    text += io::grouped(missing.nowhere) +
+            (missing.nowhere == 1 ? " bee is known nowhere, " : " bees are known nowhere, ");
+  }
+  return text + io::counted(missing.count, "record", "records") +
+         (missing.count == 1 ? " was" : " were") + " left out";
+}
+
+std::string gap_text(const Gap& gap, const io::Recording& recording) {
+  return text_of(name_at(gap.begins_s, gap.track, recording)) + " from " +
+         io::moment_text(gap.begins_s, recording) + " for " + io::time_span(length_of(gap));
+}
+
+std::string alone_text(const Coverage& coverage, const io::Recording& recording) {
+  if (coverage.alone.empty()) return {};
+  std::vector<PointId> first = coverage.alone;
+  first.resize(std::min(first.size(), kFew));
+  const std::size_t more = coverage.alone.size() - first.size();
+  std::string names = listed(first, recording);
+  if (more > 0) names += " and " + io::grouped(std::uint64_t{more}) + " more";
+  return names + (coverage.alone.size() == 1 ? " is" : " are") +
+         " recorded while no other is: compared with none";
+}
+
+std::string bridged_text(const Coverage& coverage, const io::Recording& recording) {
+  return coverage.bridged ? gap_text(*coverage.bridged, recording) : std::string();
+}
+
+std::string slow_text(const Coverage& coverage, const io::Recording& recording) {
+  if (coverage.slow.empty()) return {};
+  std::string names;
+  for (std::size_t i = 0; i < std::min(coverage.slow.size(), Coverage::kMostNamed); ++i) {
+    names += (i > 0 ? ", " : "") + text_of(name_of(coverage.slow[i], recording));
+  }
+  const std::size_t more =
+      coverage.slow.size() - std::min(coverage.slow.size(), Coverage::kMostNamed);
+  if (more > 0) names += " and " + io::grouped(std::uint64_t{more}) + " more";
+  const bool one = coverage.slow.size() == 1;
+  const std::string has = coverage.bursts ? (one ? " has bursts of fixes as far apart as "
+                                                 : " have bursts of fixes as far apart as ")
+                          : one           ? " has a fix every "
+                                          : " have fixes as far apart as ";
+  return names + has + io::time_span(coverage.slowest_interval_s) +
+         ", which is more than the max gap, and " + (one ? "is" : "are") +
+         " hardly ever known: --max-gap " + io::exact(max_gap_for(coverage.slowest_interval_s)) +
+         " joins such fixes by straight lines";
+}
+
+}  // namespace beespace::analysis
