@@ -103,6 +103,10 @@ void write_coverage(io::JsonWriter& json, const analysis::Coverage& coverage,
     json.end();
   }
   json.end();
+  if (recording.reach) {  // with --memory it is not looked at
+    json.end();
+    return;
+  }
   json.key("longest_bridged");
   if (coverage.bridged) {
     json.begin_object().member("id", recording.bees[coverage.bridged->track].id);
