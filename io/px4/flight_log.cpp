@@ -131,6 +131,7 @@ class Gathering {
         add(local_[topic.instance], &local_place);
       } else if (topic.name == kGpsTopic) {
         add_time(gps_[topic.instance]);
+        add_fix(topic);
       } else if (topic.name == kLandTopic) {
         add_landed(landed_[topic.instance]);
       } else if (topic.name == kStatusTopic) {
@@ -142,6 +143,8 @@ class Gathering {
     log.global = first_of(global_, kGlobalTopic, log);
     log.local = first_of(local_, kLocalTopic, log);
     log.clock = clock_of(first_of(gps_, kGpsTopic, log));
+    fixes_.settle();
+    log.fixes = std::move(fixes_);
     log.losses = walk_.losses();
     log.on_surface = on_surface_;
     for (const auto& [micros, landed] : first_of(landed_, kLandTopic, log)) {
@@ -186,6 +189,14 @@ class Gathering {
     if (utc < kEarliestMicros || utc >= kLatestMicros || own >= kLatestMicros) return;
     const auto beside = static_cast<std::int64_t>(numbers.of("timestamp_time_relative", 0.0));
     ahead.push_back(static_cast<std::int64_t>(utc) - static_cast<std::int64_t>(own) - beside);
+  }
+
+  void add_fix(const UlogTopic& topic) {
+    constexpr double kFixWithHeight = 3.0;  // FIX_TYPE_3D, and better ones
+    if (!topic.layout || topic.layout->number("fix_type") == nullptr) return;
+    const Numbers numbers(*topic.layout, walk_.message());
+    fixes_.take(topic.instance, numbers.micros("timestamp"),
+                numbers.of("fix_type") >= kFixWithHeight);
   }
 
   void add_landed(std::vector<std::pair<std::int64_t, bool>>& reports) {
@@ -236,6 +247,7 @@ class Gathering {
   std::map<std::uint8_t, std::vector<Px4Place>> local_;
   std::map<std::uint8_t, std::vector<std::int64_t>> gps_;
   std::map<std::uint8_t, std::vector<std::pair<std::int64_t, bool>>> landed_;
+  SatelliteFixes fixes_;
   bool never_lands_ = false;
   bool on_surface_ = false;
 };
