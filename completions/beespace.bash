@@ -76,7 +76,7 @@ _beespace() {
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --max-acceleration) values='none' ;;
         --columns | --time-zone | --fps | --scale | --units | --max-age | --max-skew | --max-bees | --speed | --rate | --threshold | --vertical | --threads | --horizon | --leave-factor | --look-every | --max-pairs | --max-speed | --uncertainty | --step) return ;;
-        *) options='--crs --columns --time-unit --time-zone --dates --fps --scale --grounded --units --heights --max-age --clock --max-skew --max-bees --speed --rate --threshold --vertical --separation --threads --horizon --leave-factor --look-every --max-pairs --advise --max-speed --max-acceleration --uncertainty --step --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --grounded --units --heights --max-age --clock --max-skew --max-bees --speed --rate --threshold --vertical --separation --threads --horizon --leave-factor --look-every --max-pairs --advise --max-speed --max-acceleration --uncertainty --step --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     advise)

@@ -111,6 +111,7 @@ complete -c beespace -n '__fish_seen_subcommand_from replay' -f -l quiet -d 'No 
 complete -c beespace -n '__fish_seen_subcommand_from watch' -x -l crs -a 'auto wgs84 metres' -d 'Whether positions are in degrees or metres'
 complete -c beespace -n '__fish_seen_subcommand_from watch' -x -l columns -d 'By number or name: id=1,time=2,x=3,y=4,z=5,vx=6'
 complete -c beespace -n '__fish_seen_subcommand_from watch' -x -l time-unit -a 'auto s ms us ns' -d 'Of times, where the input does not say'
+complete -c beespace -n '__fish_seen_subcommand_from watch' -f -l one-clock -d 'Times of several vehicles count from one zero, though nothing says so'
 complete -c beespace -n '__fish_seen_subcommand_from watch' -x -l time-zone -d 'Of dates and times that name none, and in which times are told: UTC, Europe/Madrid, +02:00'
 complete -c beespace -n '__fish_seen_subcommand_from watch' -x -l dates -a 'auto day-first month-first' -d 'Of dates as 05/06/2024, if none of them tells it'
 complete -c beespace -n '__fish_seen_subcommand_from watch' -x -l fps -d 'Where a column counts frames: how many a second'

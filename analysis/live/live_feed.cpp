@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace beespace::analysis {
@@ -17,6 +18,12 @@ constexpr double kLate_s = 0.5;
 
 // An overload that lasts is said again so often.
 constexpr double kOverloadedAgain_s = 10.0;
+
+// As it is told: a difference of times since 1970 has no more digits.
+double rounded_s(double seconds) {
+  constexpr double kMicroseconds = 1e6;
+  return std::round(seconds * kMicroseconds) / kMicroseconds;
+}
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -107,10 +114,10 @@ Status LiveFeed::follow() {
         swarm_.lose(step.report.id);
         break;
       case BeeClocks::Step::Kind::kOff:
-        note({ClockNote::Kind::kOff, step.now_s, step.report.id, step.ahead_s, 0.0});
+        note({ClockNote::Kind::kOff, step.now_s, step.report.id, rounded_s(step.ahead_s), 0.0});
         break;
       case BeeClocks::Step::Kind::kRight:
-        note({ClockNote::Kind::kRight, step.now_s, step.report.id, step.ahead_s, 0.0});
+        note({ClockNote::Kind::kRight, step.now_s, step.report.id, rounded_s(step.ahead_s), 0.0});
         break;
       case BeeClocks::Step::Kind::kBack:
         next = go_back(step.now_s, step.anew);

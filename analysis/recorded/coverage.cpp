@@ -126,11 +126,13 @@ double grounded(const std::optional<double>& ground_s, double end_s, double whol
 
 // A drone of a show is known while it stands on the ground. Those in degrees report each at times
 // of its own: one is cut off where it is not heard of for longer than that is usual.
-// What is shorter than `interval_s`, the typical time between two fixes, is no part of the
-// recording of its own, unless one is in the air then. `unseen_s`: while others fly for longer than
-// that, it is not known whether a drone still stands that is never seen in the air.
-std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s, double interval_s,
-                                double unseen_s) {
+// What is shorter than the typical time between two fixes is no part of the recording of its own:
+// each is heard at times of its own; but one fix alone is joined to nothing. While others fly for
+// longer than a gap, it is not known whether a drone still stands that is never seen in the air.
+std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s,
+                                const MaxGap& max_gap) {
+  constexpr double kNearly = 0.99;  // as intervals are rounded, and who lacks one lacks all of it
+  const double interval_s = kNearly * max_gap.typical_s.value_or(max_gap.interval_s);
   const double usual_s = recording.frame == io::Frame::kWgs84 ? max_gap_s : 0.0;
   const auto whole = whole_time(recording);
   const double ground_m = ground_of(recording);
@@ -148,8 +150,7 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
       of.hidden.push_back(unplaced);
     }
     if (!(seconds > 0.0)) return;
-    // One fix alone is joined to nothing.
-    const double known_s = end == beside ? 0.0 : usual_s;
+    const double known_s = end == beside ? 0.0 : std::max(usual_s, interval_s);
     const double height_m = end.position.z - ground_m;
     if (recording.show && height_m <= kStandsWithin_m) return;
     const double before_s = of.seconds;
@@ -184,7 +185,7 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
         ends->last_but_one);
     if (outside[i].cut_off) continue;
     double seen_by_none_s = 0.0;
-    for (const TimeSpan& span : airborne.unseen(static_cast<PointId>(i), unseen_s)) {
+    for (const TimeSpan& span : airborne.unseen(static_cast<PointId>(i), max_gap.seconds)) {
       outside[i].unseen = true;
       outside[i].hidden.push_back(span);
       seen_by_none_s += span.ends_s - span.begins_s;
@@ -264,7 +265,7 @@ std::vector<double> unknown_times_s(const io::Recording& recording, const std::v
                                     const MaxGap& max_gap) {
   std::vector<double> unknown_s;
   constexpr double kAny = std::numeric_limits<double>::infinity();
-  for (const Outside& outside : outside_of(recording, kAny, 0.0, max_gap.seconds)) {
+  for (const Outside& outside : outside_of(recording, kAny, max_gap)) {
     unknown_s.push_back(outside.seconds);
   }
   // A long gap may be within a doubtful span, or across its ends.
@@ -276,8 +277,7 @@ std::vector<double> unknown_times_s(const io::Recording& recording, const std::v
 std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector<Gap>& gaps,
                                const MaxGap& max_gap) {
   std::vector<Gap> all = joined_gaps(gaps, doubtful_spans(recording, max_gap));
-  const auto outside =
-      outside_of(recording, max_gap.seconds, max_gap.typical_s.value_or(0.0), max_gap.seconds);
+  const auto outside = outside_of(recording, max_gap.seconds, max_gap);
   for (std::size_t track = 0; track < outside.size(); ++track) {
     for (const TimeSpan& span : outside[track].hidden) {
       all.push_back({static_cast<PointId>(track), span.begins_s, span.ends_s});
@@ -322,8 +322,7 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& lon
   coverage.longest = longest_of(gaps);
   std::vector<Gap> hidden;
   PointId bee = 0;
-  for (const Outside& outside :
-       outside_of(recording, max_gap.seconds, max_gap.typical_s.value_or(0.0), max_gap.seconds)) {
+  for (const Outside& outside : outside_of(recording, max_gap.seconds, max_gap)) {
     coverage.outside_s += outside.seconds;
     if (outside.seconds > 0.0) ++coverage.bees_partly;
     if (outside.cut_off) ++coverage.bees_cut_off;

@@ -59,7 +59,6 @@ double max_gap_for(double interval_s) {
 }
 
 MaxGap max_gap_of(const io::Recording& recording, const std::optional<double>& asked) {
-  if (asked) return {*asked, std::nullopt, true};
   std::vector<BeeInterval> intervals;
   intervals.reserve(recording.bees.size());
   for (const io::RecordedBee& bee : recording.bees) intervals.push_back(interval_of(bee));
@@ -67,10 +66,11 @@ MaxGap max_gap_of(const io::Recording& recording, const std::optional<double>& a
 }
 
 MaxGap max_gap_of(const std::vector<BeeInterval>& bees, const std::optional<double>& asked) {
-  if (asked) return {*asked, std::nullopt, true};
   const auto typical_s = typical_interval(bees);
+  const double interval_s = typical_s ? with_three_digits(*typical_s) : 0.0;
+  if (asked) return {*asked, std::nullopt, true, interval_s};
   if (!typical_s) return {kNever, std::nullopt};
-  return {max_gap_for(*typical_s), with_three_digits(*typical_s)};
+  return {max_gap_for(*typical_s), interval_s, false, interval_s};
 }
 
 std::optional<Gap> longest_bridged(const io::Recording& recording, const MaxGap& max_gap) {

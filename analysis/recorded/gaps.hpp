@@ -27,6 +27,7 @@ struct MaxGap {
   double seconds;                   // infinite: never
   std::optional<double> typical_s;  // where it comes from the data
   bool asked = false;               // by --max-gap
+  double interval_s = 0.0;          // the typical one, also where it is asked for; 0: there is none
 };
 
 // Of seconds that come from the data three digits count, so that --max-gap can say the same.

@@ -22,7 +22,7 @@ const Velocity* velocity_at(const io::RecordedBee& bee, std::size_t fix) {
 // To which of its fixes it jumps.
 std::vector<std::size_t> jumps_of(const io::RecordedBee& bee, io::Frame frame) {
   std::vector<std::size_t> found;
-  io::Jumps jumps;
+  io::Jumps jumps(bee.fixes, bee.velocities, frame);
   for (std::size_t i = 0; i < bee.fixes.size(); ++i) {
     if (jumps.take(bee.fixes[i], velocity_at(bee, i), frame)) found.push_back(i);
   }
@@ -35,7 +35,7 @@ std::size_t way_back(const io::RecordedBee& bee, io::Frame frame,
                      const std::vector<std::size_t>& jumps, std::size_t out) {
   constexpr std::size_t kMostBetween = 8;
   const std::size_t before = jumps[out] - 1;
-  io::Jumps from;
+  io::Jumps from(bee.fixes, bee.velocities, frame);
   from.take(bee.fixes[before], velocity_at(bee, before), frame);
   const std::size_t end = std::min(jumps.size(), out + 1 + kMostBetween);
   for (std::size_t i = out + 1; i < end; ++i) {

@@ -117,8 +117,8 @@ Error or_snapshots(Error error, const SceneRequest& request, io::Progress* progr
   if (!points || has_time_column(io::header_line(*points))) return error;
   Error explained{ErrorCode::kMissingColumn,
                   "there are no times in this snapshot, and several files are read as one "
-                  "recording; name one file, or set two beside each other: beespace report FILE "
-                  "--compare FILE",
+                  "recording; name one file, or set two beside each other: beespace report BEFORE "
+                  "--compare AFTER",
                   {}};
   explained.location.source = path;
   return explained;

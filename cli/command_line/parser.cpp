@@ -4,6 +4,7 @@
 
 #include "cli/command_line/similar_word.hpp"
 #include "cli/console/failure.hpp"
+#include "cli/console/recipe_text.hpp"
 #include "cli/console/standard_output.hpp"
 #include "cli/console/terminal.hpp"
 
@@ -202,7 +203,12 @@ ExitCode run_command_line(Program& program, int argc, char** argv) {
       }
     }
     const auto code = command.run();
-    return code ? *code : fail(code.error(), command.is_given("--json"));
+    if (code) return *code;
+    Error error = code.error();
+    error.message =
+        with_what_was_typed(std::move(error.message), error.location.source,
+                            command.typed("--threshold"), command.typed("--separation"));
+    return fail(error, command.is_given("--json"));
   }
   say_error("say what to do: " + alternatives(subcommands_of(app)) + " (see 'beespace --help')");
   return ExitCode::kUsage;

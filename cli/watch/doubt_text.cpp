@@ -44,7 +44,7 @@ Error own_clocks_problem(const std::string& first, const io::ReportLine& second,
               " counts from when each vehicle was switched on, but here are several (" +
               io::excerpt(first) + ", " + io::excerpt(second.id) +
               "): then they cannot be compared; use a time of one clock, or " + arrival +
-              ", or, if these have one clock, say so with the unit of the times, as --time-unit ms",
+              ", or, if these have one clock, say so with --one-clock",
           {}};
 }
 

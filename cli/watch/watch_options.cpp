@@ -86,6 +86,8 @@ void add_input_options(Command& watch, Asked& asked) {
   watch.option("--columns", "LIST", request.lines.columns,
                "By number or name: id=1,time=2,x=3,y=4,z=5,vx=6");
   add_time_unit_option(watch, request.lines.time_unit);
+  watch.flag("--one-clock", request.lines.one_clock,
+             "Times of several vehicles count from one zero, though\nnothing says so");
   add_clock_and_pixel_options(watch, request.lines);
   watch.flag("--grounded", request.lines.grounded,
              "Count aircraft that stand on the ground as well");

@@ -61,7 +61,7 @@ constexpr std::string_view kGpx =
     "of one recording: python3 -c \"import sys, xml.etree.ElementTree as E; "
     "print('id,time,lon,lat'); [print(f, p.findtext('{*}time'), p.get('lon'), p.get('lat'), "
     "sep=',') for f in sys.argv[1:] for p in E.parse(f).iterfind('.//{*}trkpt')]\" FILE > "
-    "tracks.csv, where FILE may be several";
+    "tracks.csv, with the names of the others behind the first one";
 
 // Whether a name is there, near the beginning or the end: such files have their names there, and
 // their numbers between.

@@ -23,24 +23,27 @@ constexpr std::string_view kUtf16 = "; save it as UTF-8: iconv -f UTF-16 -t UTF-
 constexpr std::string_view kBag =
     ", which is not read; make a table of its poses: pip install rosbags, then python3 -c "
     "\"import operator, pathlib, sys; from rosbags.highlevel import AnyReader; bag = "
-    "AnyReader([pathlib.Path('FILE')]); bag.open(); kinds = {'geometry_msgs/msg/PoseStamped': "
-    "'pose.position', 'nav_msgs/msg/Odometry': 'pose.pose.position', "
-    "'geometry_msgs/msg/PoseWithCovarianceStamped': 'pose.pose.position', "
-    "'geometry_msgs/msg/TransformStamped': 'transform.translation'}; kind = next((k for k in "
-    "kinds if k in {c.msgtype for c in bag.connections}), 'none'); print('taken:', kind, '- left "
-    "out:', *sorted({c.topic + ' ' + c.msgtype for c in bag.connections if c.msgtype != kind}), "
-    "file=sys.stderr); print('id,time_ns,header.frame_id,x,y,z'); [print(c.topic, "
-    "m.header.stamp.sec * 10**9 + m.header.stamp.nanosec, m.header.frame_id, p.x, p.y, p.z, "
-    "sep=',') for c, _, raw in bag.messages() if c.msgtype == kind for m in "
-    "[bag.deserialize(raw, c.msgtype)] for p in [operator.attrgetter(kinds[kind])(m)]]\" > "
-    "poses.csv; it says on the terminal which topics it leaves out, and docs/recipes/ros-bags.md "
-    "has other messages, and says what frames are";
+    "AnyReader([pathlib.Path('FILE')]); bag.open(); kinds = {'sensor_msgs/msg/NavSatFix': "
+    "'status', 'geometry_msgs/msg/PoseStamped': 'pose.position', 'nav_msgs/msg/Odometry': "
+    "'pose.pose.position', 'geometry_msgs/msg/PoseWithCovarianceStamped': 'pose.pose.position', "
+    "'geometry_msgs/msg/TransformStamped': 'transform.translation', 'tf2_msgs/msg/TFMessage': "
+    "'transform.translation'}; kind = next((k for k in kinds if k in {c.msgtype for c in "
+    "bag.connections}), 'none'); gps = 'NavSat' in kind; print('taken:', kind, '- left out:', "
+    "*sorted({c.topic + ' ' + c.msgtype for c in bag.connections if c.msgtype != kind}), "
+    "file=sys.stderr); print('id,time_ns,' + ('lon,lat,height_m' if gps else "
+    "'header.frame_id,x,y,z')); [print(s.child_frame_id if s is not m else c.topic, "
+    "s.header.stamp.sec * 10**9 + s.header.stamp.nanosec, *((m.longitude, m.latitude, "
+    "m.altitude) if gps else (s.header.frame_id, p.x, p.y, p.z)), sep=',') for c, _, raw in "
+    "bag.messages() if c.msgtype == kind for m in [bag.deserialize(raw, c.msgtype)] if not gps "
+    "or m.status.status >= 0 for s in getattr(m, 'transforms', [m]) for p in "
+    "[operator.attrgetter(kinds[kind])(s)]]\" > poses.csv; it says on the terminal which topics "
+    "it leaves out, and docs/recipes/ros-bags.md has other messages, and says what frames are";
 constexpr std::string_view kDataFlash =
     ", which is not read; make a table of its positions: pip install pymavlink, then "
     "mavlogdump.py --format csv --types POS FILE > pos.csv, and read it with --columns "
-    "time=timestamp,lon=Lng,lat=Lat,height=Alt --threshold 5 (without a time of GPS it counts from "
-    "when "
-    "each drone was switched on: then logs of several have no common clock)";
+    "time=timestamp,lon=Lng,lat=Lat,height=Alt --threshold YOUR_THRESHOLD (without a time of GPS "
+    "it "
+    "counts from when each drone was switched on: then logs of several have no common clock)";
 constexpr std::string_view kMatlab =
     ", which is not read; see what it has: pip install scipy, then python3 -c \"import scipy.io; "
     "print(scipy.io.whosmat('FILE'))\"; docs/recipes/matlab.md has the lines that ask about it";

@@ -133,6 +133,7 @@ class Gathering {
         add(local_[topic.instance], &local_place);
       } else if (topic.name == kGpsTopic) {
         add_time(gps_[topic.instance]);
+        add_fix(topic);
       } else if (topic.name == kReceiverTopic && has_time(topic)) {
         add_time(receivers_[topic.instance]);
       } else if (topic.name == kLandTopic) {
@@ -147,6 +148,8 @@ class Gathering {
     log.local = first_of(local_, kLocalTopic, log);
     log.clock = clock_of(first_of(gps_, kGpsTopic, log));
     if (!log.clock) log.clock = clock_of(first_of(receivers_, kReceiverTopic, log));
+    fixes_.settle();
+    log.fixes = std::move(fixes_);
     log.losses = walk_.losses();
     log.on_surface = on_surface_;
     for (const auto& [micros, landed] : first_of(landed_, kLandTopic, log)) {
@@ -198,6 +201,14 @@ class Gathering {
     ahead.push_back(static_cast<std::int64_t>(utc) - static_cast<std::int64_t>(own) - beside);
   }
 
+  void add_fix(const UlogTopic& topic) {
+    constexpr double kFixWithHeight = 3.0;  // FIX_TYPE_3D, and better ones
+    if (!topic.layout || topic.layout->number("fix_type") == nullptr) return;
+    const Numbers numbers(*topic.layout, walk_.message());
+    fixes_.take(topic.instance, numbers.micros("timestamp"),
+                numbers.of("fix_type") >= kFixWithHeight);
+  }
+
   void add_landed(std::vector<std::pair<std::int64_t, bool>>& reports) {
     const UlogTopic& topic = walk_.topic();
     if (topic.layout->number("timestamp") == nullptr || topic.layout->number("landed") == nullptr) {
@@ -247,6 +258,7 @@ class Gathering {
   std::map<std::uint8_t, std::vector<std::int64_t>> gps_;
   std::map<std::uint8_t, std::vector<std::int64_t>> receivers_;
   std::map<std::uint8_t, std::vector<std::pair<std::int64_t, bool>>> landed_;
+  SatelliteFixes fixes_;
   bool never_lands_ = false;
   bool on_surface_ = false;
 };

@@ -2,6 +2,7 @@
 // topics, in units of ours.
 #pragma once
 
+#include "io/px4/satellite_fixes.hpp"
 #include "io/px4/ulog_walk.hpp"
 #include "io/recording/landed_reports.hpp"
 
@@ -50,6 +51,7 @@ struct Px4FlightLog {
   std::vector<Px4Place> local;
   bool on_surface = false;                   // a rover or a boat, by its own word
   LandedReports landed;                      // of vehicle_land_detected, by `micros`
+  SatelliteFixes fixes;                      // of vehicle_gps_position, by `micros`
   std::optional<Px4Clock> clock;             // nothing where GPS never said a time
   std::vector<std::string> other_instances;  // of these topics, that are not taken
   UlogLosses losses;

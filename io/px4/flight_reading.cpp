@@ -74,6 +74,8 @@ class FlightReading {
     if (!place.known) return &kDoubtedPlace;
     if (!place.height_known) return &kDoubtedHeight;
     if (place.guessed || place.height_guessed) return &kGuessedPlace;
+    // Metres from an origin of its own are not those of satellites alone.
+    if (source != Source::kLocal && log_.fixes.lost_at(place.micros)) return &kGuessedPlace;
     if (!std::isfinite(place.position.x + place.position.y + place.position.z))
       return &kDoubtedPlace;
     if (source == Source::kGlobal && at.x == 0.0 && at.y == 0.0) return &kDoubtedPlace;

@@ -63,15 +63,21 @@ FrozenPlaces frozen_places(const std::vector<Fix>& fixes, const std::vector<Velo
     std::size_t end;
   };
   std::vector<Doubtful> doubtful;
+  std::vector<Doubtful> standing;  // by their own word
+  OwnMotion own;
   Stays stays;
   UsualSteps usual;
   std::size_t begin = 0;
   for (std::size_t i = 0; i < fixes.size(); ++i) {
+    if (i > 0 && i < velocities.size()) {
+      own.take(fixes[i - 1], velocity(i - 1), fixes[i], velocity(i), frame);
+    }
     const auto over = stays.take(fixes[i], velocity(i), frame);
     if (!over) continue;
     if (over->stay.may_be_frozen()) {
       doubtful.push_back({*over, begin, i});
     } else {
+      if (over->stay.is_long()) standing.push_back({*over, begin, i});
       usual.take(*over);
     }
     begin = i;
@@ -88,6 +94,11 @@ FrozenPlaces frozen_places(const std::vector<Fix>& fixes, const std::vector<Velo
       leave_out(first, end);
     } else {
       stood_still = true;
+    }
+  }
+  for (const auto& [at, first, end] : standing) {
+    if (own.contradicted_by(fixes[end - 1], velocity(end - 1), fixes[end], velocity(end), frame)) {
+      leave_out(first, end);
     }
   }
   const auto& last = stays.current();
@@ -118,11 +129,14 @@ FrozenWatch::Now FrozenWatch::take(const Fix& fix, const Velocity* velocity, Fra
   const auto before = stays_.current();
   if (before && !(before->until_s < fix.time_s)) return Now::kUsual;
   const auto over = stays_.take(fix, velocity, frame);
+  const bool led_so = take_own(fix, velocity, frame);
   if (!before || over) noise_.take(fix, frame);
   if (!over) return usual_.led_away(*stays_.current()) ? Now::kLedAway : Now::kUsual;
   if (!over->stay.may_be_frozen()) {
     usual_.take(*over);
-    return Now::kUsual;
+    if (led_so || !over->stay.is_long()) return Now::kUsual;
+    if (!jumped_) jumped_ = number;
+    return Now::kJumps;
   }
   if (!farthest_ || over->metres > farthest_->metres) {
     farthest_ = over;
@@ -133,7 +147,19 @@ FrozenWatch::Now FrozenWatch::take(const Fix& fix, const Velocity* velocity, Fra
   return Now::kUsual;
 }
 
+bool FrozenWatch::take_own(const Fix& fix, const Velocity* velocity, Frame frame) {
+  bool led_so = true;
+  if (last_ && velocity_) {
+    led_so = !own_.contradicted_by(*last_, &*velocity_, fix, velocity, frame);
+    own_.take(*last_, &*velocity_, fix, velocity, frame);
+  }
+  last_ = fix;
+  velocity_ = velocity == nullptr ? std::nullopt : std::optional(*velocity);
+  return led_so;
+}
+
 std::optional<std::uint64_t> FrozenWatch::found() const {
+  if (jumped_) return jumped_;
   if (!farthest_ || !usual_.exceeded_by(*farthest_)) return std::nullopt;
   return farthest_number_;
 }

@@ -3,6 +3,8 @@
 // - by the bee's own velocity, which leads it farther away than it ever goes from place to place;
 // - by how its track goes on: with a jump, farther and faster than it ever moves elsewhere. Places
 //   that are rounded, or held until the next is known, go on by such jumps always;
+// - also of what says that it stands, by a jump that its own velocities cannot have led it
+//   (own_motion.hpp);
 // - at the end of the track, by what was before: what is measured wavers, also where it stands, and
 //   what moves brakes. Who has stood exactly still before, and then gone on, may do so again; and
 //   of what is computed, with no noise, it is only told that it stops at once.
@@ -10,6 +12,7 @@
 
 #include "io/frames/coordinate_frame.hpp"
 #include "io/problems/left_out.hpp"
+#include "io/recording/own_motion.hpp"
 #include "io/recording/place_noise.hpp"
 #include "io/recording/stays.hpp"
 
@@ -26,7 +29,8 @@ namespace beespace::io {
 
 inline constexpr LeftOutReason kFrozenPlace = {
     "that repeat a place exactly, from which the bee then jumps more than three times as far and "
-    "as fast as it ever moves elsewhere, or has moved on by its own velocity,",
+    "as fast as it ever moves elsewhere or farther than its own velocities lead it, or has moved "
+    "on by its own velocity,",
     "where such a bee was is not known, as where the last place is said again after it was lost"};
 inline constexpr LeftOutReason kFrozenToTheEnd = {
     "that repeat a place exactly to the end, though the places before waver as measured ones do,",
@@ -93,12 +97,19 @@ class FrozenWatch {
   }
 
  private:
+  // Whether its own velocities have led it there, as far as they tell.
+  bool take_own(const Fix& fix, const Velocity* velocity, Frame frame);
+
   Stays stays_ = {};
   UsualSteps usual_ = {};
+  OwnMotion own_ = {};
+  std::optional<Fix> last_ = {};
+  std::optional<Velocity> velocity_ = {};  // of the last one
   PlaceNoise noise_ = {};
   bool stood_still_ = false;  // at some place before that may have been such, and went on as usual
   std::optional<LeftStay> farthest_ = {};  // out of a place that may be such
   std::uint64_t farthest_number_ = 0;
+  std::optional<std::uint64_t> jumped_ = {};  // out of a place where it had said that it stands
   Frame frame_ = Frame::kMetres;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace beespace::io {
 namespace {
@@ -27,8 +28,16 @@ std::optional<double> own_speed(const Velocity* velocity) {
 
 }  // namespace
 
+Jumps::Jumps(const std::vector<Fix>& fixes, const std::vector<Velocity>& velocities, Frame frame)
+    : is_whole_(true) {
+  for (std::size_t i = 1; i < velocities.size(); ++i) {
+    own_.take(fixes[i - 1], &velocities[i - 1], fixes[i], &velocities[i], frame);
+  }
+}
+
 bool Jumps::take(const Fix& fix, const Velocity* velocity, Frame frame) {
   const bool jumps = jumps_to(fix, velocity, frame);
+  if (!is_whole_ && last_ && velocity_) own_.take(*last_, &*velocity_, fix, velocity, frame);
   last_ = fix;
   velocity_ = velocity == nullptr ? std::nullopt : std::optional(*velocity);
   return jumps;
@@ -50,6 +59,7 @@ bool Jumps::jumps_to(const Fix& fix, const Velocity* velocity, Frame frame) cons
       most_mps * (lasts_s + kTimesDiffer_s)) {
     return true;
   }
+  if (own_.contradicted_by(*last_, before, fix, velocity, frame)) return true;
   return frame == Frame::kWgs84 && (contradicts_stated_climb(*last_, before, fix, velocity) ||
                                     contradicts_stated_speed(*last_, before, fix, velocity));
 }

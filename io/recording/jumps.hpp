@@ -3,20 +3,28 @@
 //
 // Nothing that flies below space is faster than kMostSpeed_mps. Who tells a speed flies at
 // kTimesOwnSpeed times that, and kBesideOwnSpeed_mps, at most. Times may be rounded, or be those of
-// arrival, by kTimesDiffer_s. On the Earth it goes about as its velocities say (stated_rates.hpp).
+// arrival, by kTimesDiffer_s. On the Earth it goes about as its velocities say (stated_rates.hpp),
+// and what is slow goes as they say elsewhere in its track (own_motion.hpp).
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"
+#include "io/recording/own_motion.hpp"
 
 #include <beespace/mover.hpp>
 #include <beespace/track.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace beespace::io {
 
 class Jumps {
  public:
+  // Judged by what came before.
+  Jumps() = default;
+  // By all of a track: its fixes in the order of time, and their velocities, or none.
+  Jumps(const std::vector<Fix>& fixes, const std::vector<Velocity>& velocities, Frame frame);
+
   static constexpr double kMostSpeed_mps = 1'500.0;
   static constexpr double kTimesOwnSpeed = 10.0;
   static constexpr double kBesideOwnSpeed_mps = 100.0;
@@ -29,6 +37,8 @@ class Jumps {
   [[nodiscard]] bool jumps_to(const Fix& fix, const Velocity* velocity, Frame frame) const;
 
  private:
+  OwnMotion own_;
+  bool is_whole_ = false;  // all is in there
   std::optional<Fix> last_ = {};
   std::optional<Velocity> velocity_ = {};  // of the last one
 };

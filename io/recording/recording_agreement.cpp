@@ -43,12 +43,6 @@ bool are_topics_of_px4(std::string_view one, std::string_view other) {
   return one.find(kTopic) != std::string_view::npos && other.find(kTopic) != std::string_view::npos;
 }
 
-// Where the header says the unit, who says it again means the zero.
-std::string one_clock_option(const SourceFacts& facts) {
-  if (facts.small_times) return "--one-clock";
-  return "their unit, --time-unit " + std::string(time_unit_option(facts.time_unit));
-}
-
 // Whether it means itself within quotes, in whatever program.
 bool is_plain(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](unsigned char c) {
@@ -182,7 +176,7 @@ std::optional<Error> RecordingAssembly::agree_on_zeros(const SourceFacts& facts)
                       "files each for itself, give times since 1970"
                     : "vehicle's own, as when it was switched on: then they cannot be compared; "
                       "give times since 1970 (of PX4 the logs themselves, .ulg)") +
-            ", or, if all have one clock, say so with " + one_clock_option(facts),
+            ", or, if all have one clock, say so with --one-clock",
         {sources_.back()}};
   }
   if (facts.begins_at_zero && !zero_source_) {

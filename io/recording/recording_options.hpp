@@ -24,7 +24,6 @@ struct RecordingOptions : ColumnOptions {
   RecordingFormat format = RecordingFormat::kAuto;
   Unit time_unit = Unit::kUnstated;  // kUnstated: as the header says
   // Times of several inputs, or vehicles, count from one zero, where nothing says whether they do.
-  // Who says the unit of times whose unit is known otherwise means the same.
   bool one_clock = false;
   // Of dates and times that name none; and in which people are told what counts from 1970.
   std::optional<TimeZone> time_zone = {};

@@ -5,8 +5,13 @@
 #include "io/recording/left_out_files.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <initializer_list>
+#include <ios>
+#include <optional>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -200,16 +205,34 @@ bool is_bag_folder(const Listed& found, const std::string& folder) {
          });
 }
 
+// Of what other programs wrote, what to do with the first one, and so with the others.
+std::optional<Error> first_foreign(const std::vector<std::string>& others) {
+  constexpr std::size_t kHead = 4096;
+  std::string head(kHead, '\0');
+  std::ifstream file(others.front(), std::ios::binary);
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  if (!is_foreign_file(head)) return std::nullopt;
+  std::string message = "this is " + words_of_signature(head);
+  if (others.size() > 1) {
+    message += "; likewise " + std::to_string(others.size() - 1) + " more in this folder";
+  }
+  return Error{ErrorCode::kUnsupportedFormat, std::move(message), {others.front()}};
+}
+
 Error nothing_to_read(Listed found, const std::string& folder) {
   constexpr int kDepth = 3;
   if (is_bag_folder(found, folder)) {
     return {ErrorCode::kUnsupportedFormat, "this is " + words_of_bag_folder(), {folder}};
   }
+  if (!found.others.empty()) {
+    std::sort(found.others.begin(), found.others.end());
+    if (auto error = first_foreign(found.others)) return *std::move(error);
+  }
   std::string message =
       "there is no .csv, .tsv or .txt file in this folder, nor any .skyc, .json, .ndjson, .tlog or "
       ".ulg";
   if (!found.others.empty()) {
-    std::sort(found.others.begin(), found.others.end());
     message += ", but " + found.others.front() +
                (found.others.size() == 1 ? ""
                                          : " and " + std::to_string(found.others.size() - 1) +

@@ -27,8 +27,8 @@ Velocity over_ground(const Velocity* velocity) {
 
 }  // namespace
 
-bool Stay::may_be_frozen() const {
-  return !stands && (fixes >= kManyFixes || (fixes >= kFewestFixes && lasted_s() >= kLong_s));
+bool Stay::is_long() const {
+  return fixes >= kManyFixes || (fixes >= kFewestFixes && lasted_s() >= kLong_s);
 }
 
 std::optional<LeftStay> Stays::take(const Fix& fix, const Velocity* velocity, Frame frame) {

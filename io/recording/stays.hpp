@@ -25,7 +25,9 @@ struct Stay {
   // Whether there are so many fixes, for so long, that the place may have been said again and again
   // though the bee had left it. Shorter repetitions are bridged by a straight line, as missing
   // records are.
-  [[nodiscard]] bool may_be_frozen() const;
+  [[nodiscard]] bool is_long() const;
+  // What says that it stands does, but where its own velocities cannot have led it on from there.
+  [[nodiscard]] bool may_be_frozen() const { return !stands && is_long(); }
 };
 
 // A stay that is over, and the step from its last fix to the next place.

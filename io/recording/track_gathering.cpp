@@ -275,7 +275,7 @@ std::vector<SharedTrack> TrackGathering::jumping(Frame frame) const {
   std::vector<SharedTrack> jumping;
   for (const Bee& bee : bees_) {
     const RecordedBee& recorded = bee.recorded;
-    Jumps jumps;
+    Jumps jumps(recorded.fixes, recorded.velocities, frame);
     for (std::size_t i = 0; i < recorded.fixes.size(); ++i) {
       const Velocity* const velocity =
           recorded.velocities.empty() ? nullptr : &recorded.velocities[i];

@@ -94,8 +94,7 @@ LongRecords body_records(std::string_view rows, const BodyTable& table) {
 
 std::optional<Error> own_beginning(const BodyTable& table, const RecordingAssembly& assembly) {
   const RecordingOptions& options = assembly.options();
-  const bool said = options.one_clock || options.time_unit != Unit::kUnstated;
-  if (!assembly.has_several() || said) return std::nullopt;
+  if (!assembly.has_several() || options.one_clock) return std::nullopt;
   return Error{ErrorCode::kInvalidArgument,
                "times of " + std::string(table.program) +
                    " count from the beginning of each recording, so that it shares no clock with "

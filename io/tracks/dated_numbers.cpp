@@ -55,6 +55,20 @@ Unit common_unit_since_1970(const FirstFields& times) {
   return common;
 }
 
+bool are_surely_milliseconds(const FirstFields& times) {
+  constexpr double kLongestStep = 2'000.0;  // 500 in a second, of microseconds
+  constexpr double kLeast = 1e12;           // of microseconds the twelfth day
+  double before = 0.0;
+  double longest = 0.0;
+  for (const std::string_view time : times.texts) {
+    double value = 0.0;
+    if (parse_number(time, value) != NumberKind::kNumber || value < kLeast) return false;
+    if (before > 0.0) longest = std::max(longest, value - before);
+    before = value;
+  }
+  return longest > 0.0 && longest <= kLongestStep;
+}
+
 std::optional<std::size_t> only_since_1970(std::string_view text, const Header& header,
                                            const std::vector<std::size_t>& columns) {
   constexpr double kDay_s = 86'400.0;

@@ -17,6 +17,11 @@ namespace beespace::io {
 // The unit in which all of them are times since 1970; kUnstated where there is none.
 Unit common_unit_since_1970(const FirstFields& times);
 
+// Whether times that may be milliseconds since 1970 can be nothing else: microseconds since a boot
+// of more than a week ago, or nanoseconds since one of half an hour ago, would follow each other
+// faster than anything tells where it is.
+bool are_surely_milliseconds(const FirstFields& times);
+
 // The only one of those columns that counts from 1970, the others being numbers that do not, as
 // their units say; or the only one that says its unit and does, the others having none.
 std::optional<std::size_t> only_since_1970(std::string_view text, const Header& header,

@@ -80,8 +80,8 @@ Unit unit_of_stamps(std::string_view text, const TableLayout& table) {
   return by_size == Unit::kUnstated ? Unit::kSecond : by_size;
 }
 
-// The format says the unit: who says it again means that there is one clock.
-void take_unit_as_clock(TimeChoice& time) {
+// The format says the unit, and whether there is one clock.
+void settle_clock(TimeChoice& time) {
   time.unit_is_asked = time.is_small = time.begins_at_zero = false;
 }
 
@@ -285,8 +285,8 @@ Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::stri
   if (layout->time && ros.recorded)
     layout->stamps_ahead_s = stamps_ahead(text, *layout, *ros.recorded);
   if (layout->time && layout->time->form == TimeForm::kNumbers && !layout->time->since_1970) {
-    layout->time->since_start = options.time_unit == Unit::kUnstated && !options.one_clock;
-    if (!layout->time->since_start) take_unit_as_clock(*layout->time);
+    layout->time->since_start = !options.one_clock;
+    settle_clock(*layout->time);
   }
   if (options.frame == Frame::kAuto && layout->frame == Frame::kMetres) {
     layout->frame_reason = "positions of ROS are in metres";
@@ -361,8 +361,8 @@ Result<TrackLayout> layout_of_poses(TableLayout table, std::string_view text,
   TimeChoice& time = *layout->time;
   const std::string told = time_note(layout->table, time, true);
   time.by_size = !unit_is_said && time.since_1970;
-  time.since_start = !unit_is_said && !time.since_1970 && !options.one_clock;
-  take_unit_as_clock(time);
+  time.since_start = !time.since_1970 && !options.one_clock;
+  settle_clock(time);
   if (!unit_is_said) {
     std::replace(layout->notes.begin(), layout->notes.end(), told,
                  time_note(layout->table, time, false));

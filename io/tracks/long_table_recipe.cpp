@@ -1,6 +1,7 @@
 #include "io/tracks/long_table_recipe.hpp"
 
 #include "io/bytes/characters.hpp"
+#include "io/problems/your_threshold.hpp"
 #include "io/table/column_names.hpp"
 #include "io/tracks/track_columns.hpp"
 
@@ -49,19 +50,16 @@ std::string time_name(const std::string& named) {
   return means_itself(named) ? named : "time";
 }
 
-// What is asked at once otherwise, and what nothing in the long table says: drones of a show keep a
-// distance of metres.
-std::string replay_options(const std::string& time, const std::vector<VehicleColumns>& vehicles) {
-  std::string options;
-  const bool drones = std::all_of(
-      vehicles.begin(), vehicles.end(),
-      [](const VehicleColumns& vehicle) { return lower_case(vehicle.name).starts_with("drone"); });
-  if (drones) options += " --threshold 2";
+// What is asked at once otherwise, and what nothing in the long table says.
+std::string replay_options(const std::string& time) {
+  std::string options = " ";
+  options += kYourThreshold;
   const ColumnMeaning meaning = read_column_name(track_columns(), time);
   if (meaning.role == Role::kFrame) return options + " --fps N (how many pictures a second has)";
   const bool unit_is_known = meaning.unit != Unit::kUnstated || meaning.since_1970;
   return unit_is_known ? options
-                       : options + " --time-unit s (or ms, or us: whichever '" + time + "' is in)";
+                       : options + " --time-unit s; where '" + time +
+                             "' is not in seconds, the unit is ms, us or ns";
 }
 
 }  // namespace
@@ -94,7 +92,7 @@ std::string long_table_recipe(const TableLayout& table,
     text += (i == 0 ? "" : ";") + call_of(vehicles[i]);
   }
   return text + "}' FILE > long.csv, and then beespace replay long.csv" +
-         replay_options(time_name(named), vehicles);
+         replay_options(time_name(named));
 }
 
 }  // namespace beespace::io

@@ -147,6 +147,14 @@ std::optional<Error> nameless_position(std::string_view text, const Header& head
   }
   if (auto problem = nested_problem(table)) return problem;
   if (auto problem = lights_problem(table)) return problem;
+  // "header:", the first line of most messages, or that of a list of transforms.
+  const bool echoed = table.names.size() == 1 && table.names.front().ends_with(':');
+  if (echoed && table.columns == 1) {
+    return missing("this is what 'ros2 topic echo' writes for reading, '" + table.names.front() +
+                   "' and lines below it, which is not read: record it as a table, as by ros2 "
+                   "topic echo --csv TOPIC > NAME.csv, or make one of the bag, which says how "
+                   "when it is named");
+  }
   if (table.names.size() == 1 && table.columns == 1) {
     return missing("the first line has one cell, '" + table.names.front() +
                    "', and no header that tells the columns: if it is the name of the drone, leave "
@@ -327,12 +335,9 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   auto time = choose_time(text, header, options);
   if (!time) return with_position_problem(std::move(time).error(), text, header);
   layout.time = time.value();
-  // Who says a unit that the header says, too, knows what is counted.
   const bool known = header.source() != nullptr;
   if (layout.time && known) layout.time->unit_is_asked = false;
-  const bool zero_is_said = options.one_clock || (options.time_unit != Unit::kUnstated &&
-                                                  !(layout.time && layout.time->unit_is_asked));
-  if (layout.time && !zero_is_said && !layout.time->since_1970) {
+  if (layout.time && !options.one_clock && !layout.time->since_1970) {
     layout.time->since_start =
         header.source() != nullptr
             ? header.source()->since_start && !header.override_of(Role::kTime)
@@ -428,13 +433,13 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   layout.doubted_above_mps = doubted_above(layout);
   if (layout.time) {
     if (seen != SeenRecords::kWhole) layout.time->bare_midnights = false;
-    layout.time->begins_at_zero = !zero_is_said && !known && !layout.show &&
+    layout.time->begins_at_zero = !options.one_clock && !known && !layout.show &&
                                   !names_one_colour(layout.table) &&
                                   times_begin_at_zero(text, layout.table, *layout.time);
     // Animations, as of shows, have heights, and one clock.
-    layout.time->of_video = layout.time->form == TimeForm::kFrames && !zero_is_said && !known &&
-                            (choice.dimensions == 2 || options.pixel.has_value());
-    layout.time->is_small = layout.time->unit_is_asked && !zero_is_said && !layout.show &&
+    layout.time->of_video = layout.time->form == TimeForm::kFrames && !options.one_clock &&
+                            !known && (choice.dimensions == 2 || options.pixel.has_value());
+    layout.time->is_small = layout.time->unit_is_asked && !options.one_clock && !layout.show &&
                             !names_one_colour(layout.table) &&
                             times_are_small(text, layout.table, *layout.time);
     layout.notes.push_back(

@@ -45,7 +45,7 @@ struct TimeChoice {
   // The first one is 0, and nothing says that the table of another vehicle, or of another trial,
   // has the same zero.
   bool begins_at_zero = false;
-  bool unit_is_asked = false;  // the caller alone says the unit, who so says nothing of the zero
+  bool unit_is_asked = false;  // the caller alone says the unit
   bool is_small = false;       // the same, and the first one is too small for a common zero
   bool of_video = false;       // pictures of a video, which is another one than that of other files
   bool to_the_minute = false;  // the first time has no seconds

@@ -78,10 +78,7 @@ std::optional<Error> joined_problem(const TrackRecord& record, const TrackLayout
                                                : "begin at 0 again") +
                   ", which may be another moment, as of another trial: then they cannot be "
                   "compared; read the tables each for itself, or, if all have one clock, say so "
-                  "with " +
-                  (time.unit_is_asked
-                       ? std::string("--one-clock")
-                       : "their unit, --time-unit " + std::string(time_unit_option(time.unit))),
+                  "with --one-clock",
               {}};
   error.location.column = time.column + 1;
   return error;
@@ -95,10 +92,7 @@ Error own_zeros(std::string_view one, std::string_view other, const TrackLayout&
                   ", which counts from when each vehicle was switched on, but here are several (" +
                   excerpt(one) + ", " + excerpt(other) +
                   "): then they cannot be compared; use a time of one clock, or, if these have "
-                  "one, say so with " +
-                  (time.unit_is_asked
-                       ? std::string("--one-clock")
-                       : "its unit, --time-unit " + std::string(time_unit_option(time.unit))),
+                  "one, say so with --one-clock",
               {}};
   error.location.column = time.column + 1;
   return error;

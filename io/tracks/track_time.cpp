@@ -80,13 +80,13 @@ Result<std::optional<Stamp>> choose_stamp(const Header& header) {
 
 Result<TimeChoice> time_of_stamp(const Stamp& stamp, std::string_view text, const Header& header,
                                  Unit asked) {
-  // Seconds they are: who says so says that several files have one clock.
   if (asked != Unit::kUnstated && asked != Unit::kSecond) {
     return Error{ErrorCode::kInvalidArgument,
                  "the times are in seconds and nanoseconds, in " +
                      column_text(header.table(), stamp.seconds) + " and " +
                      column_text(header.table(), stamp.nanoseconds) +
-                     "; leave --time-unit out, or, where several files have one clock, say s",
+                     "; leave --time-unit out, or, where several files have one clock, say "
+                     "--one-clock in its place",
                  {}};
   }
   TimeChoice time;
@@ -147,7 +147,7 @@ bool have_fractions(const FirstFields& times) {
 
 // A time of aircraft, or of ROS, that counts from 1970 tells its unit by its size, and so does one
 // that is `dated` by the others beside it; elsewhere microseconds since a boot may look the same,
-// but no nanoseconds since one do.
+// but no nanoseconds since one do, nor what can be milliseconds alone.
 Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
                                const FirstFields& times, const TableLayout& table, Unit asked,
                                bool dated) {
@@ -163,7 +163,8 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
   const bool of_ros = std::any_of(table.names.begin(), table.names.end(), is_of_ros);
   // No counter of microseconds has fractions.
   const bool fractions = by_size == Unit::kSecond && have_fractions(times);
-  const bool tells = dated || of_ros || fractions || by_size == Unit::kNanosecond ||
+  const bool milliseconds = by_size == Unit::kMillisecond && are_surely_milliseconds(times);
+  const bool tells = dated || of_ros || fractions || by_size == Unit::kNanosecond || milliseconds ||
                      !words_of_aviation(table.names).empty();
   if (time.unit == Unit::kUnstated && tells) {
     time.unit = by_size;

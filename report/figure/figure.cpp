@@ -3,6 +3,7 @@
 #include "io/bytes/number_text.hpp"
 #include "report/ahead_words.hpp"
 #include "report/figure/nearest_histogram.hpp"
+#include "report/figure/picture_names.hpp"
 #include "report/figure/recording_view.hpp"
 #include "report/figure/separation_chart.hpp"
 #include "report/figure/sheet.hpp"
@@ -32,7 +33,7 @@ constexpr double kBelowViews = 44.0;  // their labels
 constexpr std::size_t kMostRows = 30;
 
 std::string name_of(const Names& names, PointId first, PointId second) {
-  return names.of(first) + " \u2013 " + names.of(second);
+  return picture_name(names, first) + " \u2013 " + picture_name(names, second);
 }
 
 std::string counted(std::size_t count, const Noun& noun) {

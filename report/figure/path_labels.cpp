@@ -1,6 +1,7 @@
 #include "report/figure/path_labels.hpp"
 
 #include "report/drawing/text_fit.hpp"
+#include "report/figure/picture_names.hpp"
 #include "report/figure/style.hpp"
 #include "report/xml_text.hpp"
 
@@ -86,7 +87,7 @@ void draw_path_labels(const RecordingFacts& facts, const View& view, Drawing& dr
   for (std::size_t bee = 0; bee < facts.tracks.size(); ++bee) {
     const Track& track = facts.tracks[bee];
     if (track.fixes.empty()) continue;
-    const std::string name = one_line(facts.swarm.names.of(static_cast<PointId>(bee)));
+    const std::string name = one_line(picture_name(facts.swarm.names, static_cast<PointId>(bee)));
     const Text label{
         {},   fitted(name, kLabelSize, kWidestName), kLabelSize, Anchor::kStart, false, false, true,
         kText};

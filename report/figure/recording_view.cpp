@@ -3,6 +3,7 @@
 #include "report/drawing/text_fit.hpp"
 #include "report/figure/density.hpp"
 #include "report/figure/path_labels.hpp"
+#include "report/figure/picture_names.hpp"
 #include "report/figure/style.hpp"
 #include "report/number_label.hpp"
 #include "report/separation_words.hpp"
@@ -107,7 +108,7 @@ std::vector<Diamond> closest_points(const RecordingFacts& facts, const View& vie
   for (const Conflict& conflict : facts.conflicts) {
     for (const PointId bee : {conflict.first, conflict.second}) {
       const auto at = position_at(facts.tracks[bee], conflict.closest_s);
-      if (at) marks.push_back({view.spot_of(*at), 5.0, facts.swarm.names.of(bee)});
+      if (at) marks.push_back({view.spot_of(*at), 5.0, picture_name(facts.swarm.names, bee)});
     }
   }
   return marks;

@@ -2,6 +2,7 @@
 
 #include "report/drawing/text_fit.hpp"
 #include "report/figure/density.hpp"
+#include "report/figure/picture_names.hpp"
 #include "report/figure/style.hpp"
 #include "report/number_label.hpp"
 #include "report/separation_words.hpp"
@@ -70,7 +71,7 @@ Diamonds marks_of(const SnapshotFacts& facts, const View& view) {
   Diamonds diamonds{{}, kRisk};
   for (const PointId bee : facts.at_risk) {
     diamonds.marks.push_back(
-        {view.spot_of(facts.positions[bee]), radius, facts.swarm.names.of(bee)});
+        {view.spot_of(facts.positions[bee]), radius, picture_name(facts.swarm.names, bee)});
   }
   return diamonds;
 }
@@ -125,8 +126,9 @@ void name_those_ahead(const SnapshotFacts& facts, const View& view, Drawing& dra
   const auto name = [&](PointId bee, const Point& there) {
     if (std::find(named.begin(), named.end(), bee) != named.end()) return;
     named.push_back(bee);
-    name_one_ahead(one_line(facts.swarm.names.of(bee)), view.spot_of(facts.positions[bee]),
-                   view.spot_of(there), view.panel.box, drawing);
+    name_one_ahead(one_line(picture_name(facts.swarm.names, bee)),
+                   view.spot_of(facts.positions[bee]), view.spot_of(there), view.panel.box,
+                   drawing);
   };
   for (const ConflictAhead& each : facts.ahead->conflicts) {
     name(each.first, each.first_there);

@@ -106,6 +106,31 @@ TEST(Coverage, LessThanATypicalIntervalIsNoPartOfItsOwn) {
   EXPECT_EQ(coverage_of(recording, {}, {5.0, 1.0}).bees_partly, 1U) << "an instant only";
 }
 
+// Also in the air, and where --max-gap is given: stamps never fall on one instant.
+TEST(Coverage, LessThanATypicalIntervalInTheAirIsKnown) {
+  io::Recording recording;
+  recording.frame = io::Frame::kMetres;
+  io::RecordedBee late;
+  io::RecordedBee early;
+  late.id = "late";
+  early.id = "early";
+  for (int i = 0; i < 20; ++i) {
+    early.fixes.push_back({0.1 * i, {2.0 * i, 0.0, 10.0}});
+    late.fixes.push_back({0.1 * i + 0.04, {2.0 * i, 30.0, 10.0}});
+  }
+  recording.bees = {early, late};
+  const std::vector<std::optional<double>> asked = {std::nullopt, 0.5};
+  for (const auto& max_gap_s : asked) {
+    EXPECT_TRUE(coverage_of(recording, {}, max_gap_of(recording, max_gap_s)).complete());
+  }
+  // Who lacks one fix is not known for the whole interval.
+  recording.bees[1] = early;
+  recording.bees[1].fixes.pop_back();
+  for (const auto& max_gap_s : asked) {
+    EXPECT_EQ(coverage_of(recording, {}, max_gap_of(recording, max_gap_s)).bees_cut_off, 1U);
+  }
+}
+
 // A drone of a show that lands stands there from then on; one whose path ends in the air may be
 // anywhere.
 TEST(Coverage, DronesOfAShowAreKnownWhileTheyStandOnTheGround) {

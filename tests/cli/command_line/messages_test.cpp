@@ -53,8 +53,10 @@ TEST_F(Messages, Utf16WithoutAMarkIsKnown) {
   constexpr std::string_view kTable = "id,time_s,x,y,z\na,0,0,0,0\na,1,0,0,0\n";
   expect_said(kAllThatRead, "little.csv", utf16(kTable, false),
               "this is UTF-16 text without a mark that says so; save it as UTF-8 (iconv -f "
-              "UTF-16LE -t UTF-8 FILE)");
-  expect_said(kAllThatRead, "big.csv", utf16(kTable, true), "iconv -f UTF-16BE -t UTF-8 FILE");
+              "UTF-16LE -t UTF-8 " +
+                  folder_.path("little.csv") + ")");
+  expect_said(kAllThatRead, "big.csv", utf16(kTable, true),
+              "iconv -f UTF-16BE -t UTF-8 " + folder_.path("big.csv"));
   // A single NUL proves nothing.
   expect_said({"detect"}, "one.csv", "x,y,z\n0,0,\0000\n"sv, "byte 10 is NUL");
 }

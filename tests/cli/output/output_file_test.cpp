@@ -68,9 +68,8 @@ TEST_F(OutputFile, IsNotTheInputByALink) {
 TEST_F(OutputFile, IsNoFileOfAFolderThatIsRead) {
   const std::string folder = folder_.path("");
   expect_refused({"replay", folder, "--output", in_}, "--output " + in_ + " is the input itself");
-  EXPECT_EQ(
-      run({"replay", folder, "--time-unit", "s", "--output", folder_.path("new.csv")}).exit_code,
-      0);
+  EXPECT_EQ(run({"replay", folder, "--one-clock", "--output", folder_.path("new.csv")}).exit_code,
+            0);
   EXPECT_EQ(folder_.read("in.csv"), kFlown);
 }
 

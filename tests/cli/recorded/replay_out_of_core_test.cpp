@@ -148,7 +148,7 @@ TEST_F(ReplayOutOfCore, ReadsSeveralFilesCompressedOnesAndStandardInput) {
   ASSERT_EQ(std::system(("gzip -k " + second).c_str()), 0);
   expect_same({first, second + ".gz", "--threshold", "5"});
   expect_same({"--threshold", "5"}, mixed);
-  expect_same({folder_.path(""), "--threshold", "5", "--time-unit", "s"});
+  expect_same({folder_.path(""), "--threshold", "5", "--one-clock"});
 }
 
 TEST_F(ReplayOutOfCore, DegreesAndHeightsInFeet) {

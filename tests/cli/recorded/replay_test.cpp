@@ -210,8 +210,8 @@ TEST(Replay, TheSameIdInSeveralFilesIsOneBee) {
   const std::string late = folder.file("2.csv", "id,time_s,x,y,z\na,10,100,0,0\nb,10,0,3,0\n");
   expect_rows(replayed({early, late}), {{"a", "b", "4.8", "5", "3", "5.2"}});
   expect_failure(
-      {"replay", "--time-unit", "s", early, folder.file("3.csv", "id,time_s,x,y,z\na,0,1,0,0\n")},
-      {}, 3, "bee 'a' is at another place at the same time");
+      {"replay", "--one-clock", early, folder.file("3.csv", "id,time_s,x,y,z\na,0,1,0,0\n")}, {}, 3,
+      "bee 'a' is at another place at the same time");
 }
 
 // Two that change places on the equator within a minute, at 10,000 m and 10,200 m.

@@ -233,6 +233,13 @@ TEST(Robotics, TablesAsRos2EchoesThemHaveNoHeader) {
   expect_parts(finished.err, {"geometry_msgs/PoseStamped as 'ros2 topic echo --csv' writes it"});
 }
 
+// A recipe with the name that was given.
+std::string with_file(std::string_view recipe, const std::string& file) {
+  std::string text(recipe);
+  const std::size_t at = text.find("FILE");
+  return at == std::string::npos ? text : text.replace(at, 4, file);
+}
+
 TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
   struct Known {
     std::string_view bytes;
@@ -248,7 +255,7 @@ TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
       {"\xA3\x95\x80\x80\x59"
        "FMT",
        "a DataFlash log of ArduPilot (.bin)",
-       "--columns time=timestamp,lon=Lng,lat=Lat,height=Alt --threshold 5 "},
+       "--columns time=timestamp,lon=Lng,lat=Lat,height=Alt --threshold YOUR_THRESHOLD "},
       {"MATLAB 5.0 MAT-file, Platform", "a file of MATLAB (.mat)", "scipy.io.whosmat('FILE')"},
       {"\x89HDF\r\n\x1A\nrest", "an HDF5 file", "h5py.File('FILE').visititems(print)"},
       {"\x89HDF\r\n\x1A\n..pandas_type..bodyparts..", "an HDF5 file of DeepLabCut",
@@ -297,13 +304,46 @@ TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
       EXPECT_EQ(finished.exit_code, 3) << command << known.what << finished.err;
       EXPECT_EQ(finished.out, "");
       if (command == "watch" && known.bytes.find('\n') != std::string_view::npos) continue;
-      expect_parts(finished.err, {known.what, known.type});
+      expect_parts(finished.err, {known.what, with_file(known.type, file)});
     }
   }
   const Finished snapshot = run({"detect", made("north.ulg")});
   EXPECT_EQ(snapshot.exit_code, 3);
   expect_parts(snapshot.err, {"a recording of bees that move (PX4 log (ULog))",
                               "ask 'beespace replay' about it"});
+}
+
+// With the threshold that was typed, not one of its own; of a folder of such logs at once.
+TEST(Robotics, RecipesHaveTheThresholdThatWasTyped) {
+  TemporaryFolder folder;
+  folder.file("00000010.BIN",
+              "\xA3\x95\x80\x80\x59"
+              "FMT");
+  const std::string second = folder.file("00000011.BIN",
+                                         "\xA3\x95\x80\x80\x59"
+                                         "FMT");
+  expect_parts(run({"replay", second, "--threshold", "8"}).err,
+               {"lat=Lat,height=Alt --threshold 8 (", "--types POS " + second + " > pos.csv"});
+  expect_parts(run({"replay", second}).err, {"height=Alt --threshold YOUR_THRESHOLD ("});
+  expect_parts(run({"replay", folder.path(""), "--separation", "terminal"}).err,
+               {"00000010.BIN: this is a DataFlash log of ArduPilot (.bin)",
+                "--separation terminal (", "likewise 1 more in this folder"});
+  const std::string wide = folder.file("a wide.csv",
+                                       "__time,/drone1/pose/position/x,/drone1/pose/position/y,"
+                                       "/drone2/pose/position/x,/drone2/pose/position/y\n"
+                                       "0,1,2,3,4\n");
+  expect_parts(run({"replay", wide, "--threshold", "0.3 m"}).err,
+               {"' '" + wide + "' > long.csv",
+                "' > long.csv, and then beespace replay long.csv "
+                "--threshold '0.3 m' --time-unit s; where"});
+}
+
+TEST(Robotics, WhatRos2EchoesForReadingIsKnown) {
+  const Finished echoed =
+      run({"replay", "--threshold", "5"}, "header:\n  stamp:\n    sec: 1\n    nanosec: 2\n---\n");
+  EXPECT_NE(echoed.exit_code, 0);
+  expect_parts(echoed.err,
+               {"this is what 'ros2 topic echo' writes", "ros2 topic echo --csv TOPIC"});
 }
 
 TEST(Robotics, AFolderThatROS2RecordedIntoIsKnown) {
@@ -314,7 +354,8 @@ TEST(Robotics, AFolderThatROS2RecordedIntoIsKnown) {
   recipe.erase(recipe.find_last_not_of('\n') + 1);
   const Finished finished = run({"replay", folder.path("")});
   EXPECT_EQ(finished.exit_code, 3);
-  expect_parts(finished.err, {"this is a bag of ROS 2, a folder with metadata.yaml", recipe});
+  expect_parts(finished.err, {"this is a bag of ROS 2, a folder with metadata.yaml",
+                              with_file(recipe, folder.path(""))});
 }
 
 TEST(Robotics, TimesInAnotherUnitThanTheHeaderSaysAreAsked) {

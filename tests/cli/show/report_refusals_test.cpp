@@ -212,7 +212,7 @@ TEST_F(ReportRefusals, SeveralSnapshotsAreNoRecordingAndMayBeCompared) {
   const std::string flown = folder_.file("flown.csv", kFlown);
   const std::string message =
       "there are no times in this snapshot, and several files are read as one recording; name one "
-      "file, or set two beside each other: beespace report FILE --compare FILE";
+      "file, or set two beside each other: beespace report BEFORE --compare AFTER";
   expect_failure({"report", a, b}, {}, kBadInput, "a.csv: " + message);
   expect_failure({"report", flown, b}, {}, kBadInput, "b.csv: " + message);
   expect_failure({"export", a, b, "--format", "csv"}, {}, kBadInput, "a.csv: " + message);

@@ -218,7 +218,7 @@ TEST(WatchClocks, ThatCountFromWhenEachVehicleWasSwitchedOnAreRefused) {
   expect_failure(asked, "id,time_boot_ms,x_m,y_m,z_m\na,0,0,0,0\nb,400,1,0,0\n", 2,
                  "<stdin>:3: 'time_boot_ms' counts from when each vehicle was switched on");
   for (const std::vector<std::string>& said :
-       {std::vector<std::string>{"--clock", "arrival"}, {"--time-unit", "ms"}}) {
+       {std::vector<std::string>{"--clock", "arrival"}, {"--one-clock"}}) {
     std::vector<std::string> command = {"watch", "--threshold", "5"};
     command.insert(command.end(), said.begin(), said.end());
     expect_parts(run(command, two).out, {R"("first": "1", "second": "2")"});

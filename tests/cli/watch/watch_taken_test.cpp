@@ -335,6 +335,24 @@ TEST(WatchTaken, ThePlaceThatAFrozenPoseHasLeftIsNotKnown) {
   EXPECT_EQ(stands.exit_code, 0) << stands.err;
 }
 
+// Also where it says that it stands, and its velocities cannot have led it on from there.
+TEST(WatchTaken, ThePlaceOutOfWhichItJumpsAgainstItsVelocitiesIsNotKnown) {
+  const auto told = [](int freezes_until) {
+    std::string text = "id,time_s,x_m,y_m,vx,vy\n";
+    for (int i = 0; i < 150; ++i) {
+      const bool stands = i > 50 && i < freezes_until;
+      const std::string time = "," + std::to_string(i / 10) + "." + std::to_string(i % 10) + ",";
+      text += "a" + time + std::to_string(0.1 * (stands ? 50 : i)) +
+              (stands ? ",0,0,0\n" : ",0,1,0\n") + "b" + time + "0,90,0.0,0.0\n";
+    }
+    return text;
+  };
+  const Finished frozen = run(kWatchClosely, told(110));
+  EXPECT_EQ(frozen.exit_code, kRisk);
+  expect_parts(frozen.err, {"1 bee repeats a place that it has left"});
+  EXPECT_EQ(run(kWatchClosely, told(0)).exit_code, 0);
+}
+
 // The same with its velocity, or with noise, or neither, to the end.
 TEST(WatchTaken, APoseThatIsFrozenToTheEndIsNoAllClear) {
   std::string own = "id,time_s,x_m,y_m,vx,vy\n";

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 namespace beespace::io {
 namespace {
 
@@ -41,6 +43,40 @@ TEST(UlogGuessed, APlaceThatMayBeHundredsOfMetresOffIsNotKnown) {
   EXPECT_EQ(told(300.0, 0.75, false).bees[0].fixes.size(), 10u);
   EXPECT_EQ(told(0.5, 300.0, false).bees[0].fixes.size(), 10u);
   EXPECT_TRUE(told(3.0, 4.0, false).missing.none());
+}
+
+// A place each second, with the receiver's fix; from 10 s on for 5 s as said.
+Recording with_fix(unsigned fix_type, unsigned before) {
+  constexpr unsigned kReceiver = 31;
+  UlogMaking log;
+  log.flags(0).format(
+      "vehicle_global_position:uint64_t timestamp;double lat;double lon;float alt;");
+  log.format("vehicle_gps_position:uint64_t timestamp;uint64_t time_utc_usec;uint8_t fix_type;");
+  log.subscribe(kNewerNumber, "vehicle_global_position")
+      .subscribe(kReceiver, "vehicle_gps_position");
+  for (std::uint64_t second = 1; second <= 20; ++second) {
+    const bool lost = second > 10 && second <= 15;
+    log.data(kReceiver, UlogBody()
+                            .u64(second * 1'000'000 - 1000)
+                            .u64(1'700'000'000'000'000 + second * 1'000'000)
+                            .u8(lost ? fix_type : before));
+    log.data(kNewerNumber, UlogBody()
+                               .u64(second * 1'000'000)
+                               .f64(47.25 + 1e-5 * static_cast<double>(second))
+                               .f64(8.5)
+                               .f32(512.0));
+  }
+  return recording_of(load_recording_from_memory(log.bytes(), "north.ulg", {}));
+}
+
+TEST(UlogGuessed, APlaceOnTheEarthWithoutAFixAnyMoreIsNotKnown) {
+  const Recording lost = with_fix(0, 3);
+  EXPECT_EQ(lost.bees[0].fixes.size(), 15u);
+  EXPECT_EQ(lost.missing.count, 5u);
+  EXPECT_TRUE(has_note(lost, "no fix of satellites any more"));
+  EXPECT_TRUE(with_fix(3, 6).missing.none());
+  // It never had one, and knows its place otherwise.
+  EXPECT_TRUE(with_fix(0, 1).missing.none());
 }
 
 }  // namespace

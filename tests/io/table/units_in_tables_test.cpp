@@ -412,7 +412,7 @@ TEST(UnitsInTables, FilesInDifferentUnitsAreComparedInMetres) {
   const auto feet = folder.write("feet.csv", "id,time_s,lat,lon,alt_ft\na,0,48,2,35000\n");
   const auto metres = folder.write("metres.csv", "id,time_s,lat,lon,alt_m\nb,0,48,2,10668\n");
   for (const auto& paths : {std::vector{feet, metres}, std::vector{metres, feet}}) {
-    const Recording both = recording_of(load_recording(paths, columns_are("")));
+    const Recording both = recording_of(load_recording(paths, on_one_clock()));
     EXPECT_EQ(both.height_unit, Unit::kMetre);
     ASSERT_EQ(both.bees.size(), 2U);
     EXPECT_TRUE(both.bees[0].stated_heights.empty() && both.bees[1].stated_heights.empty());

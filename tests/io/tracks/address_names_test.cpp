@@ -93,7 +93,10 @@ TEST(KnownTables, Ulog2csvOfTwoDronesHasTwoClocks) {
   expect_error(load_recording(both, {}), {ErrorCode::kInvalidArgument, both[1],
                                           "may be counted from a zero of each vehicle's own"});
   RecordingOptions together;
-  together.time_unit = Unit::kMicrosecond;
+  together.time_unit = Unit::kMicrosecond;  // which is no word of the clock
+  expect_error(load_recording(both, together),
+               {ErrorCode::kInvalidArgument, both[1], "say so with --one-clock"});
+  together.one_clock = true;
   EXPECT_EQ(recording_of(load_recording(both, together)).bees.size(), 2u);
 }
 

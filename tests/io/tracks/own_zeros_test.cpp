@@ -195,8 +195,8 @@ std::string stamped(const std::string& first, const std::string& second) {
 
 TEST(StampsOfRos, ThatDoNotCountFrom1970AreAskedAbout) {
   const Texts texts = {stamped("0", "1"), stamped("0", "2")};
-  expect_problem(several(texts), "if all have one clock, say so with their unit, --time-unit s");
-  EXPECT_TRUE(several(texts, columns_are("", Unit::kSecond)));
+  expect_problem(several(texts), "if all have one clock, say so with --one-clock");
+  EXPECT_TRUE(several(texts, on_one_clock()));
   EXPECT_TRUE(record(texts[0]));
 }
 
@@ -267,10 +267,8 @@ TEST(PlainTables, ThatEachBeginAtTimeZeroAreAskedAbout) {
   for (const std::string time : {"time_s", "t_ms"}) {
     const std::string zero = table(time, "0.00");
     expect_problem(several({zero, table(time, "1"), zero}), "0.csv both begin at 0, and may be");
-    expect_problem(several({zero, zero}),
-                   std::string("if all have one clock, say so with their unit, --time-unit ") +
-                       (time == "t_ms" ? "ms" : "s"));
-    EXPECT_TRUE(several({zero, zero}, columns_are("", Unit::kSecond)));
+    expect_problem(several({zero, zero}), "if all have one clock, say so with --one-clock");
+    EXPECT_TRUE(several({zero, zero}, on_one_clock()));
     EXPECT_TRUE(several({zero, table(time, "1")}));
   }
   // What is a plan has one clock.
@@ -294,10 +292,10 @@ TEST(PlainTables, WithIdsThatEachBeginAtTimeZeroAreAskedAbout) {
   const std::string question =
       "0.csv both begin at 0, and may be counted from a zero of each file's own, as of several "
       "trials: then they cannot be compared; read the files each for itself, give times since "
-      "1970, or, if all have one clock, say so with their unit, --time-unit s";
+      "1970, or, if all have one clock, say so with --one-clock";
   expect_problem(several({first, second}), question);
   expect_problem(several({first, named + "c,1,4,5,6\n", second}), question);
-  EXPECT_EQ(recording_of(several({first, second}, columns_are("", Unit::kSecond))).bees.size(), 2u);
+  EXPECT_EQ(recording_of(several({first, second}, on_one_clock())).bees.size(), 2u);
   // One goes on where the other ends, or is of the same moment by a clock that runs on.
   EXPECT_TRUE(several({first, named + "a,2,1,2,3\nb,2,4,5,6\n"}));
   // A file a vehicle, beside one of several: whose zero it is is not known either.
@@ -342,11 +340,10 @@ TEST(OneTable, OfSeveralVehiclesThatCountFromWhenTheyWereSwitchedOnIsAskedAbout)
   const std::string table =
       "sysid,time_boot_ms,x,y,z\n1,60000,0,0,5\n1,61000,1,0,5\n2,65000,0,1,5\n2,66000,1,1,5\n";
   const auto refused = several({table});
-  expect_problem(refused, "--time-unit ms");
+  expect_problem(refused, "say so with --one-clock");
   EXPECT_EQ(refused.error().location.line, 4U);
-  RecordingOptions one_clock;
-  one_clock.time_unit = Unit::kMillisecond;
-  EXPECT_TRUE(several({table}, one_clock));
+  expect_problem(several({table}, columns_are("", Unit::kMillisecond)), "say so with --one-clock");
+  EXPECT_TRUE(several({table}, on_one_clock()));
 }
 
 // The answer to which unit is none to which zero.

@@ -119,7 +119,7 @@ TEST(RecordingFiles, AConflictBetweenFilesIsBlamedOnTheSecond) {
   const TemporaryFolder folder;
   const std::string first = folder.write("1.csv", kTwoBees);
   const std::string second = folder.write("2.csv", "id,time_s,x,y,z\nc,0,0,0,0\nb,0,9,9,9\n");
-  expect_error(load_recording({first, second}, columns_are("")),
+  expect_error(load_recording({first, second}, on_one_clock()),
                {ErrorCode::kTimeOrder, second + ":3", "in " + first + ", line 3"});
 }
 
@@ -168,7 +168,9 @@ TEST(RecordingFiles, AHeightThatOneFileLacksIsNotZero) {
                {ErrorCode::kMissingColumn, plane, "there are no heights here, but in " + space});
   expect_error(load_recording({plane, space}),
                {ErrorCode::kMissingColumn, space, "heights here, but none in " + plane});
-  EXPECT_TRUE(load_recording({space, plane}, columns_are("id=id,time=time_s,x=x,y=y")));
+  RecordingOptions in_a_plane = columns_are("id=id,time=time_s,x=x,y=y");
+  in_a_plane.one_clock = true;
+  EXPECT_TRUE(load_recording({space, plane}, in_a_plane));
   const std::string high = folder.write("3.csv", "id,time_s,lon,lat,height\na,0,9,47,500\n");
   const std::string ground = folder.write("4.csv", "id,time_s,lon,lat\nb,0,9,47\n");
   expect_error(load_recording({high, ground}), {ErrorCode::kMissingColumn, ground, "no heights"});
@@ -365,8 +367,8 @@ TEST(JoinedTables, WhatIsAskedOfEachForItselfIsAskedOfThemTogether) {
                {ErrorCode::kInvalidArgument, "bees.csv:5:2",
                 "times begin at 0 again, which may be another moment, as of another trial: then "
                 "they cannot be compared; read the tables each for itself, or, if all have one "
-                "clock, say so with their unit, --time-unit s"});
-  EXPECT_TRUE(record(joined("a,0,1,2,3\n", "b,0,4,5,6\n"), columns_are("")));
+                "clock, say so with --one-clock"});
+  EXPECT_TRUE(record(joined("a,0,1,2,3\n", "b,0,4,5,6\n"), on_one_clock()));
   EXPECT_TRUE(record(joined("a,0,1,2,3\n", "a,1,4,5,6\n")));
   expect_error(record("time_s,x_m,y_m,z_m\n1,1,2,3\n2,1,2,3\ntime_s,x_m,y_m,z_m\n3,4,5,6\n"),
                {ErrorCode::kMissingColumn, "bees.csv:5", "no column says whose records they are"});

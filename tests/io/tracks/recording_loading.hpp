@@ -20,6 +20,12 @@ inline Result<Recording> record(std::string_view text, const RecordingOptions& o
   return load_recording_from_memory(text, "bees.csv", options);
 }
 
+inline RecordingOptions on_one_clock() {
+  RecordingOptions options;
+  options.one_clock = true;
+  return options;
+}
+
 inline RecordingOptions columns_are(std::string columns, Unit unit = Unit::kSecond) {
   RecordingOptions options;
   options.columns = std::move(columns);

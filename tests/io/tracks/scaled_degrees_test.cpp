@@ -109,7 +109,10 @@ TEST(TimesSinceTheStart, OfSeveralVehiclesCannotBeCompared) {
   expect_error(load_recording({first, second}),
                {ErrorCode::kInvalidArgument, second, "a zero of each vehicle's own"});
   RecordingOptions options;
-  options.time_unit = Unit::kMillisecond;
+  options.time_unit = Unit::kMillisecond;  // which the header says, too
+  expect_error(load_recording({first, second}, options),
+               {ErrorCode::kInvalidArgument, second, "say so with --one-clock"});
+  options.one_clock = true;
   EXPECT_TRUE(load_recording({first, second}, options));
 }
 

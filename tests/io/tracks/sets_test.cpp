@@ -110,8 +110,8 @@ TEST(Trials, WhoseTimesBeginAgainAreNotCompared) {
   EXPECT_EQ(quoted.error().message.find("awk"), std::string::npos) << quoted.error().message;
   const TemporaryFolder folder;
   const std::string header = "trial,id,time_s,x_m,y_m\n";
-  expect_error(load_recording({folder.write("1.csv", header + "1,a,0,0,0\n1,a,1,1,0\n"),
-                               folder.write("2.csv", header + "2,b,0,5,0\n2,b,1,6,0\n")},
+  expect_error(load_recording({folder.write("1.csv", header + "1,a,1,0,0\n1,a,2,1,0\n"),
+                               folder.write("2.csv", header + "2,b,1,5,0\n2,b,2,6,0\n")},
                               columns_are("")),
                {ErrorCode::kTimeOrder, folder.file("2.csv") + ":2", "begin again or overlap"});
 }

@@ -38,11 +38,12 @@ TEST(SeveralVehicles, ALineOfAwkMakesRecords) {
                {ErrorCode::kMissingColumn, "bees.csv:1",
                 "as by awk -F',' '{sub(/\\r$/,\"\")}function p(i,a,b){if($a!=\"\")print "
                 "$1\",\"i\",\"$a\",\"$b}NR==1{print \"time_s,id,x_mm,y_mm\"}NR>1{p(\"r1\",2,3);p("
-                "\"r2\",4,5)}' FILE > long.csv, and then beespace replay long.csv; if"});
+                "\"r2\",4,5)}' FILE > long.csv, and then beespace replay long.csv --threshold "
+                "YOUR_THRESHOLD; if"});
   expect_error(load_with("time,drone1_x,drone1_y,drone1_z,drone2_x,drone2_y,drone2_z"),
                {ErrorCode::kMissingColumn, "bees.csv:1",
-                "and then beespace replay long.csv --threshold 2 --time-unit s (or ms, or us: "
-                "whichever 'time' is in); if"});
+                "and then beespace replay long.csv --threshold YOUR_THRESHOLD --time-unit s; where "
+                "'time' is not in seconds, the unit is ms, us or ns; if"});
 }
 
 TEST(SeveralVehicles, WhoSaysWhichColumnsIsBelieved) {
@@ -96,18 +97,35 @@ TEST(SeveralVehicles, StampsOfTrajectoriesTellTheirUnitByTheirSize) {
   }
 }
 
+// Nothing follows itself ten million times a second.
+TEST(SeveralVehicles, MillisecondsSince1970TellTheirUnitByTheirSizeAndSteps) {
+  const auto table = [](const std::string& second, const std::string& third) {
+    return "id,time,x_m,y_m,z_m\na,1790000000000,1,2,3\nb,1790000000000,9,2,3\na," + second +
+           ",2,2,3\nb," + third + ",9,2,3\n";
+  };
+  const Recording recording = recording_of(record(table("1790000000100", "1790000000113")));
+  EXPECT_EQ(times_of(recording.bees[0]), (std::vector<double>{1.79e9, 1.79e9 + 0.1}));
+  EXPECT_TRUE(recording.since_1970);
+  EXPECT_TRUE(has_note(recording, "as their size tells"));
+  // A hundred times a second, in nanoseconds since a boot half an hour ago; or in microseconds.
+  for (const std::string later : {"1790010000000", "1790000010000", "1790000000000"}) {
+    expect_error(record(table(later, later)),
+                 {ErrorCode::kInvalidArgument, "bees.csv:1:2", "in which unit? Say it with"});
+  }
+}
+
 TEST(SeveralVehicles, TrajectoriesFromZerosOfTheirOwnAreAskedAbout) {
   const TemporaryFolder folder;
   const std::string walk = "0.0 1 2 3 0 0 0 1\n1.0 2 2 3 0 0 0 1\n";
   const std::vector<std::string> both = {folder.write("a.txt", walk), folder.write("b.txt", walk)};
   expect_error(load_recording(both, {}),
-               {ErrorCode::kInvalidArgument, both[1], "say so with their unit, --time-unit s"});
+               {ErrorCode::kInvalidArgument, both[1], "say so with --one-clock"});
   // Beside a table, too.
   const std::string table = folder.write("c.csv", "id,time_s,x_m,y_m,z_m\nc,0,1,2,3\nc,1,2,2,3\n");
   expect_error(load_recording({table, both[0]}, {}),
-               {ErrorCode::kInvalidArgument, both[0], "say so with their unit, --time-unit s"});
+               {ErrorCode::kInvalidArgument, both[0], "say so with --one-clock"});
   RecordingOptions one_clock;
-  one_clock.time_unit = Unit::kSecond;
+  one_clock.one_clock = true;
   EXPECT_EQ(recording_of(load_recording(both, one_clock)).bees.size(), 2u);
 }
 

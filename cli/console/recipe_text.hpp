@@ -1,0 +1,15 @@
+// Lines that messages say to type, with what was typed: so that they can be pasted as they stand.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace beespace::cli {
+
+// `message` with the name of the file for the word FILE, where there is such a file, and
+// "--threshold 5" or "--separation enroute", as typed, for io::kYourThreshold; where nothing was
+// typed that stays as it is.
+std::string with_what_was_typed(std::string message, const std::string& file,
+                                std::string_view threshold, std::string_view separation);
+
+}  // namespace beespace::cli
