@@ -29,8 +29,8 @@ void append_frame_lines(std::string& out, io::Frame frame, const std::string& re
 // The lines about what was read.
 std::string input_summary(const io::Recording& recording, const MovingRequest& request);
 
-// " --separation enroute", " --threshold 5NM --vertical 1000ft": as it was typed, to be typed again;
-// empty where nothing was.
+// " --separation enroute", " --threshold 5NM --vertical 1000ft": as it was typed, to be typed
+// again; empty where nothing was.
 std::string separation_typed(const MovingRequest& request);
 
 // "5 m (closer than), as the show declares". Of `aircraft` the default is hardly what is meant.

@@ -174,7 +174,7 @@ Listing closest_conflicts(const RecordingFacts& facts) {
                        const char* kind) {
     listing.rows.push_back({name_of(facts.swarm.names, conflict.first, conflict.second),
                             listed_apart(facts.swarm, conflict.closest_m, apart) + " at " +
-                                moment_label(conflict.closest_s, facts.since_1970) + kind +
+                                moment_label(conflict.closest_s, facts) + kind +
                                 duration_of(conflict)});
   };
   const WithStanding with_standing(facts);

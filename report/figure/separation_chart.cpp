@@ -268,10 +268,13 @@ void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawi
   draw_line_across(panel, measure.limit_m, measure.limit_name, line, drawing);
 }
 
-std::string moment_label(double time_s, bool since_1970) {
-  if (!since_1970 || date_label(time_s).empty()) return decimal_label(time_s, 1) + " s";
+std::string moment_label(double time_s, const RecordingFacts& facts) {
+  if (!facts.since_1970 || date_label(time_s).empty()) return decimal_label(time_s, 1) + " s";
   const double midnight = std::floor(time_s / kDay_s) * kDay_s;
-  return clock_label(std::floor(time_s - midnight), 1.0);
+  const std::string clock = clock_label(std::floor(time_s - midnight), 1.0);
+  const TimeSpan time = time_of(facts);
+  const bool of_one_day = std::floor(time.begins_s / kDay_s) == std::floor(time.ends_s / kDay_s);
+  return of_one_day ? clock : date_label(time_s).substr(5) + " " + clock;
 }
 
 }  // namespace beespace::report

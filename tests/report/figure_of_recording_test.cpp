@@ -1,0 +1,274 @@
+// Figures of recordings: parts in conflict, the list of pairs, what is drawn over time.
+#include "report/figure/figure.hpp"
+
+#include "report/drawing/svg.hpp"
+#include "report/figure/separation_chart.hpp"
+#include "report/figure/style.hpp"
+#include "report/figure/view.hpp"
+#include "tests/report/figure_facts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace beespace::report {
+namespace {
+
+TEST(FigureOfRecording, OfARecordingPartsInConflictAreFat) {
+  const RecordingFacts facts = two_tracks();
+  const Drawing drawing = figure_of(facts);
+  std::size_t found = 0;
+  for (const Lines& lines : shapes_of<Lines>(drawing)) {
+    if (lines.ink.rgb != kRisk.rgb || lines.runs.size() != 2) continue;
+    ++found;
+    EXPECT_GT(lines.width, 2.0);
+  }
+  EXPECT_EQ(found, 2u);  // in both views
+  Extent extent;
+  for (const Track& track : facts.tracks) {
+    for (const Fix& fix : track.fixes) extent.add(fix.position);
+  }
+  const View view = views_of(extent, facts.swarm, {100.0, 152.0}, 648.0).front();
+  const auto marks = named_marks(drawing);
+  ASSERT_EQ(marks.size(), 4u);
+  EXPECT_NEAR(marks.front().centre.x, view.spot_of({50, 0, 10}).x, 1e-9);
+  EXPECT_TRUE(says(drawing, "3.000 m at 50.0 s"));
+  expect_inside(drawing);
+}
+
+TEST(FigureOfRecording, APossibleConflictIsMarkedAsSuch) {
+  RecordingFacts facts = two_tracks();
+  EXPECT_FALSE(says(figure_of(facts), "possible"));
+  facts.conflicts.front().certain = false;
+  facts.conflicts.front().closest_m = 5.001;
+  facts.possible_count = 1;
+  EXPECT_TRUE(says(figure_of(facts), "5.001 m at 50.0 s, possible"));
+}
+
+TEST(FigureOfRecording, TwoThatBothStandAreNotPassedOverInSilence) {
+  RecordingFacts facts = two_tracks();
+  facts.conflicts.clear();
+  facts.conflict_count = facts.pair_count = 0;
+  EXPECT_FALSE(says(figure_of(facts), "but for"));
+  facts.standing_count = 1;
+  EXPECT_TRUE(says(figure_of(facts), "but for 1 conflict of two that both stand on the ground"));
+}
+
+TEST(FigureOfRecording, ListsNothingAtTheThresholdThatIsBelowIt) {
+  SnapshotFacts facts = three_bees();
+  facts.distances_m = {99.99996};
+  facts.closest->distance_m = 99.99996;
+  const Drawing drawing = figure_of(facts);
+  EXPECT_TRUE(says(drawing, "99.99996 m"));
+  EXPECT_FALSE(says(drawing, "100.000 m"));
+  EXPECT_TRUE(says(drawing, "closest: 99.99996 m"));
+}
+
+TEST(FigureOfRecording, TheHeadingOfTheListGivesTheTotal) {
+  SnapshotFacts facts = three_bees();
+  EXPECT_TRUE(says(figure_of(facts), "Closest pairs"));
+  EXPECT_FALSE(says(figure_of(facts), "Closest pairs: "));
+  facts.pair_count = 1'503;
+  EXPECT_TRUE(says(figure_of(facts), "Closest pairs: 1 of 1,503"));
+  // Where not all pairs fit, the shown ones are counted.
+  facts.pairs.assign(100, {0, 1});
+  facts.distances_m.assign(100, 50.0);
+  facts.pair_count = 100;
+  const Drawing drawing = figure_of(facts);
+  const auto texts = shapes_of<Text>(drawing);
+  const auto rows = std::count_if(texts.begin(), texts.end(),
+                                  [](const Text& text) { return text.text == "50.000 m"; });
+  EXPECT_GT(rows, 1);
+  EXPECT_TRUE(says(drawing, "Closest pairs: " + std::to_string(rows) + " of 100"));
+  RecordingFacts flown = two_tracks();
+  flown.conflict_count = 26;
+  flown.pair_count = 26;
+  EXPECT_TRUE(says(figure_of(flown), "Closest pairs in conflict: 1 of 26"));
+}
+
+TEST(FigureOfRecording, ListsEachPairOnceAndThoseOnTheGroundBehindThoseInTheAir) {
+  RecordingFacts facts = two_tracks();
+  const Track third = facts.tracks[0];
+  facts.tracks.push_back(third);
+  facts.swarm.names.texts = {"a", "b", "c"};
+  facts.conflicts = {{0, 2, 0.0, 0.5, 1.0, 1.0},
+                     {0, 1, 0.0, 0.5, 1.0, 1.5},
+                     {0, 1, 2.0, 2.5, 3.0, 1.8},
+                     {0, 1, 4.0, 4.5, 5.0, 1.9}};
+  facts.conflict_count = 4;
+  facts.pair_count = 2;
+  facts.with_standing = {facts.conflicts[0], facts.conflicts[1]};
+  const Drawing drawing = figure_of(facts);
+  EXPECT_FALSE(says(drawing, "1.500 m"));
+  EXPECT_FALSE(says(drawing, "1.900 m"));
+  EXPECT_TRUE(says(drawing, ", with one on the ground"));
+  const auto texts = shapes_of<Text>(drawing);
+  const auto place_of = [&texts](const std::string& part) {
+    return std::find_if(texts.begin(), texts.end(),
+                        [&part](const Text& text) {
+                          return text.text.find(part) != std::string::npos &&
+                                 text.text.find(" at ") != std::string::npos;
+                        }) -
+           texts.begin();
+  };
+  EXPECT_LT(place_of("1.800 m"), place_of("1.000 m"));
+}
+
+TEST(FigureOfRecording, OfManyPathsTheClosestTwoAreNamedWhereTheyAre) {
+  RecordingFacts facts = two_tracks();
+  const Track one = facts.tracks[0];
+  facts.tracks.resize(20, one);
+  facts.swarm.names.texts.resize(20, "c");
+  const auto texts = shapes_of<Text>(figure_of(facts));
+  EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [](const Text& text) {
+    return text.text.starts_with("closest") && text.text.find(" \u2013 ") != std::string::npos;
+  }));
+}
+
+// An encounter that is not too close is not "possible".
+TEST(FigureOfRecording, AnEncounterThatIsNoConflictIsNotCalledPossible) {
+  RecordingFacts facts = two_tracks();
+  facts.conflicts.clear();
+  facts.conflict_count = 0;
+  facts.at_risk.clear();
+  facts.closest->certain = false;
+  EXPECT_FALSE(says(figure_of(facts), "possible"));
+}
+
+TEST(FigureOfRecording, NoLabelOfTheSeparationIsStruckThroughByTheThreshold) {
+  for (const double threshold_m : {1.0, 3.0, 3.5, 5.0, 8.0, 20.0, 90.0}) {
+    RecordingFacts facts = two_tracks();
+    facts.swarm.threshold_m = threshold_m;
+    const Drawing drawing = figure_of(facts);
+    for (const Lines& lines : shapes_of<Lines>(drawing)) {
+      if (!lines.dashed) continue;
+      const double line_y = lines.runs.front().front().y;
+      const double left = lines.runs.front().front().x;
+      for (const Text& text : shapes_of<Text>(drawing)) {
+        const bool in_the_chart = text.at.x > left && text.at.y < line_y + 40.0;
+        if (!in_the_chart || !text.halo) continue;
+        EXPECT_TRUE(text.at.y <= line_y - 4.0 || text.at.y - 0.75 * text.size >= line_y + 1.0)
+            << text.text << " at " << threshold_m;
+      }
+    }
+  }
+}
+
+TEST(FigureOfRecording, TimesInConflictThatTouchAreOneBand) {
+  const auto bands =
+      times_in_conflict({{0, {5.0, 7.0}}, {1, {1.0, 2.0}}, {2, {2.0, 3.0}}, {3, {2.5, 2.6}}});
+  EXPECT_EQ(bands, (std::vector<TimeSpan>{{1.0, 3.0}, {5.0, 7.0}}));
+}
+
+// However many of them are narrower than what can be seen.
+TEST(FigureOfRecording, BandsAndHatchingLieAtTheirTimes) {
+  RecordingFacts facts;
+  facts.swarm.threshold_m = 5.0;
+  facts.tracks = {{{{0.0, {0, 0, 0}}, {1'000.0, {100, 0, 0}}}},
+                  {{{0.0, {0, 50, 0}}, {1'000.0, {100, 50, 0}}}}};
+  facts.separation = {{0.0, {0, 1, 50.0}}, {1'000.0, {0, 1, 50.0}}};
+  for (int i = 0; i < 400; ++i) {
+    const double begins_s = 0.25 * i;
+    facts.at_risk.push_back({0, {begins_s, begins_s + 0.01}});
+    facts.unknown_spans.push_back({1, begins_s, begins_s + 0.01});
+  }
+  facts.at_risk.push_back({0, {999.99, 1'000.0}});
+  const Drawing drawing = figure_of(facts);
+  double last = 0.0;
+  double right = 0.0;
+  std::size_t bands = 0;
+  for (const Area& area : shapes_of<Area>(drawing)) {
+    if (area.ink.rgb != kRiskBand.rgb || area.corners[1].x - area.corners[0].x == 14.0) continue;
+    last = std::max(right, area.corners[0].x);
+    right = std::max(right, area.corners[1].x);
+    ++bands;
+  }
+  ASSERT_EQ(bands, 2U) << "joined where they overlap";
+  EXPECT_LE(right, kRight + 1e-9) << "none is beyond the axis";
+  EXPECT_NEAR(last, right - 1.0, 1e-9);
+  expect_inside(drawing);
+}
+
+// In conflict all the time on a path of so many corners.
+RecordingFacts winding(int corners) {
+  RecordingFacts facts = two_tracks();
+  for (Track& track : facts.tracks) {
+    const double x = track.fixes.front().position.x;
+    track.fixes.clear();
+    for (int i = 0; i < corners; ++i) {
+      track.fixes.push_back({double(i), {x + (i % 2) * 50.0, (i % 3) * 40.0, (i % 5) * 20.0}});
+    }
+  }
+  facts.at_risk = {{0, {0.0, corners - 1.0}}, {1, {0.0, corners - 1.0}}};
+  return facts;
+}
+
+bool has_fat_parts(const Drawing& drawing) {
+  const auto lines = shapes_of<Lines>(drawing);
+  return std::any_of(lines.begin(), lines.end(), [](const Lines& some) {
+    return some.ink.rgb == kRisk.rgb && some.width > 2.0 && !some.runs.empty();
+  });
+}
+
+TEST(FigureOfRecording, TheKeyHasOnlyWhatIsDrawn) {
+  const Drawing some = figure_of(winding(1'000));
+  EXPECT_TRUE(has_fat_parts(some));  // of the key too
+  EXPECT_TRUE(says(some, "in conflict, and where it is closest"));
+  RecordingFacts many = winding(40'000);
+  const Drawing without = figure_of(many);
+  EXPECT_FALSE(has_fat_parts(without));
+  EXPECT_TRUE(says(without, "in conflict, where it is closest"));
+  many.conflicts.assign(301, many.conflicts.front());
+  many.conflict_count = 301;
+  const Drawing binned = figure_of(many);
+  EXPECT_FALSE(has_fat_parts(binned));
+  EXPECT_TRUE(says(binned, "conflicts: area by their number, up to 301 from above"));
+  EXPECT_FALSE(says(binned, "closest 301"));
+}
+
+TEST(FigureOfRecording, TheKeySaysThatOnlyTheClosestConflictsAreCounted) {
+  RecordingFacts facts = two_tracks();
+  facts.conflicts.assign(400, facts.conflicts.front());
+  facts.conflict_count = 300'000;
+  const Drawing drawing = figure_of(facts);
+  EXPECT_TRUE(says(drawing, "closest 400 conflicts: area by number, up to 400 from above"));
+  expect_inside(drawing);
+}
+
+TEST(FigureOfRecording, ManyPathsAreShades) {
+  RecordingFacts facts;
+  facts.swarm.threshold_m = 1.0;
+  for (int i = 0; i < 2'000; ++i) {
+    const double y = i;
+    facts.tracks.push_back(Track{{{0.0, {0, y, 0}}, {10.0, {1000, 2000 - y, 100}}}});
+  }
+  const Drawing drawing = figure_of(facts);
+  EXPECT_EQ(shapes_of<Cells>(drawing).size(), 2u);
+  EXPECT_LT(svg(drawing, 1200).size(), 2'000'000u);
+}
+
+// Of several days the time of day alone says little.
+TEST(FigureOfRecording, TimesOfSeveralDaysAreListedWithTheirDates) {
+  constexpr double kMay24_s = 1'684'886'400.0;  // 2023-05-24
+  RecordingFacts facts = two_tracks();
+  facts.since_1970 = true;
+  for (Track& track : facts.tracks) {
+    for (Fix& fix : track.fixes) fix.time_s += kMay24_s + 3'600.0;
+  }
+  for (Conflict& conflict : facts.conflicts) {
+    conflict.begins_s += kMay24_s + 3'600.0;
+    conflict.closest_s += kMay24_s + 3'600.0;
+    conflict.ends_s += kMay24_s + 3'600.0;
+  }
+  EXPECT_TRUE(says(figure_of(facts), " at 01:00:"));
+  EXPECT_FALSE(says(figure_of(facts), " at 05-24 01:00:"));
+  for (Track& track : facts.tracks) track.fixes.back().time_s += 86'400.0;
+  EXPECT_TRUE(says(figure_of(facts), " at 05-24 01:00:"));
+}
+
+}  // namespace
+}  // namespace beespace::report
