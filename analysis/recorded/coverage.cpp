@@ -233,12 +233,12 @@ std::vector<Gap> longest_of(std::vector<Gap> gaps) {
 }
 
 // How far apart the bursts of fixes are of which its track is made, as collars take them by a
-// schedule, or the fixes of an aircraft that flies straight on: most of its time lies between them,
+// schedule, or the fixes of an aircraft that flies straight on: much of its time lies between them,
 // and nearly all gaps are of one length. An outage of a drone is none.
 using GapIterator = std::vector<Gap>::const_iterator;
 std::optional<double> interval_of_bursts(const io::RecordedBee& bee, GapIterator first,
                                          GapIterator last) {
-  constexpr double kMost = 0.5;
+  constexpr double kMuch = 0.3;
   constexpr double kNearlyAll = 0.8;
   constexpr double kDiffer = 0.1;
   std::vector<double> lengths_s;
@@ -246,7 +246,7 @@ std::optional<double> interval_of_bursts(const io::RecordedBee& bee, GapIterator
   for (auto gap = first; gap != last; ++gap) lengths_s.push_back(length_of(*gap));
   if (lengths_s.size() < kFixesToTell || bee.fixes.empty()) return std::nullopt;
   const double all_s = bee.fixes.back().time_s - bee.fixes.front().time_s;
-  if (std::accumulate(lengths_s.begin(), lengths_s.end(), 0.0) < kMost * all_s) {
+  if (std::accumulate(lengths_s.begin(), lengths_s.end(), 0.0) < kMuch * all_s) {
     return std::nullopt;
   }
   std::sort(lengths_s.begin(), lengths_s.end());

@@ -273,8 +273,8 @@ std::string moment_label(double time_s, const RecordingFacts& facts) {
   const double midnight = std::floor(time_s / kDay_s) * kDay_s;
   const std::string clock = clock_label(std::floor(time_s - midnight), 1.0);
   const TimeSpan time = time_of(facts);
-  const bool of_one_day = std::floor(time.begins_s / kDay_s) == std::floor(time.ends_s / kDay_s);
-  return of_one_day ? clock : date_label(time_s).substr(5) + " " + clock;
+  const bool of_a_day = time.ends_s - time.begins_s <= kDay_s;
+  return of_a_day ? clock : date_label(time_s).substr(5) + " " + clock;
 }
 
 }  // namespace beespace::report
