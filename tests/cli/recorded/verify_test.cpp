@@ -201,11 +201,17 @@ TEST(Verify, AccelerationsNeedVelocities) {
 
 TEST(Verify, AShowFliesAlongItsCurves) {
   const TemporaryFolder folder;
-  const std::string show = folder.file(
-      "show.json", R"({"version": 1, "settings": {}, "swarm": {"drones": [{"type": "generic",
+  const auto show_with = [&folder](const char* name, const std::string& controls) {
+    return folder.file(name,
+                       R"({"version": 1, "settings": {}, "swarm": {"drones": [{"type": "generic",
         "settings": {"name": "a", "trajectory": {"version": 1,
-        "points": [[0, [0, 0, 0], []], [9, [0, 0, 9], []]]}}}]}})");
-  expect_parts(run({"verify", show}).err, {"motion     along the curves of the show\n"});
+        "points": [[0, [0, 0, 0], []], [9, [0, 0, 9], [)" +
+                           controls + "]]]}}}]}}");
+  };
+  const std::string curved = show_with("curved.json", "[0, 1, 3], [0, 1, 6]");
+  expect_parts(run({"verify", curved}).err, {"motion     along the curves of the show\n"});
+  const std::string show = show_with("show.json", "");
+  expect_parts(run({"verify", show}).err, {"motion     along the straight lines of the show\n"});
   EXPECT_EQ(run({"verify", show, "--max-climb", "1"}).exit_code, 0);
   const Finished fast = run({"verify", show, "--max-climb", "0.9"});
   EXPECT_EQ(fast.exit_code, 1);
