@@ -46,7 +46,7 @@ constexpr const char* kReplayDetails =
     "              is certain, where there are curves of shows or velocities)\n"
     "  pairs       each pair in conflict: id, id, conflicts, time in conflict, when it is closest, "
     "how close\n"
-    "  bees        each bee: id, conflicts, time in conflict, its closest in conflict, of shows "
+    "  bees        each bee: id, conflicts, time in conflict, its closest in conflict, of drones "
     "always: how\n"
     "              close, when, with whom; for how long it is unknown\n"
     "  separation  how far apart the closest two are in a straight line, every so often: time,\n"

@@ -46,7 +46,7 @@ expect "--horizon" beespace predict --ho
 expect "--time-unit --time-zone" beespace replay --ti
 expect "auto s ms us ns" beespace predict --time-unit ""
 expect "ms" beespace replay --time-unit = m
-expect "conflicts bees separation events" beespace replay --report ""
+expect "conflicts pairs bees separation events" beespace replay --report ""
 expect "separation" beespace replay --report = se
 expect "auto wgs84 metres" beespace replay --crs ""
 expect "" beespace predict --horizon ""
