@@ -166,7 +166,8 @@ std::string slow_text(const Coverage& coverage, const io::Recording& recording) 
                                           : " have fixes as far apart as ";
   return names + has + io::time_span(coverage.slowest_interval_s) +
          ", which is more than the max gap, and " + (one ? "is" : "are") +
-         " hardly ever known: --max-gap " + io::exact(max_gap_for(coverage.slowest_interval_s)) +
+         (coverage.bursts ? " unknown in between" : " hardly ever known") + ": --max-gap " +
+         io::exact(max_gap_for(coverage.slowest_interval_s)) +
          " joins such fixes by straight lines";
 }
 

@@ -61,7 +61,7 @@ TEST(Coverage, OfBurstsOfFixesSaysTheMaxGapThatJoinsThem) {
   EXPECT_EQ(slow_text(coverage_of(recording, gaps, max_gap), recording),
             "wolf has bursts of fixes as far apart as 29 min 56 s, which is more than the max gap, "
             "and is "
-            "hardly ever known: --max-gap 8980 joins such fixes by straight lines");
+            "unknown in between: --max-gap 8980 joins such fixes by straight lines");
   // Outages of any length are no schedule.
   gaps.clear();
   std::vector<double> log_s = {0.0, 0.1};
