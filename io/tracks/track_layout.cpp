@@ -2,9 +2,7 @@
 
 #include "io/bytes/characters.hpp"
 #include "io/bytes/number.hpp"
-#include "io/bytes/number_text.hpp"
 #include "io/points/record_reading.hpp"
-#include "io/problems/excerpt.hpp"
 #include "io/recording/unit_doubts.hpp"
 #include "io/table/column_choice.hpp"
 #include "io/table/column_names.hpp"
@@ -14,15 +12,12 @@
 #include "io/table/table_sources.hpp"
 #include "io/table/unit_choice.hpp"
 #include "io/tracks/clover_table.hpp"
-#include "io/tracks/first_fields.hpp"
 #include "io/tracks/joined_place.hpp"
 #include "io/tracks/known_tables.hpp"
 #include "io/tracks/local_positions.hpp"
 #include "io/tracks/long_poses.hpp"
 #include "io/tracks/mavlogdump.hpp"
 #include "io/tracks/motion_capture.hpp"
-#include "io/tracks/offered_columns.hpp"
-#include "io/tracks/places_in_one.hpp"
 #include "io/tracks/planar_poses.hpp"
 #include "io/tracks/record_numbers.hpp"
 #include "io/tracks/ros_table.hpp"
@@ -36,11 +31,13 @@
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
 #include "io/tracks/unclear_id.hpp"
+#include "io/tracks/unnamed_position.hpp"
 #include "io/tracks/unread_times.hpp"
 #include "io/tracks/utm_zone.hpp"
 #include "io/tracks/wall_times.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -50,10 +47,6 @@
 
 namespace beespace::io {
 namespace {
-
-Error missing(std::string message) {
-  return {ErrorCode::kMissingColumn, std::move(message), {}};
-}
 
 // ---- Whose record it is --------------------------------------------------------------------
 
@@ -76,35 +69,6 @@ std::optional<std::size_t> choose_id(const Header& header, std::vector<std::stri
 
 // ---- Position ------------------------------------------------------------------------------
 
-// Messages in objects within objects, which no column names.
-std::optional<Error> nested_problem(const TableLayout& table) {
-  const auto has = [&table](std::string_view name) {
-    return std::find(table.names.begin(), table.names.end(), name) != table.names.end();
-  };
-  if (has("meta") && has("data")) return dumped_json_problem();
-  if (!has("op") || !has("topic") || !has("msg")) return std::nullopt;
-  return Error{ErrorCode::kUnsupportedFormat,
-               "these are messages of rosbridge, whose positions are nested; make an object a line "
-               "of them, and read that: jq -c 'select(.op == \"publish\" and .msg.pose) | "
-               "(.msg.pose.pose // .msg.pose).position as $p | .msg.header as $h | {id: .topic, "
-               "time_s: (($h.stamp.sec // $h.stamp.secs) + ($h.stamp.nanosec // $h.stamp.nsecs) * "
-               "1e-9), \"header.frame_id\": $h.frame_id, x: $p.x, y: $p.y, z: $p.z}' FILE "
-               "> poses.ndjson",
-               {}};
-}
-
-// Whether the columns behind a position are the colours that a drone has there: red, green, blue.
-bool names_colours(const TableLayout& table) {
-  const auto has = [&table](std::string_view word) {
-    return std::any_of(table.names.begin(), table.names.end(), [word](const std::string& name) {
-      const std::string lower = lower_case(name);
-      return lower == word || lower == word.substr(0, 1) ||
-             (lower.starts_with(word) && lower.find_first_of(" _[(") == word.size());
-    });
-  };
-  return has("red") && has("green") && has("blue");
-}
-
 // Whether the header is that of a Skybrush CSV, which some write without the colours: "Time
 // [msec],x [m],y [m],z [m]", or "Time_msec,x_m,y_m,z_m".
 bool has_header_of_skybrush(const TableLayout& table) {
@@ -118,77 +82,6 @@ bool has_header_of_skybrush(const TableLayout& table) {
                         return lower_case(name) == word;
                       });
   });
-}
-
-// Lights of a drone, as programs for shows write them beside its path: a time, and its colours.
-std::optional<Error> lights_problem(const TableLayout& table) {
-  constexpr std::size_t kTimeAndColours = 4;
-  if (table.names.size() > kTimeAndColours || !names_colours(table)) return std::nullopt;
-  return missing(
-      "these are the colours of lights only, and no position; leave this file out, as by moving it "
-      "to another folder (" +
-      list_columns(table) + ")");
-}
-
-// A position must have names: it is not taken from the order of the columns.
-std::optional<Error> nameless_position(std::string_view text, const Header& header) {
-  const bool overridden = header.override_of(Role::kX) || header.override_of(Role::kLongitude);
-  const bool named = (header.has(Role::kX) && header.has(Role::kY)) ||
-                     (header.has(Role::kLongitude) && header.has(Role::kLatitude));
-  if (overridden || named) return std::nullopt;
-  const TableLayout& table = header.table();
-  if (auto problem = place_in_one_value(text, table, JsonFrom::kFile)) return problem;
-  if (auto problem = columns_of_pandas(text, table)) return problem;
-  if (const auto joined = column_of_joined_place(table)) {
-    return missing(column_text(table, *joined) +
-                   " seems to hold latitude and longitude in one; make two columns of it, as by "
-                   "sed 's/\"//g; 1s/Position/latitude,longitude/' FILE.csv > split.csv, and say "
-                   "--units aviation");
-  }
-  if (auto problem = nested_problem(table)) return problem;
-  if (auto problem = lights_problem(table)) return problem;
-  // "header:", the first line of most messages, or that of a list of transforms.
-  const bool echoed = table.names.size() == 1 && table.names.front().ends_with(':');
-  if (echoed && table.columns == 1) {
-    return missing("this is what 'ros2 topic echo' writes for reading, '" + table.names.front() +
-                   "' and lines below it, which is not read: record it as a table, as by ros2 "
-                   "topic echo --csv TOPIC > NAME.csv, or make one of the bag, which says how "
-                   "when it is named");
-  }
-  if (table.names.size() == 1 && table.columns == 1) {
-    return missing("the first line has one cell, '" + table.names.front() +
-                   "', and no header that tells the columns: if it is the name of the drone, leave "
-                   "it out, as by sed 1d FILE > plain/FILE in a new folder 'plain', and say which "
-                   "columns are which, as in beespace replay plain --columns "
-                   "frame=1,x=2,y=3,z=4 --fps N, or time=1,x=2,y=3,z=4");
-  }
-  if (!table.names.empty()) {
-    const std::string metric = offered_columns(header, false);
-    return missing("the header names no position (x and y, or longitude and latitude)" +
-                   (metric.empty()
-                        ? std::string("; name its columns with --columns x=N,y=N,z=N or "
-                                      "lon=N,lat=N,height=N (")
-                        : "; say which is which, perhaps with --columns " + metric +
-                              ", or, of degrees, " + offered_columns(header, true) + " (") +
-                   list_columns(table) + ")");
-  }
-  return missing(std::string("there is no header that tells the columns") +
-                 (table.columns >= 5 ? "; say which is which, for example with --columns "
-                                       "id=1,time=2,x=3,y=4,z=5, or, where each file is one bee, "
-                                       "time=1,x=2,y=3,z=4, or frame=1,x=2,y=3,z=4 with --fps N ("
-                                     : "; needed are columns of numbers for the time, for x and y "
-                                       "or longitude and latitude, and perhaps for an id and the "
-                                       "height; name them in a header or with --columns (") +
-                 list_columns(table) + ")");
-}
-
-// What is wrong with the time, and, so that it is asked for at once, with the position.
-Error with_position_problem(Error time, std::string_view text, const Header& header) {
-  if (time.code != ErrorCode::kInvalidArgument || header.table().names.empty()) return time;
-  auto position = joined_place_of(header) ? std::nullopt : nameless_position(text, header);
-  if (!position || !position->message.starts_with("the header names no position")) return time;
-  position->message += "; and " + time.message;
-  return *std::move(position);
 }
 
 std::string position_note(const TableLayout& table, const ColumnChoice& choice, Frame frame) {
@@ -389,7 +282,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   layout.velocity = *velocity;
   if (!layout.time && !layout.velocity) {
     if (auto problem = pandas_timedeltas(text, layout.table)) return *std::move(problem);
-    return missing(no_time_text(text, header));
+    return missing_column(no_time_text(text, header));
   }
   if (layout.time) {
     if (auto error = frames_problem(layout.table, *layout.time, choice, options)) {
