@@ -108,7 +108,7 @@ def test_a_gap_does_not_hold(tmp_path):
     assert beespace.verify(flown, threshold=1, max_gap=math.inf)
     verdict = beespace.verify(flown, threshold=1, max_gap=8)
     assert not verdict and verdict.gap_count == 1
-    assert repr(verdict).startswith("<FlightVerdict: not seen as a whole: 1 bee unknown for 10 s in all, ")
+    assert repr(verdict).startswith("<FlightVerdict: not seen as a whole: 1 bee unknown for 10 s in all; ")
 
 
 def test_what_cannot_be_is_named(ring, tmp_path):
