@@ -91,8 +91,12 @@ bool OwnMotion::contradicted_by(const Fix& from, const Velocity* from_velocity, 
   if (agreed_ < kFewestAgreed || 2 * agreed_ < moving_ || fastest_mps_ > kFastest_mps) return false;
   const auto step = step_between(from, from_velocity, to, to_velocity, frame);
   if (!step) return false;
-  const double fastest_mps = std::max({fastest_mps_, step->said_mps, speeds_mps_.least_bound()});
-  return step->way_m > kTimesFastest * fastest_mps * (step->seconds + kArrivesLate_s) &&
+  const auto is_too_far = [&step](double fastest_mps) {
+    return step->way_m > kTimesFastest * fastest_mps * (step->seconds + kArrivesLate_s);
+  };
+  // Nearly all steps end here, without looking at what is usual.
+  if (!is_too_far(std::max(fastest_mps_, step->said_mps))) return false;
+  return is_too_far(speeds_mps_.least_bound()) &&
          step->off_m > kTimesUsualOff * off_m_.least_bound();
 }
 

@@ -114,7 +114,8 @@ std::vector<std::pair<double, double>> places_of(const std::vector<TimeSpan>& sp
   for (const TimeSpan& span : spans) {
     const double left =
         std::clamp(panel.across.scale(span.begins_s), box.left, box.right() - narrowest);
-    const double right = std::clamp(panel.across.scale(span.ends_s), left + narrowest, box.right());
+    const double right =
+        std::min(std::max(panel.across.scale(span.ends_s), left + narrowest), box.right());
     if (!places.empty() && left <= places.back().second) {
       places.back().second = std::max(places.back().second, right);
     } else {

@@ -1,4 +1,4 @@
-// Drones of a show that are known on the ground only, or of which nobody knows more than a part.
+// Drones of a show that are known on the ground only, or for a part of the time.
 #include <gtest/gtest.h>
 
 #include <algorithm>
