@@ -6,6 +6,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace beespace::io {
 namespace {
@@ -116,7 +117,7 @@ TEST(Ulog, DataAppendedLaterIsReadBehindAMessageThatWasCut) {
   UlogMaking log = made(made(0).bytes().size());
   log.data(kGlobalNumber, global_message({.micros = 2'000'000}));
   const auto recording = recording_of(load_damaged(log.bytes()));
-  EXPECT_EQ(times_of(recording.bees[0]), (Times{1, 2}));
+  EXPECT_EQ(times_of(recording.bees[0]), (std::vector<double>{1, 2}));
   EXPECT_FALSE(has_note(recording, "damaged"));
 }
 

@@ -1,5 +1,6 @@
 #include "io/table/column_names.hpp"
 #include "io/tracks/track_columns.hpp"
+#include "tests/io/tracks/recording_loading.hpp"
 
 #include <gtest/gtest.h>
 
