@@ -4,6 +4,8 @@
 #include "io/aircraft/base_station_reading.hpp"
 #include "io/aircraft/flightradar24_feed.hpp"
 #include "io/aircraft/igc_log.hpp"
+#include "io/ardupilot/dataflash_reading.hpp"
+#include "io/ardupilot/dataflash_walk.hpp"
 #include "io/bytes/byte_source.hpp"
 #include "io/bytes/gzip.hpp"
 #include "io/bytes/utf16.hpp"
@@ -85,7 +87,7 @@ Result<std::vector<std::string>> tables_of(const ZipArchive& archive, const std:
   if (tables.empty()) {
     return Error{
         ErrorCode::kUnsupportedFormat,
-        "this zip archive holds neither a show.json nor any .csv, .tlog or .ulg file, but " +
+        "this zip archive holds neither a show.json nor any .csv, .tlog, .ulg or .bin file, but " +
             (others.empty() ? "nothing" : others) +
             "; name a Skybrush show (.skyc) or an archive of tables or logs",
         {source}};
@@ -154,6 +156,7 @@ std::optional<Error> read_member(Bytes bytes, const std::string& name, bool bare
                                  RecordingAssembly& assembly) {
   take_utf16(bytes, assembly);
   if (is_ulog(bytes.view)) return read_flight(bytes.view, name, assembly);
+  if (is_dataflash_log(bytes.view)) return read_dataflash(bytes.view, name, assembly);
   if (is_stream_without_times(bytes.view)) return stream_without_times();
   if (is_telemetry_log(bytes.view)) return read_telemetry(bytes.view, name, assembly);
   return read_text_table(std::move(bytes), name, bare_skybrush, assembly);
@@ -283,6 +286,7 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
   if (!tables && object) return read_json_file(*content, source, path, assembly);
   if (format == RecordingFormat::kAuto) {
     if (is_ulog(content->view)) return read_flight(content->view, path, assembly);
+    if (is_dataflash_log(content->view)) return read_dataflash(content->view, path, assembly);
     if (is_stream_without_times(content->view)) return stream_without_times();
     if (is_telemetry_log(content->view)) return read_telemetry(content->view, path, assembly);
     if (is_base_station(content->view)) return read_base_station(content->view, assembly);

@@ -30,7 +30,7 @@ namespace beespace::io {
 
 // `paths` are names of files and folders, or "-" for standard input. Of a folder, all its .csv,
 // .tsv and .txt files are read, in the order of their names; where there is none, its .json files,
-// otherwise its .tlog files, or its .ulg files. Errors carry the file (of a zip
+// otherwise its .tlog files, or its .ulg and .bin files. Errors carry the file (of a zip
 // "show.skyc!drones/1/trajectory.json"), and line and column or record where there are such.
 Result<Recording> load_recording(const std::vector<std::string>& paths,
                                  const RecordingOptions& options = {});

@@ -1,6 +1,7 @@
 #include "io/stream_recording.hpp"
 
 #include "io/aircraft/base_station_reading.hpp"
+#include "io/ardupilot/dataflash_walk.hpp"
 #include "io/bytes/byte_source.hpp"
 #include "io/bytes/gzip.hpp"
 #include "io/bytes/windows_1252.hpp"
@@ -76,6 +77,7 @@ std::optional<Error> format_problem(std::string_view beginning, const RecordingO
   if (json && !table) return not_as_it_comes("JSON");
   if (format != RecordingFormat::kAuto) return std::nullopt;
   if (is_ulog(beginning)) return not_as_it_comes("a PX4 log");
+  if (is_dataflash_log(beginning)) return not_as_it_comes("a DataFlash log of ArduPilot");
   if (is_stream_without_times(beginning)) {
     return Error{ErrorCode::kUnsupportedFormat, "this is " + std::string(kStreamWithoutTimes), {}};
   }

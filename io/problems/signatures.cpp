@@ -39,11 +39,11 @@ constexpr std::string_view kBag =
     "[operator.attrgetter(kinds[kind])(s)]]\" > poses.csv; it says on the terminal which topics "
     "it leaves out, and docs/recipes/ros-bags.md has other messages, and says what frames are";
 constexpr std::string_view kDataFlash =
-    ", which is not read; make a table of its positions: pip install pymavlink, then "
-    "mavlogdump.py --format csv --types POS FILE > pos.csv, and read it with --columns "
-    "time=timestamp,lon=Lng,lat=Lat,height=Alt --threshold YOUR_THRESHOLD (without a time of GPS "
-    "it "
-    "counts from when each drone was switched on: then logs of several have no common clock)";
+    ", which is not read; name the .bin that it was made of, or make a table of its positions: pip "
+    "install pymavlink, then mavlogdump.py --format csv --types POS FILE > pos.csv, and read it "
+    "with --columns time=timestamp,lon=Lng,lat=Lat,height=Alt --threshold YOUR_THRESHOLD (without "
+    "a time of GPS it counts from when each drone was switched on: then logs of several have no "
+    "common clock)";
 constexpr std::string_view kMatlab =
     ", which is not read; see what it has: pip install scipy, then python3 -c \"import scipy.io; "
     "print(scipy.io.whosmat('FILE'))\"; docs/recipes/matlab.md has the lines that ask about it";
@@ -87,7 +87,8 @@ constexpr std::array<Signature, 34> kSignatures = {{
     {"#ROSBAG V", "a bag of ROS 1", kBag, Of::kOthers},
     {"\x89MCAP0\r\n", "an MCAP file, as ROS 2 records", kBag, Of::kOthers},
     {"SQLite format 3", "an SQLite database, as ROS 2 records (.db3)", kBag, Of::kOthers},
-    {"\xA3\x95\x80\x80\x59", "a DataFlash log of ArduPilot (.bin)", kDataFlash, Of::kOthers},
+    {"\xA3\x95\x80\x80\x59",
+     "a DataFlash log of ArduPilot; 'beespace replay' and 'beespace predict' read it"},
     {"FMT, 128, 89, FMT,", "a DataFlash log of ArduPilot, as text (.log)", kDataFlash, Of::kOthers},
     {"MATLAB 5.0 MAT-file", "a file of MATLAB (.mat)", kMatlab, Of::kOthers},
     {"MATLAB 7.3 MAT-file", "a file of MATLAB 7.3 (.mat)", {}, Of::kOthers},

@@ -108,18 +108,6 @@ Px4Place local_place(const Numbers& numbers) {
   return place;
 }
 
-std::optional<Px4Clock> clock_of(std::vector<std::int64_t> ahead) {
-  if (ahead.empty()) return std::nullopt;
-  std::sort(ahead.begin(), ahead.end());
-  const std::size_t outside = ahead.size() / 20;  // at each end
-  Px4Clock clock;
-  clock.ahead_micros = ahead[ahead.size() / 2];
-  clock.spread_micros =
-      static_cast<std::uint64_t>(ahead[ahead.size() - 1 - outside] - ahead[outside]);
-  clock.samples = ahead.size();
-  return clock;
-}
-
 class Gathering {
  public:
   explicit Gathering(UlogWalk walk) : walk_(std::move(walk)) {}
@@ -146,8 +134,8 @@ class Gathering {
     Px4FlightLog log;
     log.global = first_of(global_, kGlobalTopic, log);
     log.local = first_of(local_, kLocalTopic, log);
-    log.clock = clock_of(first_of(gps_, kGpsTopic, log));
-    if (!log.clock) log.clock = clock_of(first_of(receivers_, kReceiverTopic, log));
+    log.clock = satellite_clock(first_of(gps_, kGpsTopic, log));
+    if (!log.clock) log.clock = satellite_clock(first_of(receivers_, kReceiverTopic, log));
     fixes_.settle();
     log.fixes = std::move(fixes_);
     log.losses = walk_.losses();

@@ -2,7 +2,8 @@
 // topics, in units of ours.
 #pragma once
 
-#include "io/px4/satellite_fixes.hpp"
+#include "io/flight_logs/satellite_clock.hpp"
+#include "io/flight_logs/satellite_fixes.hpp"
 #include "io/px4/ulog_walk.hpp"
 #include "io/recording/landed_reports.hpp"
 
@@ -39,20 +40,13 @@ struct Px4Place {
   Point origin = {kUnknown, kUnknown, kUnknown};
 };
 
-// How UTC differs from the time since the drone was switched on, by GPS.
-struct Px4Clock {
-  std::int64_t ahead_micros = 0;    // the median
-  std::uint64_t spread_micros = 0;  // in which nine of ten of the differences lie
-  std::size_t samples = 0;
-};
-
 struct Px4FlightLog {
   std::vector<Px4Place> global;
   std::vector<Px4Place> local;
   bool on_surface = false;                   // a rover or a boat, by its own word
   LandedReports landed;                      // of vehicle_land_detected, by `micros`
   SatelliteFixes fixes;                      // of vehicle_gps_position, by `micros`
-  std::optional<Px4Clock> clock;             // nothing where GPS never said a time
+  std::optional<SatelliteClock> clock;       // nothing where GPS never said a time
   std::vector<std::string> other_instances;  // of these topics, that are not taken
   UlogLosses losses;
 };

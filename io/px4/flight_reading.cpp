@@ -29,13 +29,6 @@ std::string counted(std::uint64_t count, std::string_view what) {
   return std::to_string(count) + " " + std::string(what) + (count == 1 ? "" : "s");
 }
 
-std::string milliseconds(std::uint64_t micros) {
-  return std::to_string((micros + 500) / 1000) + " ms";
-}
-
-// A receiver says the same time within tens of milliseconds, as far as the drone heeds it at once.
-constexpr std::uint64_t kSurelyOneClockMicros = 100'000;
-
 // Where positions are taken from.
 enum class Source : std::uint8_t { kGlobal, kReferred, kLocal };
 
@@ -139,11 +132,7 @@ class FlightReading {
                " of vehicle_global_position and " + std::to_string(log_.local.size()) +
                " of vehicle_local_position";
     if (!log_.global.empty() || !log_.local.empty()) message += ", none of which can be taken";
-    if (log_.losses.damaged_places > 0) {
-      message += "; it is damaged from byte " + std::to_string(log_.losses.first_damage) + " on";
-    } else if (log_.losses.cut_at) {
-      message += "; it ends within a message, at byte " + std::to_string(*log_.losses.cut_at);
-    }
+    message += words_of(log_.losses);
     if (asked != Frame::kAuto || by_ellipsoid()) {
       message += std::string("; leave ") + (by_ellipsoid() ? "--heights" : "--crs") + " out";
     }
@@ -152,7 +141,6 @@ class FlightReading {
 
   // Logs of several drones have one clock only by GPS.
   [[nodiscard]] std::optional<Error> clock_problem() const {
-    constexpr std::uint64_t kMostSpreadMicros = 1'000'000;
     if (!assembly_.has_several()) return std::nullopt;
     if (!log_.clock) {
       return Error{
@@ -170,13 +158,7 @@ class FlightReading {
           "FILE_vehicle_local_position_0.csv > NAME.csv (all must count metres from one place)",
           {}};
     }
-    if (log_.clock->spread_micros <= kMostSpreadMicros) return std::nullopt;
-    return Error{ErrorCode::kInvalidArgument,
-                 "the times of GPS in this PX4 log contradict its own clock by " +
-                     milliseconds(log_.clock->spread_micros) +
-                     ", so that it shares no clock with other inputs; read it alone, or leave it "
-                     "out",
-                 {}};
+    return contradiction(*log_.clock, "PX4 log");
   }
 
   [[nodiscard]] SourceFacts facts() const {
@@ -201,7 +183,7 @@ class FlightReading {
 
   void say_choice() {
     say_positions();
-    say_clock();
+    tell_clock(log_.clock, assembly_);
     say_losses();
     for (const std::string& other : log_.other_instances) {
       assembly_.note("in " + assembly_.source_name() + " " + other +
@@ -224,43 +206,14 @@ class FlightReading {
     }
   }
 
-  void say_clock() {
-    const std::string& name = assembly_.source_name();
-    if (!log_.clock) {
-      assembly_.note("in " + name +
-                     " times are seconds since the drone was switched on: there is no time of GPS");
-      return;
-    }
-    assembly_.note("the clock of " + name + " is set by " + counted(log_.clock->samples, "time") +
-                   " of GPS, nine of ten of which agree within " +
-                   milliseconds(log_.clock->spread_micros));
-    if (!assembly_.has_several() || log_.clock->spread_micros <= kSurelyOneClockMicros) return;
-    assembly_.note("so it may be that much off from the clocks of other inputs: " + name);
-    assembly_.doubt_times(1);
-  }
-
   void say_losses() {
     const UlogLosses& losses = log_.losses;
-    const std::string& name = assembly_.source_name();
     if (losses.dropouts > 0) {
-      assembly_.note("in " + name +
+      assembly_.note("in " + assembly_.source_name() +
                      " the drone could not write all: " + counted(losses.dropouts, "dropout") +
                      ", " + std::to_string(losses.dropped_ms) + " ms in all");
     }
-    if (losses.damaged_places > 0) {
-      assembly_.note("in " + name + " " + counted(losses.damaged_bytes, "byte") + " in " +
-                     counted(losses.damaged_places, "place") +
-                     " are no message of a log, or a damaged one, and are passed over; the first "
-                     "at byte " +
-                     std::to_string(losses.first_damage));
-      assembly_.miss(losses.damaged_places, id_);
-    }
-    if (losses.cut_at) {
-      assembly_.note("the log " + name + " ends within a message, at byte " +
-                     std::to_string(*losses.cut_at) +
-                     "; that one, and what may have come behind it, is left out");
-      assembly_.miss(1, id_);
-    }
+    tell_losses(losses, id_, assembly_);
   }
 
   // Messages of both topics that were made of the same measurement belong together.

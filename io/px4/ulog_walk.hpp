@@ -4,6 +4,7 @@
 // passed over until the next message that fits, and counted.
 #pragma once
 
+#include "io/flight_logs/log_losses.hpp"
 #include "io/px4/ulog_format.hpp"
 
 #include <beespace/result.hpp>
@@ -28,13 +29,9 @@ struct UlogTopic {
   std::optional<UlogLayout> layout;  // nothing where its definition is missing or cannot be read
 };
 
-struct UlogLosses {
+struct UlogLosses : LogLosses {
   std::uint64_t dropouts = 0;  // the drone could not write fast enough
   std::uint64_t dropped_ms = 0;
-  std::uint64_t damaged_places = 0;
-  std::uint64_t damaged_bytes = 0;
-  std::size_t first_damage = 0;            // where, where there is any
-  std::optional<std::size_t> cut_at = {};  // the last message begins there, and is not all there
 };
 
 class UlogWalk {

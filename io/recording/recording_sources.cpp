@@ -230,8 +230,8 @@ Error nothing_to_read(Listed found, const std::string& folder) {
     if (auto error = first_foreign(found.others)) return *std::move(error);
   }
   std::string message =
-      "there is no .csv, .tsv or .txt file in this folder, nor any .skyc, .json, .ndjson, .tlog or "
-      ".ulg";
+      "there is no .csv, .tsv or .txt file in this folder, nor any .skyc, .json, .ndjson, .tlog, "
+      ".ulg or .bin";
   if (!found.others.empty()) {
     message += ", but " + found.others.front() +
                (found.others.size() == 1 ? ""
@@ -260,7 +260,7 @@ bool is_telemetry_name(std::string_view name) {
 }
 
 bool is_flight_log_name(std::string_view name) {
-  return has_ending(name, {".ulg", ".ulog"});
+  return has_ending(name, {".ulg", ".ulog", ".bin"});
 }
 
 bool is_table_name(std::string_view name) {

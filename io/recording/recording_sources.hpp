@@ -17,7 +17,7 @@ bool is_folder(const std::string& path);
 bool is_table_name(std::string_view name);
 
 // Whether a name ends as those of logs of telemetry (.tlog), or of drones that log themselves
-// (.ulg) do.
+// (.ulg, .bin) do.
 bool is_telemetry_name(std::string_view name);
 bool is_flight_log_name(std::string_view name);
 
@@ -26,7 +26,8 @@ bool is_flight_log_name(std::string_view name);
 std::string_view foreign_show(std::string_view name);
 
 // What there is to read in the folder, by name: its tables; where there is none, its show (.skyc),
-// its .json and .ndjson files, otherwise its .tlog files, or its .ulg files. Hidden files are left
+// its .json and .ndjson files, otherwise its .tlog files, or its .ulg
+// and .bin files. Hidden files are left
 // out, and so is what holds no places (README.txt), and what idtracker.ai writes beside its
 // trajectories.csv, or readsb beside its aircraft.json. Errors: kCannotOpen, kNoPoints when there
 // is nothing, kUnsupportedFormat for several shows.

@@ -112,7 +112,8 @@ def read_recording(
     grounded: bool = False,
 ) -> FileRecording:
     """Reads a recording, which says where each of many agents was when: a table of fixes, or many; a
-    drone show (.skyc); a MAVLink log (.tlog); PX4 logs (.ulg); reports of aircraft.
+    drone show (.skyc); a MAVLink log (.tlog); PX4 logs (.ulg); DataFlash logs
+    of ArduPilot (.bin); reports of aircraft.
 
     No fix is interpolated. Curves of drone shows become straight lines between fixes.
 

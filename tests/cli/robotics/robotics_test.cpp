@@ -50,6 +50,15 @@ TEST(Robotics, TwoLogsOfPx4AreTwoDronesOnOneClock) {
                               "north.ulg is set by 81 times of GPS"});
 }
 
+TEST(Robotics, TwoLogsOfArduPilotAreTwoDronesOnOneClock) {
+  const Finished finished =
+      run({"replay", made("north.bin"), made("south.bin"), "--threshold", "5", "--csv"});
+  expect_the_meeting(finished, "north south");
+  expect_parts(finished.err, {"DataFlash log of ArduPilot", "heights above mean sea level",
+                              "north.bin is set by 81 times of GPS",
+                              "say that they have landed stand on the ground"});
+}
+
 TEST(Robotics, ALocalPositionIsWhereTheGlobalOneIs) {
   TemporaryFolder folder;
   // Without global positions, whose topic gets a name that is not known.
@@ -252,9 +261,8 @@ TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
       {"#ROSBAG V2.0\nrest", "a bag of ROS 1", recipe},
       {"\x89MCAP0\r\nrest", "an MCAP file", recipe},
       {"SQLite format 3", "an SQLite database, as ROS 2 records (.db3)", recipe},
-      {"\xA3\x95\x80\x80\x59"
-       "FMT",
-       "a DataFlash log of ArduPilot (.bin)",
+      {"FMT, 128, 89, FMT, BBnNZ, Type,Length,Name,Format,Columns",
+       "a DataFlash log of ArduPilot, as text (.log)",
        "--columns time=timestamp,lon=Lng,lat=Lat,height=Alt --threshold YOUR_THRESHOLD "},
       {"MATLAB 5.0 MAT-file, Platform", "a file of MATLAB (.mat)", "scipy.io.whosmat('FILE')"},
       {"\x89HDF\r\n\x1A\nrest", "an HDF5 file", "h5py.File('FILE').visititems(print)"},
@@ -316,17 +324,14 @@ TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
 // With the threshold that was typed, not one of its own; of a folder of such logs at once.
 TEST(Robotics, RecipesHaveTheThresholdThatWasTyped) {
   TemporaryFolder folder;
-  folder.file("00000010.BIN",
-              "\xA3\x95\x80\x80\x59"
-              "FMT");
-  const std::string second = folder.file("00000011.BIN",
-                                         "\xA3\x95\x80\x80\x59"
-                                         "FMT");
+  folder.file("00000010.log", "FMT, 128, 89, FMT, BBnNZ, Type,Length,Name,Format,Columns\n");
+  const std::string second =
+      folder.file("00000011.log", "FMT, 128, 89, FMT, BBnNZ, Type,Length,Name,Format,Columns\n");
   expect_parts(run({"replay", second, "--threshold", "8"}).err,
                {"lat=Lat,height=Alt --threshold 8 (", "--types POS " + second + " > pos.csv"});
   expect_parts(run({"replay", second}).err, {"height=Alt --threshold YOUR_THRESHOLD ("});
   expect_parts(run({"replay", folder.path(""), "--separation", "terminal"}).err,
-               {"00000010.BIN: this is a DataFlash log of ArduPilot (.bin)",
+               {"00000010.log: this is a DataFlash log of ArduPilot, as text (.log)",
                 "--separation terminal (", "likewise 1 more in this folder"});
   const std::string wide = folder.file("a wide.csv",
                                        "__time,/drone1/pose/position/x,/drone1/pose/position/y,"

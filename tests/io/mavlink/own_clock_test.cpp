@@ -245,8 +245,9 @@ TEST(TelemetryLogs, AnArchiveOfThemIsReadAsAFolder) {
                                       {"params.parm", "x"}});
   const auto recording = recording_of(load_recording_from_memory(archive, "logs.zip", {}));
   EXPECT_EQ(ids_of(recording), (std::vector<std::string>{"a:1", "flight:1"}));
-  expect_error(load_recording_from_memory(zipped({{"a.bag", "x"}}), "logs.zip", {}),
-               {ErrorCode::kUnsupportedFormat, "logs.zip", "nor any .csv, .tlog or .ulg file"});
+  expect_error(
+      load_recording_from_memory(zipped({{"a.bag", "x"}}), "logs.zip", {}),
+      {ErrorCode::kUnsupportedFormat, "logs.zip", "nor any .csv, .tlog, .ulg or .bin file"});
 }
 
 }  // namespace

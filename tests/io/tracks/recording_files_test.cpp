@@ -320,10 +320,10 @@ TEST(RecordingFiles, WhatIsWrongInAZipIsBlamedOnItsPart) {
 }
 
 TEST(RecordingFiles, AZipOfSomethingElseIsRefused) {
-  expect_error(
-      load_recording_from_memory(zipped({{"word/document.xml", "<x/>"}}), "bees.zip"),
-      {ErrorCode::kUnsupportedFormat, "bees.zip",
-       "holds neither a show.json nor any .csv, .tlog or .ulg file, but 'word/document.xml'"});
+  expect_error(load_recording_from_memory(zipped({{"word/document.xml", "<x/>"}}), "bees.zip"),
+               {ErrorCode::kUnsupportedFormat, "bees.zip",
+                "holds neither a show.json nor any .csv, .tlog, .ulg or .bin file, but "
+                "'word/document.xml'"});
   expect_error(load_recording_from_memory(
                    std::string_view("PK\x05\x06\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 22), "e.zip"),
                {ErrorCode::kUnsupportedFormat, "e.zip", "but nothing"});

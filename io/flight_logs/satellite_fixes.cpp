@@ -1,4 +1,4 @@
-#include "io/px4/satellite_fixes.hpp"
+#include "io/flight_logs/satellite_fixes.hpp"
 
 #include <algorithm>
 #include <iterator>
