@@ -22,9 +22,10 @@ constexpr std::string_view kSleap =
     "a file of SLEAP (HDF5), which is not read; make a table of it: sleap-convert --format "
     "analysis.csv FILE";
 constexpr std::string_view kSleapAnalysis =
-    "an analysis file of SLEAP (HDF5), which is not read; make a table of the project that it was "
-    "made of: sleap-convert --format analysis.csv PROJECT.slp, or, with its video beside it, of "
-    "this file: sleap-convert --format analysis.csv --video VIDEO FILE";
+    "an analysis file of SLEAP (HDF5), which is not read; make a table of it: pip install "
+    "sleap-io, "
+    "then python3 -c \"import sleap_io; sleap_io.save_csv(sleap_io.load_analysis_h5('FILE'), "
+    "'poses.csv', format='sleap')\"";
 constexpr std::string_view kIdtracker =
     "a file of idtracker.ai (HDF5), which is not read; make CSV of its trajectories: "
     "idtrackerai_csv FOLDER, with the folder of the session";
@@ -37,7 +38,8 @@ constexpr std::string_view kNpz =
 constexpr std::string_view kTRexNpz =
     "a file of TRex (.npz), which is not read; let TRex write CSV (output_format csv), or make it "
     "of each: pip install numpy pandas, then python3 -c \"import numpy, pandas; f = "
-    "numpy.load('FILE'); pandas.DataFrame({k + ' (cm)' if k[0] in 'XY' else k: f[k] for k in f if "
+    "numpy.load('FILE'); pandas.DataFrame({k + (' (cm)' if k[0] in 'XY' else ' (cm/s)' if k[:2] in "
+    "('VX', 'VY', 'SP') else ''): f[k] for k in f if "
     "f[k].shape == f['time'].shape}).to_csv('FILE.csv', index=False)\"";
 constexpr std::string_view kExcel =
     "an Excel workbook (.xlsx), which is not read; save each of its sheets as CSV (File, Save As, "

@@ -191,9 +191,9 @@ class RecordingAssembly {
   void take_scene(std::string_view trial, std::string_view scene, double time_s, Origin origin) {
     scenes_.take(trial, scene, time_s, origin);
   }
-  // A record of a picture of the video that the source is of.
-  void take_picture(double time_s, Origin origin) {
-    videos_.take({}, sources_.back(), time_s, origin);
+  // A record of a picture of that video.
+  void take_picture(std::string_view video, double time_s, Origin origin) {
+    videos_.take({}, video, time_s, origin);
   }
   void take_tag(std::string_view id, std::string_view tag, double time_s, Origin origin) {
     tags_.take(id, tag, time_s, origin);
@@ -303,7 +303,7 @@ class RecordingAssembly {
   SetNames set_names_;
   PartSpans trials_;
   PartSpans scenes_;  // within each trial
-  PartSpans videos_;  // by source
+  PartSpans videos_;  // by name
   PartSpans tags_;    // within each animal
   AddressNames address_names_;
   DoubledHours doubled_hours_;

@@ -17,11 +17,19 @@
 #include "io/tracks/utm_zone.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace beespace::io {
 namespace {
+
+// TRex writes a table an animal, "guppies_fish0.csv": what is before the last "_" is of the video.
+std::string_view video_of_trex(std::string_view source) {
+  const std::size_t animal = source.rfind('_');
+  return animal != std::string_view::npos && animal > 0 ? source.substr(0, animal) : source;
+}
 
 // The column of an error by the name of its key.
 void place(Error& error, std::uint64_t line, std::uint64_t row, RecordPlace how,
@@ -333,7 +341,11 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     if (!layout.scenes.empty()) {
       assembly.take_scene(record.trial, record.scene, record.time_s, origin);
     }
-    if (layout.time && layout.time->of_video) assembly.take_picture(record.time_s, origin);
+    if (layout.time && layout.time->of_video) {
+      assembly.take_picture(assembly.source_name(), record.time_s, origin);
+    } else if (layout.not_seen && !assembly.options().one_clock) {
+      assembly.take_picture(video_of_trex(assembly.source_name()), record.time_s, origin);
+    }
     if (layout.tag && !is_unknown(record.tag)) {
       assembly.take_tag(record.id, record.tag, record.time_s, origin);
     }

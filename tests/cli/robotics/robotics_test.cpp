@@ -273,7 +273,7 @@ TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
       {"\x89HDF\r\n\x1A\n..instances..pred_points", "a file of SLEAP (HDF5)",
        "sleap-convert --format analysis.csv FILE"},
       {"\x89HDF\r\n\x1A\n..tracks..track_occupancy", "an analysis file of SLEAP (HDF5)",
-       "sleap-convert --format analysis.csv --video VIDEO FILE"},
+       "sleap_io.save_csv(sleap_io.load_analysis_h5('FILE'), 'poses.csv', format='sleap')"},
       {"<?xml version=\"1.0\"?>\n<gpx version=\"1.1\">", "a track of a GPS receiver (GPX)",
        "E.parse(f).iterfind('.//{*}trkpt')"},
       {"\x89HDF\r\n\x1A\n..id_probabilities", "a file of idtracker.ai (HDF5)",

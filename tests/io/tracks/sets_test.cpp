@@ -207,6 +207,25 @@ TEST(Videos, WhoseFramesBothBeginAreNotCompared) {
                              pictures()));
 }
 
+// A table an animal, named after the video.
+TEST(Videos, OfTRexAreToldApartByTheNamesOfTheirFiles) {
+  const TemporaryFolder folder;
+  const auto animal = [&](const std::string& name, const std::string& x) {
+    return folder.write(name, "frame,missing,time,X#wcentroid (cm),Y#wcentroid (cm)\n0,0,0," + x +
+                                  ",2\n1,0,0.04," + x + ",2\n");
+  };
+  const std::string one = animal("guppies_fish0.csv", "1");
+  const std::string other = animal("guppies_fish1.csv", "1.5");
+  const std::string elsewhere = animal("mollies_fish1.csv", "1.5");
+  EXPECT_EQ(recording_of(load_recording({one, other}, {})).bees.size(), 2u);
+  expect_error(load_recording({one, elsewhere}, {}),
+               {ErrorCode::kInvalidArgument, folder.file("mollies"),
+                "may be counted from the beginning of a video each"});
+  RecordingOptions options;
+  options.one_clock = true;
+  EXPECT_EQ(recording_of(load_recording({one, elsewhere}, options)).bees.size(), 2u);
+}
+
 // As ToxTrac numbers animals within an arena.
 TEST(Tracks, ThatNumberAnimalsAreIds) {
   const std::string header = "time_s,arena,track,x_mm,y_mm\n";
