@@ -3,7 +3,7 @@
 #include "io/table/table_layout.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_table.hpp"
-#include "io/tracks/track_time.hpp"
+#include "io/tracks/video_units.hpp"
 
 #include <utility>
 

@@ -34,6 +34,7 @@
 #include "io/tracks/unnamed_position.hpp"
 #include "io/tracks/unread_times.hpp"
 #include "io/tracks/utm_zone.hpp"
+#include "io/tracks/video_units.hpp"
 #include "io/tracks/wall_times.hpp"
 
 #include <algorithm>

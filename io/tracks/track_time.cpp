@@ -3,10 +3,7 @@
 #include "io/bytes/characters.hpp"
 #include "io/bytes/number.hpp"
 #include "io/bytes/number_text.hpp"
-#include "io/points/record_reading.hpp"
-#include "io/problems/excerpt.hpp"
 #include "io/table/column_names.hpp"
-#include "io/table/coordinate_units.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/table/table_sources.hpp"
@@ -186,17 +183,6 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
   return time;
 }
 
-// What is to be said of how frames and pixels are read.
-bool lengths_are_known(const TableLayout& table, const ColumnChoice& position,
-                       const RecordingOptions& options) {
-  if (options.pixel || position.dimensions == 3 || table.names.empty()) return true;
-  if (position.evidence == Frame::kWgs84 || options.frame == Frame::kWgs84) return true;
-  for (const UnitTaken& taken : position.units_taken) {
-    if (taken.evidence != UnitEvidence::kUsual) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 Unit unit_since_1970(double value) {
@@ -315,45 +301,6 @@ Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Heade
                             options.time_unit, since_1970);
   if (!chosen) return chosen.error();
   return std::optional<TimeChoice>(chosen.value());
-}
-
-Error with_frames(Error problem, const TableLayout& table, const TimeChoice& time) {
-  const bool of_pixels = problem.message.find(kIsInPixels) != std::string::npos;
-  if (!of_pixels || time.form != TimeForm::kFrames || time.frames_per_second > 0.0) return problem;
-  problem.message += "; and " + column_text(table, time.column) +
-                     " counts the frames of a video: say how many there are in a second, as in "
-                     "--fps 25";
-  return problem;
-}
-
-std::optional<Error> frames_problem(const TableLayout& table, const TimeChoice& time,
-                                    const ColumnChoice& position, const RecordingOptions& options) {
-  if (time.form != TimeForm::kFrames) return std::nullopt;
-  const bool lengths = lengths_are_known(table, position, options);
-  if (time.frames_per_second > 0.0 && lengths) return std::nullopt;
-  std::string text;
-  if (!(time.frames_per_second > 0.0)) {
-    text = column_text(table, time.column) +
-           " counts the frames of a video, but how many are there in a second? Say it, as in "
-           "--fps 25";
-  }
-  if (!lengths) {
-    text += (text.empty() ? "x and y are of a video, but in which unit? Of"
-                          : "; and x and y, are they pixels? Of") +
-            std::string(
-                " pixels say how long one is, as in --scale 0.1mm (--scale 1 takes it for a "
-                "metre); otherwise the unit, as in --units position=cm");
-  }
-  return at_column(ErrorCode::kInvalidArgument, std::move(text), time.column);
-}
-
-std::optional<Error> lengths_problem(const TableLayout& table, const RecordingOptions& options) {
-  if (lengths_are_known(table, table.choice, options)) return std::nullopt;
-  return Error{ErrorCode::kInvalidArgument,
-               "x and y are of a video, but in which unit? Of pixels say how long one is, as in "
-               "--scale 0.1mm (--scale 1 takes it for a metre); otherwise the unit, as in --units "
-               "position=cm",
-               {}};
 }
 
 bool counts_from_start(const TableLayout& table, const TimeChoice& time) {

@@ -25,17 +25,6 @@ Unit unit_since_1970(double value);
 Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Header& header,
                                               const RecordingOptions& options);
 
-// A question about pixels, and what else such a table lacks: how many frames there are in a second.
-Error with_frames(Error problem, const TableLayout& table, const TimeChoice& time);
-
-// Frames are chosen, but not how many there are in a second, or how long a pixel is: what to say.
-// `position` is where they are.
-std::optional<Error> frames_problem(const TableLayout& table, const TimeChoice& time,
-                                    const ColumnChoice& position, const RecordingOptions& options);
-
-// Lengths of an image: where neither the header nor the caller says a unit, they may be pixels.
-std::optional<Error> lengths_problem(const TableLayout& table, const RecordingOptions& options);
-
 // Whether the name says that numbers count since the vehicle was switched on: "time_boot_ms".
 bool counts_from_start(const TableLayout& table, const TimeChoice& time);
 

@@ -10,7 +10,7 @@
 #include "io/table/record_walk.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_table.hpp"
-#include "io/tracks/track_time.hpp"
+#include "io/tracks/video_units.hpp"
 
 #include <algorithm>
 #include <array>
