@@ -145,11 +145,12 @@ class DataflashGathering {
     constexpr unsigned kOnTheEarth = 1u << 4u;  // a place
     constexpr unsigned kHeld = 1u << 7u;        // that stands still, for want of anything better
     constexpr unsigned kBadGps = 1u << 14u;     // that is off as its GPS is
+    constexpr unsigned kDeadReckoning = 1u << 18u;
     const auto at = micros();
     const double flags = number("SS", -1.0);
     if (!at || !(flags >= 0.0 && flags < 4'294'967'296.0)) return;
     const auto bits = static_cast<unsigned>(flags);
-    const bool lost = (bits & kOnTheEarth) == 0 || (bits & (kHeld | kBadGps)) != 0;
+    const bool lost = (bits & kOnTheEarth) == 0 || (bits & (kHeld | kBadGps | kDeadReckoning)) != 0;
     estimator.speaks = true;
     estimator.cores[index("C")] = Status{*at, lost};
     estimator.primary = index("PI");

@@ -100,7 +100,8 @@ TEST(Dataflash, WithoutAPlaceNothingIsTold) {
                 "1 message of POS, none of which can be taken"});
 }
 
-// Its receiver, and its estimator: the flags of a place on the Earth, held, off as its GPS is.
+// Its receiver, and its estimator: the flags of a place on the Earth, held, off as its GPS is, dead
+// reckoning.
 TEST(Dataflash, PlacesThatAVehicleHasLostAreNotKnown) {
   constexpr unsigned kWell = 0x33F;
   const auto fixes = [](const DataflashMaking& log) {
@@ -112,7 +113,7 @@ TEST(Dataflash, PlacesThatAVehicleHasLostAreNotKnown) {
     return log.pos(6'000'000);
   };
   EXPECT_EQ(fixes(made(kWell, 0, 0)), 3u);
-  for (const unsigned flags : {kWell & ~16u, kWell | 128u, kWell | 1u << 14u}) {
+  for (const unsigned flags : {kWell & ~16u, kWell | 128u, kWell | 1u << 14u, kWell | 1u << 18u}) {
     EXPECT_EQ(fixes(made(flags, 0, 0)), 2u) << flags;
     EXPECT_EQ(fixes(made(flags, 1, 0)), 3u) << "the vehicle heeds the other core";
     EXPECT_EQ(fixes(made(flags, 1, 1)), 2u);
