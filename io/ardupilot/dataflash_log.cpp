@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace beespace::io {
@@ -170,12 +171,14 @@ class DataflashGathering {
   // That of the same turn of the vehicle's loop, of the core that it heeds.
   void settle_velocities(const Estimator& estimator) {
     constexpr std::uint64_t kSameTurnMicros = 20'000;
+    constexpr std::ptrdiff_t kMostLookedAt = 256;  // a clock that stands still must not take long
     auto from = estimator.moving.begin();
     for (DataflashPlace& place : log_.places) {
       while (from != estimator.moving.end() && from->micros + kSameTurnMicros < place.micros)
         ++from;
       std::uint64_t least = kSameTurnMicros + 1;
-      for (auto one = from; one != estimator.moving.end(); ++one) {
+      const auto end = from + std::min(kMostLookedAt, estimator.moving.end() - from);
+      for (auto one = from; one != end; ++one) {
         if (one->micros > place.micros + kSameTurnMicros) break;
         const std::uint64_t apart =
             std::max(one->micros, place.micros) - std::min(one->micros, place.micros);
