@@ -7,6 +7,7 @@
 #include "analysis/recorded/gaps.hpp"
 #include "analysis/recorded/landed_times.hpp"
 #include "analysis/recorded/verify_paths.hpp"
+#include "analysis/text/unit_notes.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
@@ -24,8 +25,10 @@
 #include <beespace/verify.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -106,6 +109,27 @@ bool asks_of_curves(const AskedLimits& limits) {
   });
 }
 
+// What autopilots log counts above the sea, and a limit of height is meant above the ground: one
+// below which no drone ever is was meant so.
+Status check_height_limit(const io::Recording& recording, std::optional<double> most_m) {
+  const bool above_sea = recording.heights == io::HeightDatum::kMeanSeaLevel ||
+                         recording.heights == io::HeightDatum::kEllipsoid;
+  if (!most_m || !recording.of_drones || !above_sea) return std::monostate{};
+  double lowest_m = std::numeric_limits<double>::infinity();
+  for (const io::RecordedBee& bee : recording.bees) {
+    for (const Fix& fix : bee.fixes) lowest_m = std::min(lowest_m, fix.position.z);
+  }
+  if (lowest_m <= *most_m) return std::monostate{};
+  const double ground_m = std::floor(lowest_m * 10.0) / 10.0;
+  return Error{ErrorCode::kInvalidArgument,
+               "heights here count " + std::string(analysis::datum_text(recording.heights)) +
+                   ", and none is below " + io::exact(ground_m) +
+                   " m, so --max-height would be exceeded even on the ground; for " +
+                   io::exact(*most_m) + " m above that say --max-height " +
+                   io::exact(ground_m + *most_m) + "m",
+               {}};
+}
+
 Status check_curves(const io::Recording& recording, const VerifyRequest& request) {
   if (request.check.straight && has_curves(recording)) {
     return Error{ErrorCode::kInvalidArgument,
@@ -120,7 +144,8 @@ Status check_curves(const io::Recording& recording, const VerifyRequest& request
                      kPathLimitWords[which].option + " limits; leave it out",
                  {}};
   }
-  return std::monostate{};
+  return check_height_limit(recording,
+                            request.limits[static_cast<std::size_t>(PathLimit::kHeight)]);
 }
 
 // Some formats of shows have places alone, others curves between them.

@@ -50,7 +50,12 @@ class DataflashGathering {
         take_vehicle();
       }
     }
-    settle_velocities(estimator());
+    log_.by_gps = log_.places.empty();
+    if (log_.by_gps) {
+      log_.places = std::move(by_gps_);
+    } else {
+      settle_velocities(estimator());
+    }
     fixes_.settle();
     log_.fixes = std::move(fixes_);
     log_.clock = satellite_clock(std::move(ahead_));
@@ -136,9 +141,29 @@ class DataflashGathering {
     const std::size_t receiver = second ? 1 : index("I");
     fixes_.take(static_cast<std::uint8_t>(receiver), *own, has_fix);
     if (!has_fix || receiver != 0) return;
+    add_gps_place(*own);
     if (const auto utc = utc_of_gps(number("GWk", -1.0), number("GMS", -1.0))) {
       ahead_.push_back(*utc - static_cast<std::int64_t>(*own));
     }
+  }
+
+  void add_gps_place(std::uint64_t micros) {
+    constexpr double kNone = DataflashPlace::kUnknown;
+    constexpr double kDegree = 0.017453292519943295;
+    DataflashPlace place;
+    place.micros = micros;
+    place.position = {number("Lng", kNone), number("Lat", kNone),
+                      without_dust(number("Alt", kNone))};
+    const double speed = number("Spd", kNone);
+    const double course = number("GCrs", kNone) * kDegree;
+    const double down = number("VZ", kNone);
+    const Velocity velocity = {without_dust(speed * std::sin(course)),
+                               without_dust(speed * std::cos(course)), without_dust(0.0 - down)};
+    if (in_motion_domain(velocity.x) && in_motion_domain(velocity.y) &&
+        in_motion_domain(velocity.z)) {
+      place.velocity = velocity;
+    }
+    by_gps_.push_back(place);
   }
 
   // SS are the flags of the solution, PI is the core that the vehicle heeds.
@@ -235,6 +260,7 @@ class DataflashGathering {
   DataflashLog log_;
   SatelliteFixes fixes_;
   std::vector<std::int64_t> ahead_;
+  std::vector<DataflashPlace> by_gps_;
   Estimator newer_;
   Estimator older_;
   std::vector<Event> events_;

@@ -20,7 +20,7 @@
 
 namespace beespace::io {
 
-// One message of POS: where the vehicle was by its estimator.
+// One message of POS: where the vehicle was by its estimator. Or of GPS.
 struct DataflashPlace {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -40,6 +40,7 @@ struct DataflashLanding {
 
 struct DataflashLog {
   std::vector<DataflashPlace> places;
+  bool by_gps = false;                     // by its first receiver alone: there is no POS
   std::vector<DataflashLanding> landings;  // nothing where it says nothing of the kind
   SatelliteFixes fixes;
   std::optional<SatelliteClock> clock;  // nothing where GPS never said a time

@@ -32,8 +32,12 @@ class DataflashReading {
     if (auto error = clock_problem()) return error;
     if (auto error = assembly_.agree(facts())) return error;
     assembly_.tracks().round_times(0.0);
-    assembly_.note(std::string("positions are those of POS, heights above mean sea level") +
-                   (has_velocities() ? ", velocities those of XKF1 or NKF1" : ""));
+    assembly_.note(
+        log_.by_gps
+            ? std::string("positions and velocities are those of GPS, as there is no POS, heights "
+                          "above mean sea level")
+            : std::string("positions are those of POS, heights above mean sea level") +
+                  (has_velocities() ? ", velocities those of XKF1 or NKF1" : ""));
     tell_clock(log_.clock, assembly_);
     tell_losses(log_.losses, id_, assembly_);
     const std::vector<bool> landed = landed_at_places();
@@ -79,7 +83,7 @@ class DataflashReading {
     const std::string count = std::to_string(log_.places.size());
     return Error{ErrorCode::kNoPoints,
                  "this DataFlash log of ArduPilot tells no position: it has " + count +
-                     (log_.places.size() == 1 ? " message" : " messages") + " of POS" +
+                     (log_.places.size() == 1 ? " message" : " messages") + " of POS or GPS" +
                      (log_.places.empty() ? "" : ", none of which can be taken") +
                      words_of(log_.losses),
                  {}};
@@ -100,7 +104,7 @@ class DataflashReading {
     SourceFacts facts;
     facts.of_drones = true;
     facts.frame = Frame::kWgs84;
-    facts.frame_reason = "POS tells longitude and latitude";
+    facts.frame_reason = std::string(log_.by_gps ? "GPS" : "POS") + " tells longitude and latitude";
     facts.since_1970 = log_.clock.has_value();
     facts.heights = HeightDatum::kMeanSeaLevel;
     facts.units = {

@@ -59,6 +59,17 @@ TEST(Robotics, TwoLogsOfArduPilotAreTwoDronesOnOneClock) {
                               "say that they have landed stand on the ground"});
 }
 
+// Logs count heights above the sea, and a limit is meant above the ground.
+TEST(Robotics, ALimitOfHeightThatNoGroundCanKeepIsAskedAbout) {
+  const Arguments verify = {"verify", made("north.bin"), made("south.bin"), "--threshold", "2"};
+  const Finished asked = run(verify + Arguments{"--max-height", "120"});
+  EXPECT_EQ(asked.exit_code, 2);
+  expect_parts(asked.err, {"heights here count above mean sea level, and none is below 400 m",
+                           "for 120 m above that say --max-height 520m"});
+  EXPECT_EQ(run(verify + Arguments{"--max-height", "520m"}).exit_code, 0);
+  EXPECT_EQ(run(verify + Arguments{"--max-height", "502m"}).exit_code, 1);
+}
+
 TEST(Robotics, ALocalPositionIsWhereTheGlobalOneIs) {
   TemporaryFolder folder;
   // Without global positions, whose topic gets a name that is not known.

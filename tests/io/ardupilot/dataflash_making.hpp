@@ -49,6 +49,12 @@ inline constexpr unsigned kStat = 15;
 inline constexpr unsigned kOther = 16;
 inline constexpr unsigned kXkf1 = 17;
 
+struct GpsMotion {
+  double speed = 0.0;
+  double course_deg = 0.0;
+  double down = 0.0;
+};
+
 // A log grows at its end.
 class DataflashMaking {
  public:
@@ -80,10 +86,11 @@ class DataflashMaking {
     return data(kPos, body);
   }
   DataflashMaking& gps(std::uint64_t micros, unsigned week, std::uint32_t week_ms,
-                       unsigned status = 3, unsigned receiver = 0) {
+                       unsigned status = 3, unsigned receiver = 0, const GpsMotion& motion = {}) {
     DataflashBody body;
     body.u64(micros).u8(receiver).u8(status).u32(week_ms).u16(week).u8(14).u16(80);
-    body.i32(47.25e7).i32(8.5e7).i32(51'200).f32(0).f32(0).f32(0).f32(0).u8(1);
+    body.i32(47.25e7).i32(8.5e7).i32(51'200);
+    body.f32(motion.speed).f32(motion.course_deg).f32(motion.down).f32(0).u8(1);
     return data(kGps, body);
   }
   DataflashMaking& event(std::uint64_t micros, unsigned number) {

@@ -93,11 +93,11 @@ TEST(Dataflash, OptionsThatItHasNoUseForAreRefused) {
 
 TEST(Dataflash, WithoutAPlaceNothingIsTold) {
   expect_error(load_dataflash(ardupilot_log()),
-               {ErrorCode::kNoPoints, "flights/00000012.BIN", "it has 0 messages of POS"});
+               {ErrorCode::kNoPoints, "flights/00000012.BIN", "it has 0 messages of POS or GPS"});
   DataflashMaking log = ardupilot_log();
   expect_error(load_dataflash(log.pos(5'000'000, 0.0, 0.0)),
                {ErrorCode::kNoPoints, "flights/00000012.BIN",
-                "1 message of POS, none of which can be taken"});
+                "1 message of POS or GPS, none of which can be taken"});
 }
 
 // Its receiver, and its estimator: the flags of a place on the Earth, held, off as its GPS is, dead
@@ -128,6 +128,21 @@ TEST(Dataflash, PlacesThatAVehicleHasLostAreNotKnown) {
   DataflashMaking second = small_dataflash_log();
   second.gps(5'600'000, kWeek, kWeekMs + 600, 3, 1).gps(5'700'000, kWeek, kWeekMs + 700, 1);
   EXPECT_EQ(fixes(second.pos(6'000'000)), 3u) << "its second receiver has a fix";
+}
+
+// With a place of its receiver alone: east at 2 m/s, climbing by 1 m/s.
+TEST(Dataflash, WithoutPosPlacesAreThoseOfGps) {
+  DataflashMaking log = ardupilot_log();
+  log.gps(4'000'000, 0, 0, 1).gps(5'000'000, kWeek, kWeekMs, 3, 0, {2, 90, -1});
+  log.gps(5'000'000, kWeek, kWeekMs, 3, 1);
+  const auto recording = recording_of(load_dataflash(log));
+  const RecordedBee& bee = recording.bees.at(0);
+  ASSERT_EQ(times_of(bee), std::vector<double>{kStarted_s});
+  EXPECT_EQ(bee.fixes[0].position.z, 512.0);
+  EXPECT_EQ(bee.velocities.at(0).x, 2.0);
+  EXPECT_NEAR(bee.velocities[0].y, 0.0, 1e-15);
+  EXPECT_EQ(bee.velocities[0].z, 1.0);
+  EXPECT_TRUE(has_note(recording, "are those of GPS, as there is no POS"));
 }
 
 // Of the same turn of its loop, and of the core that the vehicle heeds.
