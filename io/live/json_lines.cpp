@@ -20,6 +20,7 @@
 #include "io/tracks/ros_table.hpp"
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_layout.hpp"
+#include "io/tracks/track_marks.hpp"
 #include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
 #include "io/tracks/wall_times.hpp"
@@ -245,6 +246,7 @@ class JsonLines final : public LineReader {
       hides_ = !reason->harmless;
       return std::optional<ReportLine>();
     }
+    if (auto error = unclear_mark(layout_, text_in_slot())) return of_keys(*std::move(error));
     read_label(report);
     if (auto error = check_axes(report)) return *std::move(error);
     if (auto error = read_time(report)) return *std::move(error);
@@ -279,6 +281,7 @@ class JsonLines final : public LineReader {
 
   // Of what aircraft say of themselves: what is not known is no mistake.
   [[nodiscard]] const LeftOutReason* reason_to_leave_out() const {
+    if (const LeftOutReason* const reason = reason_by_marks(layout_, text_in_slot())) return reason;
     if (!layout_.of_aircraft) return nullptr;
     const auto unknown = [this](std::size_t slot) {
       return !values_[slot] || values_[slot]->is_null();
@@ -291,6 +294,16 @@ class JsonLines final : public LineReader {
     if (unknown(TrackSlot::kTime)) return &kNoTime;
     const bool height = layout_.table.choice.dimensions == 3;
     return height && unknown(TrackSlot::kPosition + 2) ? layout_.no_height : nullptr;
+  }
+
+  [[nodiscard]] TextInSlot text_in_slot() const {
+    return [this](std::size_t slot) -> std::string {
+      const auto& value = values_[slot];
+      bool says = false;
+      if (!value) return {};
+      if (value->get(says)) return says ? "true" : "false";
+      return field_text(*value);
+    };
   }
 
   std::optional<Error> read_time(ReportLine& report) {

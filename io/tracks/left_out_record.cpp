@@ -4,35 +4,24 @@
 #include "io/problems/unplaced.hpp"
 #include "io/tracks/short_number.hpp"
 #include "io/tracks/track_aircraft.hpp"
+#include "io/tracks/track_marks.hpp"
 #include "io/tracks/track_record.hpp"
 #include "io/units/units.hpp"
 
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace beespace::io {
-namespace {
 
-// As Ornitela calls them: "SENSORS", "SEN_ALL_20Hz".
-bool is_of_sensors(std::string_view datatype) {
-  return without_padding(datatype).starts_with("SEN");
+TextInSlot TrackRecordReader::text_in_slot() const {
+  return [this](std::size_t slot) { return std::string(fields_[slot].text); };
 }
-
-}  // namespace
 
 // Of what aircraft say of themselves: what is not known is no mistake.
 const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
-  if (is_outlier()) return &kOutlier;
-  if (layout_.sensor && is_of_sensors(fields_[TrackSlot::kSensor].text)) return &kSensorsOnly;
-  if (layout_.quality && says_no_fix(*layout_.quality, fields_[TrackSlot::kQuality].text)) {
-    return &kNoFix;
-  }
-  if (layout_.place_known && says_no(fields_[TrackSlot::kPlaceKnown].text)) return &kDoubtedPlace;
-  if (layout_.height_known && says_no(fields_[TrackSlot::kHeightKnown].text)) {
-    return &kDoubtedHeight;
-  }
-  if (layout_.not_seen && says_yes(fields_[TrackSlot::kNotSeen].text)) return &kUnknownPlace;
+  if (const LeftOutReason* const reason = reason_by_marks(layout_, text_in_slot())) return reason;
   if (!layout_.of_aircraft && !layout_.places_may_be_unknown) return nullptr;
   const auto unknown = [this](std::size_t slot) {
     const std::string_view text = without_padding(fields_[slot].text);

@@ -1,14 +1,14 @@
-// What columns say of a whole record: that its place is none, or wrong.
+#include "io/tracks/track_marks.hpp"
+
+#include "io/bytes/characters.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/problems/skipped_records.hpp"
+#include "io/problems/unplaced.hpp"
 #include "io/table/column_overrides.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/tracks/track_aircraft.hpp"
-#include "io/tracks/track_record.hpp"
 
-#include <cstddef>
-#include <string>
 #include <string_view>
 
 namespace beespace::io {
@@ -18,41 +18,55 @@ bool says_neither(std::string_view text) {
   return !is_unknown(without_padding(text)) && !says_yes(text) && !says_no(text);
 }
 
-}  // namespace
+// As Ornitela calls them: "SENSORS", "SEN_ALL_20Hz".
+bool is_of_sensors(std::string_view datatype) {
+  return without_padding(datatype).starts_with("SEN");
+}
 
 // As the owner of the data has marked it.
-bool TrackRecordReader::is_outlier() const {
-  if (layout_.visible && says_no(fields_[TrackSlot::kVisible].text)) return true;
-  if (layout_.marked_valid && says_yes(fields_[TrackSlot::kValid].text)) return false;
-  for (std::size_t i = 0; i < layout_.marked.size(); ++i) {
-    if (says_yes(fields_[TrackSlot::kMarked + i].text)) return true;
+bool is_outlier(const TrackLayout& layout, const TextInSlot& text_in) {
+  if (layout.visible && says_no(text_in(TrackSlot::kVisible))) return true;
+  if (layout.marked_valid && says_yes(text_in(TrackSlot::kValid))) return false;
+  for (std::size_t i = 0; i < layout.marked.size(); ++i) {
+    if (says_yes(text_in(TrackSlot::kMarked + i))) return true;
   }
   return false;
 }
 
-// In words that are not known: no guess is made.
-std::optional<Error> TrackRecordReader::unclear_word() const {
-  const auto problem = [this](std::size_t column, std::size_t slot, std::string_view what,
-                              std::string_view remedy) {
+}  // namespace
+
+const LeftOutReason* reason_by_marks(const TrackLayout& layout, const TextInSlot& text_in) {
+  if (is_outlier(layout, text_in)) return &kOutlier;
+  if (layout.sensor && is_of_sensors(text_in(TrackSlot::kSensor))) return &kSensorsOnly;
+  if (layout.quality && says_no_fix(*layout.quality, text_in(TrackSlot::kQuality))) return &kNoFix;
+  if (layout.place_known && says_no(text_in(TrackSlot::kPlaceKnown))) return &kDoubtedPlace;
+  if (layout.height_known && says_no(text_in(TrackSlot::kHeightKnown))) return &kDoubtedHeight;
+  if (layout.not_seen && says_yes(text_in(TrackSlot::kNotSeen))) return &kUnknownPlace;
+  return nullptr;
+}
+
+std::optional<Error> unclear_mark(const TrackLayout& layout, const TextInSlot& text_in) {
+  const auto problem = [&](std::size_t column, std::size_t slot, std::string_view what,
+                           std::string_view remedy) {
     return at_column(ErrorCode::kMalformedRecord,
-                     column_text(layout_.table, column) + " says " + std::string(what) + ", but " +
-                         excerpt(without_padding(fields_[slot].text)) +
+                     column_text(layout.table, column) + " says " + std::string(what) + ", but " +
+                         excerpt(without_padding(text_in(slot))) +
                          " is not known: " + std::string(remedy) + std::string(kOrLeaveOut),
                      column);
   };
-  if (layout_.quality && is_unclear(*layout_.quality, fields_[TrackSlot::kQuality].text)) {
-    return problem(layout_.quality->column, TrackSlot::kQuality, "whether there was a fix",
+  if (layout.quality && is_unclear(*layout.quality, text_in(TrackSlot::kQuality))) {
+    return problem(layout.quality->column, TrackSlot::kQuality, "whether there was a fix",
                    "write 'fix' or 'no fix' there, or give the column another name if all its "
                    "records are places");
   }
   constexpr std::string_view kOfOutliers = "whether a place is an outlier";
   constexpr std::string_view kYesOrNo = "write true or false there";
-  if (layout_.visible && says_neither(fields_[TrackSlot::kVisible].text)) {
-    return problem(*layout_.visible, TrackSlot::kVisible, kOfOutliers, kYesOrNo);
+  if (layout.visible && says_neither(text_in(TrackSlot::kVisible))) {
+    return problem(*layout.visible, TrackSlot::kVisible, kOfOutliers, kYesOrNo);
   }
-  for (std::size_t i = 0; i < layout_.marked.size(); ++i) {
-    if (!says_neither(fields_[TrackSlot::kMarked + i].text)) continue;
-    return problem(layout_.marked[i], TrackSlot::kMarked + i, kOfOutliers, kYesOrNo);
+  for (std::size_t i = 0; i < layout.marked.size(); ++i) {
+    if (!says_neither(text_in(TrackSlot::kMarked + i))) continue;
+    return problem(layout.marked[i], TrackSlot::kMarked + i, kOfOutliers, kYesOrNo);
   }
   return std::nullopt;
 }

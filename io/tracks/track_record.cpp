@@ -375,7 +375,7 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   }
   record.left_out = reason_to_leave_out();
   if (record.left_out == nullptr) {
-    if (auto problem = unclear_word()) return problem;
+    if (auto problem = unclear_mark(layout_, text_in_slot())) return problem;
   }
   record.flies_on_ground = record.left_out == nullptr && layout_.on_ground &&
                            says_yes(fields_[TrackSlot::kOnGround].text);

@@ -4,6 +4,7 @@
 #include "io/problems/left_out.hpp"
 #include "io/table/fields.hpp"
 #include "io/tracks/track_layout.hpp"
+#include "io/tracks/track_marks.hpp"
 
 #include <beespace/mover.hpp>
 #include <beespace/point.hpp>
@@ -70,8 +71,7 @@ class TrackRecordReader {
   void read_sets(TrackRecord& record);
   void read_scenes(TrackRecord& record);
   [[nodiscard]] const LeftOutReason* reason_to_leave_out() const;
-  [[nodiscard]] bool is_outlier() const;
-  [[nodiscard]] std::optional<Error> unclear_word() const;
+  [[nodiscard]] TextInSlot text_in_slot() const;
   [[nodiscard]] bool flies() const;
   [[nodiscard]] bool heights_contradict() const;
   [[nodiscard]] bool is_old() const;

@@ -160,6 +160,26 @@ TEST(ReportLines, KeysMayComeLater) {
   EXPECT_EQ(report.velocity, (Velocity{4, 5, 6}));
 }
 
+// As of columns: what the object says of its place counts, however it says so.
+TEST(ReportLines, ObjectsThatSayThatTheirPlaceIsNoneAreLeftOut) {
+  const std::string place = R"({"id": "a", "time_s": 1, "x": 2, "y": 3, "z": 4, )";
+  for (const char* const mark :
+       {R"("fix_type": 1})", R"("fix_type": "no fix"})", R"("fix": false})", R"("valid": false})",
+        R"("gps_fix": 0})", R"("xy_valid": false})", R"("z_valid": 0})"}) {
+    ReportLines lines;
+    EXPECT_FALSE(says_something(lines.take(place + mark))) << mark;
+    EXPECT_EQ(lines.hidden_id(), "a") << mark;
+  }
+  for (const char* const mark :
+       {R"("fix_type": 3})", R"("fix_type": null})", R"("fix": true})", R"("xy_valid": 1})"}) {
+    ReportLines lines;
+    EXPECT_TRUE(says_something(lines.take(place + mark))) << mark;
+  }
+  ReportLines lines;
+  expect_line_error(lines.take(place + R"("fix_type": "perhaps"})"),
+                    {ErrorCode::kMalformedRecord, "<stdin>:1", "'perhaps' is not known"});
+}
+
 TEST(ReportLines, DatesInObjectsAreTimes) {
   ReportLines lines;
   EXPECT_EQ(
