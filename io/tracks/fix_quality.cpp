@@ -96,6 +96,7 @@ std::optional<FixQuality> find_fix_quality(std::string_view text, const TableLay
     const auto ends = [&name](std::string_view end) { return ends_as(name, end); };
     if (ends("status_status")) return FixQuality{i, kLeastOfRos};
     if (ardupilot && ends("status")) return FixQuality{i, kLeastType};
+    if (ends("gps_lock")) return FixQuality{i, kLeastType};  // of QGroundControl, which has "None"
     if (ends("fix_type") || ends("fixtype")) return FixQuality{i, kLeastType, Unclear::kAsked};
     if (name == "eobs_status") return FixQuality{i, kLeastQuality, Unclear::kAsked, true};
     if (names_fix_status(split_words(table.names[i]))) {

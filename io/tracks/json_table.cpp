@@ -6,6 +6,7 @@
 #include "io/table/table_layout.hpp"
 #include "io/tracks/json_cells.hpp"
 #include "io/tracks/known_tables.hpp"
+#include "io/tracks/local_positions.hpp"
 #include "io/tracks/places_in_one.hpp"
 #include "io/tracks/ros_table.hpp"
 #include "io/tracks/track_aircraft.hpp"
@@ -303,6 +304,7 @@ std::optional<Error> read_cells(JsonCells& cells, std::string description, const
     error.location.line.reset();
     return error;
   }
+  settle_local_origin(options, *layout);
   if (layout->time && layout->time->clock) {
     layout->time->clock = assembly.common_clock(*layout->time->clock);
   }

@@ -43,6 +43,17 @@ void settle_known_places(TrackLayout& layout) {
     };
     if (is(place)) layout.place_known = i;
     if (is(height) && layout.table.choice.dimensions == 3) layout.height_known = i;
+    if (is_one_of("dead_reckoning tracking_lost lost is_lost", name)) layout.lost = i;
+  }
+  for (std::size_t i = 0; i < names.size() && !layout.place_known; ++i) {
+    if (is_one_of("position_valid pos_valid pose_valid tracking_valid tracked is_tracked",
+                  plain_name(names[i]))) {
+      layout.place_known = i;
+    }
+  }
+  // Elsewhere they may be a dilution of precision, or in centimetres.
+  if (column_called("dead_reckoning", names)) {
+    layout.off_m = {column_called("eph", names), column_called("epv", names)};
   }
 }
 

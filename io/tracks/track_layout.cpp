@@ -173,6 +173,10 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   if (layout.place_known) fill(*layout.place_known, TrackSlot::kPlaceKnown);
   if (layout.height_known) fill(*layout.height_known, TrackSlot::kHeightKnown);
   if (layout.not_seen) fill(*layout.not_seen, TrackSlot::kNotSeen);
+  if (layout.lost) fill(*layout.lost, TrackSlot::kLost);
+  for (std::size_t i = 0; i < layout.off_m.size(); ++i) {
+    if (layout.off_m[i]) fill(*layout.off_m[i], TrackSlot::kOff + i);
+  }
   if (layout.sensor) fill(*layout.sensor, TrackSlot::kSensor);
   if (layout.zone) fill(*layout.zone, TrackSlot::kZone);
   for (std::size_t i = 0; i < layout.sides.size(); ++i) {

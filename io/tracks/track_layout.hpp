@@ -130,15 +130,17 @@ struct TrackLayout {
   bool own_origin = false;  // of poses: they begin at 0, 0, 0, as where a robot was switched on
   // Of ROS: by how much the stamps of the header are later than the times of recording.
   std::optional<double> stamps_ahead_s = {};
-  std::optional<FixQuality> quality = {};         // whether there was a fix
-  std::optional<std::size_t> place_known = {};    // of PX4: who says no there does not know it,
-  std::optional<std::size_t> height_known = {};   // or its height
-  std::optional<std::size_t> not_seen = {};       // of TRex: "missing"
-  std::optional<std::size_t> sensor = {};         // of Movebank: which found the place
-  std::optional<std::size_t> zone = {};           // of UTM, in which x and y are counted
-  Sides sides = {};                               // of degrees without a sign
-  std::optional<std::size_t> age = {};            // of aircraft: how old the place is
-  std::optional<std::size_t> clock_zone = {};     // of times of a clock: which is to be one
+  std::optional<FixQuality> quality = {};        // whether there was a fix
+  std::optional<std::size_t> place_known = {};   // of PX4: who says no there does not know it,
+  std::optional<std::size_t> height_known = {};  // or its height
+  std::optional<std::size_t> lost = {};          // who says yes there guesses its place
+  std::array<std::optional<std::size_t>, 2> off_m = {};  // of PX4: by how much it may be off
+  std::optional<std::size_t> not_seen = {};              // of TRex: "missing"
+  std::optional<std::size_t> sensor = {};                // of Movebank: which found the place
+  std::optional<std::size_t> zone = {};                  // of UTM, in which x and y are counted
+  Sides sides = {};                                      // of degrees without a sign
+  std::optional<std::size_t> age = {};                   // of aircraft: how old the place is
+  std::optional<std::size_t> clock_zone = {};            // of times of a clock: which is to be one
   std::vector<std::size_t> sets = {};             // within which ids are unique: studies, days
   std::vector<std::size_t> trials = {};           // which of `sets` times may begin again with
   std::vector<std::size_t> scenes = {};           // sides, cameras, arenas: see names_scene()
@@ -192,7 +194,9 @@ struct TrackSlot {
   static constexpr std::size_t kScenes = kSets + kMostSets;  // as many as kMostScenes
   static constexpr std::size_t kMostScenes = 3;
   static constexpr std::size_t kDue = kScenes + kMostScenes;
-  static constexpr std::size_t kNothing = kDue + 1;  // where columns go that are not asked for
+  static constexpr std::size_t kLost = kDue + 1;
+  static constexpr std::size_t kOff = kLost + 1;     // two of them
+  static constexpr std::size_t kNothing = kOff + 2;  // where columns go that are not asked for
 };
 
 // By column: which slot it fills. An id may be read from a column that is something else too, but

@@ -1,6 +1,7 @@
 #include "io/tracks/track_marks.hpp"
 
 #include "io/bytes/characters.hpp"
+#include "io/bytes/number.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/unplaced.hpp"
@@ -13,6 +14,9 @@
 
 namespace beespace::io {
 namespace {
+
+// By its own word, as its failsafe begins at less: as of logs.
+constexpr double kMostOff_m = 10.0;
 
 bool says_neither(std::string_view text) {
   return !is_unknown(without_padding(text)) && !says_yes(text) && !says_no(text);
@@ -41,6 +45,15 @@ const LeftOutReason* reason_by_marks(const TrackLayout& layout, const TextInSlot
   if (layout.quality && says_no_fix(*layout.quality, text_in(TrackSlot::kQuality))) return &kNoFix;
   if (layout.place_known && says_no(text_in(TrackSlot::kPlaceKnown))) return &kDoubtedPlace;
   if (layout.height_known && says_no(text_in(TrackSlot::kHeightKnown))) return &kDoubtedHeight;
+  if (layout.lost && says_yes(text_in(TrackSlot::kLost))) return &kGuessedPlace;
+  for (std::size_t i = 0; i < layout.off_m.size(); ++i) {
+    double off_m = 0.0;
+    if (!layout.off_m[i]) continue;
+    const std::string text = text_in(TrackSlot::kOff + i);
+    if (parse_number(without_padding(text), off_m) == NumberKind::kNumber && off_m > kMostOff_m) {
+      return &kGuessedPlace;
+    }
+  }
   if (layout.not_seen && says_yes(text_in(TrackSlot::kNotSeen))) return &kUnknownPlace;
   return nullptr;
 }
