@@ -190,7 +190,9 @@ class DataflashGathering {
     };
     const double down = part("VD");
     const Velocity velocity = {part("VE"), part("VN"), std::isnan(down) ? down : 0.0 - down};
-    if (at) estimator.moving.push_back({*at, index("C"), velocity});
+    if (!at) return;
+    estimator.speaks = true;
+    estimator.moving.push_back({*at, index("C"), velocity});
   }
 
   // That of the same turn of the vehicle's loop, of the core that it heeds.

@@ -130,6 +130,14 @@ TEST(Dataflash, PlacesThatAVehicleHasLostAreNotKnown) {
   EXPECT_EQ(fixes(second.pos(6'000'000)), 3u) << "its second receiver has a fix";
 }
 
+// Of the first core where nothing says which one the vehicle heeds.
+TEST(Dataflash, VelocitiesNeedNoStatusBesideThem) {
+  DataflashMaking log = small_dataflash_log();
+  const auto recording =
+      recording_of(load_dataflash(log.pos(6'000'000).velocity(6'001'000, 5, 6, 7)));
+  EXPECT_EQ(recording.bees.at(0).velocities.at(2).x, 6.0);
+}
+
 // With a place of its receiver alone: east at 2 m/s, climbing by 1 m/s.
 TEST(Dataflash, WithoutPosPlacesAreThoseOfGps) {
   DataflashMaking log = ardupilot_log();
