@@ -26,10 +26,25 @@ std::optional<double> own_speed(const Velocity* velocity) {
   return speed_mps > 0.0 ? std::optional(speed_mps) : std::nullopt;
 }
 
+// Of all steps of a track, or as many as tell it; of few ones nothing is usual.
+double usual_speed_mps(const std::vector<Fix>& fixes, Frame frame) {
+  constexpr std::size_t kFewest = 20;
+  constexpr std::size_t kEnough = 1'000;
+  if (fixes.size() <= kFewest) return Jumps::kMostSpeed_mps;
+  const std::size_t every = 1 + (fixes.size() - 2) / kEnough;
+  NearlyAll speeds_mps;
+  for (std::size_t i = 1; i < fixes.size(); i += every) {
+    const double seconds = fixes[i].time_s - fixes[i - 1].time_s;
+    if (!(seconds > 0.0)) continue;
+    speeds_mps.take(flat_distance_m(fixes[i - 1].position, fixes[i].position, frame) / seconds);
+  }
+  return speeds_mps.least_bound();
+}
+
 }  // namespace
 
 Jumps::Jumps(const std::vector<Fix>& fixes, const std::vector<Velocity>& velocities, Frame frame)
-    : is_whole_(true) {
+    : usual_mps_(usual_speed_mps(fixes, frame)), is_whole_(true) {
   for (std::size_t i = 1; i < velocities.size(); ++i) {
     own_.take(fixes[i - 1], &velocities[i - 1], fixes[i], &velocities[i], frame);
   }
@@ -43,20 +58,21 @@ bool Jumps::take(const Fix& fix, const Velocity* velocity, Frame frame) {
   return jumps;
 }
 
+double Jumps::most_speed_mps(const Velocity* before, const Velocity* now) const {
+  const auto own_before_mps = own_speed(before);
+  const auto own_mps = own_speed(now);
+  const double fastest_mps =
+      own_before_mps && own_mps ? std::max(*own_before_mps, *own_mps) : usual_mps_;
+  return std::min(kMostSpeed_mps, kTimesOwnSpeed * fastest_mps + kBesideOwnSpeed_mps);
+}
+
 bool Jumps::jumps_to(const Fix& fix, const Velocity* velocity, Frame frame) const {
   if (!last_ || !(fix.time_s > last_->time_s)) return false;
   if (is_in_space(last_->position, frame) && is_in_space(fix.position, frame)) return false;
   const Velocity* const before = velocity_ ? &*velocity_ : nullptr;
-  const auto own_before_mps = own_speed(before);
-  const auto own_mps = own_speed(velocity);
-  double most_mps = kMostSpeed_mps;
-  if (own_before_mps && own_mps) {
-    const double fastest_mps = std::max(*own_before_mps, *own_mps);
-    most_mps = std::min(most_mps, kTimesOwnSpeed * fastest_mps + kBesideOwnSpeed_mps);
-  }
   const double lasts_s = fix.time_s - last_->time_s;
   if (flat_distance_m(last_->position, fix.position, frame) >
-      most_mps * (lasts_s + kTimesDiffer_s)) {
+      most_speed_mps(before, velocity) * (lasts_s + kTimesDiffer_s)) {
     return true;
   }
   if (own_.contradicted_by(*last_, before, fix, velocity, frame)) return true;

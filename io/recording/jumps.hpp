@@ -2,9 +2,10 @@
 // one of the two places is wrong, or its time is.
 //
 // Nothing that flies below space is faster than kMostSpeed_mps. Who tells a speed flies at
-// kTimesOwnSpeed times that, and kBesideOwnSpeed_mps, at most. Times may be rounded, or be those of
-// arrival, by kTimesDiffer_s. On the Earth it goes about as its velocities say (stated_rates.hpp),
-// and what is slow goes as they say elsewhere in its track (own_motion.hpp).
+// kTimesOwnSpeed times that, and kBesideOwnSpeed_mps, at most; of who tells none, all of whose
+// track is known, that is the speed that nearly all of its steps keep. Times may be rounded, or be
+// those of arrival, by kTimesDiffer_s. On the Earth it goes about as its velocities say
+// (stated_rates.hpp), and what is slow goes as they say elsewhere in its track (own_motion.hpp).
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"
@@ -37,8 +38,11 @@ class Jumps {
   [[nodiscard]] bool jumps_to(const Fix& fix, const Velocity* velocity, Frame frame) const;
 
  private:
+  [[nodiscard]] double most_speed_mps(const Velocity* before, const Velocity* now) const;
+
   OwnMotion own_;
-  bool is_whole_ = false;  // all is in there
+  double usual_mps_ = kMostSpeed_mps;  // of nearly all steps, where these are known
+  bool is_whole_ = false;              // all is in there
   std::optional<Fix> last_ = {};
   std::optional<Velocity> velocity_ = {};  // of the last one
 };

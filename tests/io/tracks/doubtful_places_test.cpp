@@ -247,6 +247,25 @@ TEST(JumpsOfTracks, BeginAtTheGreatestSpeed) {
   EXPECT_FALSE(jumps(most_m, &none));
 }
 
+// Who tells no speed, by the steps of all of its track: nearly all of them at 2 m/s.
+TEST(JumpsOfTracks, OfWholeTracksBeginAtTimesTheUsualSpeed) {
+  const auto jumps = [](std::size_t steps, double by_m) {
+    std::vector<Fix> fixes;
+    for (std::size_t i = 0; i <= steps; ++i) {
+      const auto tenths = static_cast<double>(i);
+      fixes.push_back({tenths / 10.0, {0.2 * tenths + (i < steps / 2 ? 0.0 : by_m), 0, 0}});
+    }
+    Jumps track(fixes, {}, Frame::kMetres);
+    bool any = false;
+    for (const Fix& fix : fixes) any = track.take(fix, nullptr) || any;
+    return any;
+  };
+  // In a tenth of a second, with half a second for times that are not exact.
+  EXPECT_FALSE(jumps(100, 70.0));
+  EXPECT_TRUE(jumps(100, 80.0));
+  EXPECT_FALSE(jumps(19, 300.0)) << "of so few nothing is usual";
+}
+
 TEST(JumpsOfTracks, SatellitesDoNot) {
   Jumps track;
   EXPECT_FALSE(track.take({0.0, {7'000'000, 0, 0}}, nullptr));
