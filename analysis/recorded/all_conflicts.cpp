@@ -48,6 +48,7 @@ Result<AllConflicts> all_conflicts(const io::Recording& recording, const std::ve
   const auto left_out = leave_out_standing(recording, tracks, options, conflicts);
   if (!left_out) return left_out.error();
   found.standing_count = *left_out;
+  if (!recording.show) found.with_standing = beside_landed(recording, conflicts);
   auto closest = closest_or_encounter(conflicts, tracks, options);
   if (!closest) return std::move(closest).error();
   found.closest = *closest;
@@ -65,7 +66,11 @@ Result<AllConflicts> all_conflicts(const io::Recording& recording, const std::ve
   }
   const auto& standing = found.with_standing;
   if (std::find(standing.begin(), standing.end(), found.closest) == standing.end()) return found;
-  auto in_the_air = closest_or_encounter(without(conflicts, standing), tracks, options);
+  const std::vector<Conflict> of_flying = without(conflicts, standing);
+  auto in_the_air = recording.show || !of_flying.empty()
+                        ? closest_or_encounter(of_flying, tracks, options)
+                        : closest_of_flying(recording, tracks, options.max_gap_s,
+                                            {options.threads, options.stop});
   if (!in_the_air) return std::move(in_the_air).error();
   found.closest_in_the_air = *in_the_air;
   return found;

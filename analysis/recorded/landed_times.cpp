@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -163,6 +164,19 @@ Result<std::size_t> leave_out_standing(const io::Recording& recording,
   }
   conflicts = std::move(kept);
   return left_out;
+}
+
+std::vector<Conflict> beside_landed(const io::Recording& recording,
+                                    const std::vector<Conflict>& conflicts) {
+  std::vector<Conflict> beside;
+  std::copy_if(conflicts.begin(), conflicts.end(), std::back_inserter(beside),
+               [&](const Conflict& conflict) {
+                 const auto stands = [&](PointId bee) {
+                   return stands_during(recording.bees[bee], conflict.begins_s, conflict.ends_s);
+                 };
+                 return stands(conflict.first) || stands(conflict.second);
+               });
+  return beside;
 }
 
 Result<std::optional<Conflict>> closest_of_flying(const io::Recording& recording,

@@ -35,6 +35,11 @@ Result<std::size_t> leave_out_standing(const io::Recording& recording,
                                        const ConflictOptions& options,
                                        std::vector<Conflict>& conflicts);
 
+// Of these, those in which one of the two stands as long as they last. What is decided of drones of
+// a show that stand at its ends is another matter (show_conflicts.hpp).
+std::vector<Conflict> beside_landed(const io::Recording& recording,
+                                    const std::vector<Conflict>& conflicts);
+
 // The closest two of all that fly, in the geometry of the tracks; nothing where no two do at the
 // same time. Errors: those of find_closest_encounter().
 Result<std::optional<Conflict>> closest_of_flying(const io::Recording& recording,

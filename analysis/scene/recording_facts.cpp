@@ -310,6 +310,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   const auto left_out = leave_out_standing(recording, tracks, options, recorded->conflicts);
   if (!left_out) return left_out.error();
   facts.standing_count = *left_out;
+  if (!recording.show) *standing = beside_landed(recording, recorded->conflicts);
   if (facts.standing_count > 0) {
     facts.swarm.notes.push_back("conflicts of two that both stand on the ground, left out: " +
                                 io::grouped(facts.standing_count));
@@ -328,8 +329,11 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.closest_stands = facts.closest && std::find(standing->begin(), standing->end(),
                                                     *facts.closest) != standing->end();
   if (facts.closest_stands) {
-    const auto in_the_air =
-        closest_of(without(recorded->conflicts, *standing), *in_space, max_gap.seconds, request);
+    const std::vector<Conflict> of_flying = without(recorded->conflicts, *standing);
+    const auto in_the_air = recording.show || !of_flying.empty()
+                                ? closest_of(of_flying, *in_space, max_gap.seconds, request)
+                                : closest_of_flying(recording, *in_space, max_gap.seconds,
+                                                    {request.threads, request.stop});
     if (!in_the_air) return in_the_air.error();
     facts.closest_in_the_air = *in_the_air;
   } else if (recorded->conflicts.empty() && facts.closest &&

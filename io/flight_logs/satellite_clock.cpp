@@ -71,10 +71,7 @@ void tell_clock(const std::optional<SatelliteClock>& clock, RecordingAssembly& a
                   " times are seconds since the drone was switched on: there is no time of GPS");
     return;
   }
-  assembly.note("the clock of " + name + " is set by " + std::to_string(clock->samples) +
-                (clock->samples == 1 ? " time" : " times") +
-                " of GPS, nine of ten of which agree within " +
-                milliseconds_text(clock->spread_micros));
+  assembly.set_by_gps(clock->samples, clock->spread_micros);
   if (!assembly.has_several() || clock->spread_micros <= kSurelyOneClockMicros) return;
   assembly.note("so it may be that much off from the clocks of other inputs: " + name);
   assembly.doubt_times(1);

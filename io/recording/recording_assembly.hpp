@@ -169,6 +169,11 @@ class RecordingAssembly {
   [[nodiscard]] bool is_show() const { return recording_.show.has_value(); }
   // Of a show that was declared: how high its lowest place is.
   void declare_ground(double height_m);
+  // The clock of the source, a log, is set by so many times of GPS, nine of ten of which agree
+  // within that.
+  void set_by_gps(std::size_t times, std::uint64_t spread_micros) {
+    clocks_set_.push_back({sources_.back(), times, spread_micros});
+  }
   void add_bytes(std::uint64_t count) { recording_.bytes += count; }
   TrackGathering& tracks() { return tracks_; }
   // As many records of that bee, or of an unknown one, may hide what it did.
@@ -266,6 +271,7 @@ class RecordingAssembly {
   [[nodiscard]] std::optional<Error> own_grounds() const;
   [[nodiscard]] std::optional<Error> doubtful_units() const;
   void note_counts();
+  void note_clocks();
   [[nodiscard]] Error nothing_left() const;
   std::optional<Error> agree_on_heights(HeightDatum heights);
   [[nodiscard]] std::optional<Error> agree_on_origins(const SourceFacts& facts);
@@ -329,6 +335,12 @@ class RecordingAssembly {
   HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by the source that states it
   std::string stated_by_;
   std::uint64_t nameless_ = 0;
+  struct ClockSet {
+    std::string source;
+    std::size_t times = 0;
+    std::uint64_t spread_micros = 0;
+  };
+  std::vector<ClockSet> clocks_set_;
   RosFrames ros_frames_;
   double highest_m_ = 0.0;
   std::optional<std::string> zone_;

@@ -164,6 +164,25 @@ std::optional<Error> RecordingAssembly::settle_frame() {
   return std::nullopt;
 }
 
+// Of all logs in one sentence: of a fleet there are many.
+void RecordingAssembly::note_clocks() {
+  if (clocks_set_.empty()) return;
+  std::size_t fewest = clocks_set_.front().times;
+  std::uint64_t widest_micros = 0;
+  for (const ClockSet& clock : clocks_set_) {
+    fewest = std::min(fewest, clock.times);
+    widest_micros = std::max(widest_micros, clock.spread_micros);
+  }
+  const std::string within =
+      ", nine of ten of which agree within " + std::to_string((widest_micros + 500) / 1000) + " ms";
+  if (clocks_set_.size() == 1) {
+    return note("the clock of " + clocks_set_.front().source + " is set by " +
+                counted(fewest, "time", "times") + " of GPS" + within);
+  }
+  note("the clocks of " + std::to_string(clocks_set_.size()) + " logs are set by GPS, each by " +
+       counted(fewest, "time", "times") + " or more" + within);
+}
+
 void RecordingAssembly::note_counts() {
   if (const auto count = tracks_.out_of_order(); count > 0) {
     note(counted(count, "record goes", "records go") +
@@ -350,6 +369,7 @@ Result<Recording> RecordingAssembly::finish() {
   if (recording_.height_unit == Unit::kMetre) {
     for (RecordedBee& bee : recording_.bees) bee.stated_heights.clear();
   }
+  note_clocks();
   note_counts();
   if (auto same = same_tracks_note(recording_.bees)) note(*std::move(same));
   if (recording_.of_aircraft) {
