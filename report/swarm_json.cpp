@@ -37,7 +37,7 @@ std::vector<std::string> notes_of_page(const SwarmFacts& swarm) {
   return notes;
 }
 
-void write_noun(io::JsonWriter& json, const Noun& noun) {
+void write_noun(io::JsonWriter& json, const io::RecordedNoun& noun) {
   json.begin_object("noun").member("one", noun.one).member("several", noun.several);
   json.end();
 }
@@ -66,7 +66,7 @@ void write_facts(io::JsonWriter& json, const SwarmFacts& swarm, std::size_t coun
   if (swarm.heights.in_feet || swarm.heights.by_pressure) write_heights(json, swarm.heights);
   if (swarm.aviation) json.member("aviation", true);
   if (swarm.flat) json.member("flat", true);
-  if (swarm.noun.one != Noun().one) write_noun(json, swarm.noun);
+  if (swarm.noun.one != io::RecordedNoun().one) write_noun(json, swarm.noun);
   json.member("threshold_m", swarm.threshold_m);
   if (swarm.vertical_m) json.member("vertical_m", swarm.vertical_m);
   json.member("inclusive", swarm.inclusive);

@@ -105,6 +105,15 @@ std::optional<Histogram> nearest_histogram(const SnapshotFacts& facts) {
   return histogram;
 }
 
+namespace {
+
+std::string capitalised(std::string word) {
+  if (!word.empty()) word.front() = static_cast<char>(word.front() - 'a' + 'A');
+  return word;
+}
+
+}  // namespace
+
 void draw_histogram(const Histogram& histogram, const SwarmFacts& swarm, const Box& box,
                     Drawing& drawing) {
   const auto& edges_m = histogram.edges_m;
@@ -123,7 +132,7 @@ void draw_histogram(const Histogram& histogram, const SwarmFacts& swarm, const B
                      [](const Tick& tick) { return tick.value != std::floor(tick.value); }),
       counts.end());
   const Panel panel{box,
-                    "Distance to the nearest other bee",
+                    "Distance to the nearest other " + swarm.noun.one,
                     {across,
                      as_many_as_fit(box.width,
                                     [&](std::size_t at_most) {
@@ -133,7 +142,7 @@ void draw_histogram(const Histogram& histogram, const SwarmFacts& swarm, const B
                                     }),
                      histogram.logarithmic ? "Distance (m), by powers of ten"
                                            : std::string("Distance (") + unit.name + ")"},
-                    {upwards, counts, "Bees"}};
+                    {upwards, counts, capitalised(swarm.noun.several)}};
   draw_panel(panel, drawing);
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
     if (histogram.counts[i] == 0) continue;

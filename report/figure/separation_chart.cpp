@@ -1,5 +1,7 @@
 #include "report/figure/separation_chart.hpp"
 
+#include "report/calendar_words.hpp"
+#include "report/figure/calendar_axis.hpp"
 #include "report/figure/sheet.hpp"
 #include "report/figure/style.hpp"
 #include "report/number_label.hpp"
@@ -31,21 +33,6 @@ TimeSpan time_of(const RecordingFacts& facts) {
   return {time.begins_s, std::max(time.ends_s, time.begins_s + least_s)};
 }
 
-// As tables tell them: month and day where a day begins, otherwise the time of day.
-std::vector<Tick> utc_ticks(const Range& range, std::size_t most) {
-  const double zero = std::floor(range.low / kDay_s) * kDay_s;
-  std::vector<Tick> ticks = clock_ticks(range, most, zero);
-  const double step = ticks.size() > 1 ? ticks[1].value - ticks[0].value : kDay_s;
-  for (Tick& tick : ticks) {
-    const double day = std::floor(tick.value / kDay_s) * kDay_s;
-    if (day > zero) {
-      tick.label =
-          tick.value == day ? date_label(day).substr(5) : clock_label(tick.value - day, step);
-    }
-  }
-  return ticks;
-}
-
 Axis time_axis(const RecordingFacts& facts, const Box& box) {
   constexpr double kFewSeconds = 1'800.0;
   constexpr double kManySeconds = 360'000.0;  // 100 hours
@@ -56,10 +43,12 @@ Axis time_axis(const RecordingFacts& facts, const Box& box) {
     return as_many_as_fit(box.width,
                           [&](std::size_t most) { return clock_ticks(range, most, zero); });
   };
-  if (facts.since_1970 && !date_label(time.begins_s).empty()) {
+  const io::Calendar& calendar = facts.calendar;
+  if (!date_time_label(time.begins_s, calendar).empty()) {
     return {scale,
-            as_many_as_fit(box.width, [&](std::size_t most) { return utc_ticks(range, most); }),
-            "Time (UTC, from " + date_label(time.begins_s) + ")"};
+            as_many_as_fit(box.width,
+                           [&](std::size_t most) { return calendar_ticks(range, most, calendar); }),
+            calendar_title(range, calendar)};
   }
   if (range.size() > kFewSeconds && range.low >= 0.0 && range.high < kManySeconds) {
     return {scale, clock_from(0.0), "Time (hours:minutes)"};
@@ -270,12 +259,10 @@ void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawi
 }
 
 std::string moment_label(double time_s, const RecordingFacts& facts) {
-  if (!facts.since_1970 || date_label(time_s).empty()) return decimal_label(time_s, 1) + " s";
-  const double midnight = std::floor(time_s / kDay_s) * kDay_s;
-  const std::string clock = clock_label(std::floor(time_s - midnight), 1.0);
   const TimeSpan time = time_of(facts);
-  const bool of_a_day = time.ends_s - time.begins_s <= kDay_s;
-  return of_a_day ? clock : date_label(time_s).substr(5) + " " + clock;
+  const bool of_days = time.ends_s - time.begins_s > kDay_s;
+  const std::string text = short_moment_label(time_s, facts.calendar, of_days);
+  return text.empty() ? decimal_label(time_s, 1) + " s" : text;
 }
 
 }  // namespace beespace::report

@@ -40,7 +40,7 @@ RecordingFacts crossing() {
   facts.swarm.threshold_m = 5.0 * 1852.0;
   facts.swarm.vertical_m = 1000.0 * kFoot_m;
   facts.swarm.names.texts = {"3c6444 (LUFTHANSA2A)", "4ca7b3 (RYANAIR12AB)"};
-  facts.since_1970 = true;
+  facts.calendar.since_1970 = true;
   const double across_m = 3.19 * 1852.0;
   const double up_m = 800.0 * kFoot_m;
   facts.tracks = {Track{{{kBegins_s, {0, 0, 10'000}}, {kBegins_s + 600, {140'000, 0, 10'000}}}},

@@ -19,7 +19,7 @@ import { RecordingPlacer } from './scene/placement';
 import type { Choices, ColourBy, Filter, Selected } from './state/choices';
 import { Signal } from './state/signal';
 import { followTheme } from './state/theme';
-import { formatCount } from './text/numbers';
+import { counted, nounOf, nounOfAll } from './text/noun';
 import { linkTimes } from './time/linked_times';
 import { offerTestHook } from './test_hook';
 import { wirePanels } from './wiring';
@@ -52,14 +52,14 @@ async function show(page: Page, renderers: (Painter | null)[]): Promise<void> {
 
   const swarms: Swarm[] = [];
   for (const head of page.swarms) {
-    if (head.count > kMany) await progress(`Reading ${formatCount(head.count)} bees …`);
+    if (head.count > kMany) await progress(`Reading ${counted(head.count, nounOf(head))} …`);
     swarms.push(await undamaged(() => readSwarm(head)));
   }
   if (swarms.some(({ head }) => head.count > kMany)) await progress('Drawing …');
 
   const moving = swarms.some(({ kind }) => kind === 'recording');
   const fleet = swarms.some((swarm) => swarm.kind === 'recording' && swarm.fleet !== null);
-  const help = helpDialog({ moving, fleet, flat: swarms.every(({ head }) => head.flat) });
+  const help = helpDialog({ moving, fleet, flat: swarms.every(({ head }) => head.flat), noun: nounOfAll(swarms.map((swarm) => ({ swarm }))) });
   const frame = frameOf(swarms);
   const times = linkTimes(swarms);
   const opening: Opening = { swarms, views: [], choices, times };

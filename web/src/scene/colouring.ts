@@ -6,6 +6,7 @@ import { pairsOf, type Company, type Swarm } from '../data/swarm';
 import type { Triple } from '../data/positions';
 import type { ColourBy } from '../state/choices';
 import { kFoot_m } from '../text/heights';
+import { nounOf } from '../text/noun';
 import { formatCount, formatDigits, formatMetres, formatTick } from '../text/numbers';
 import { kKnot_mps } from '../text/speeds';
 import { Crowding } from './crowding';
@@ -33,10 +34,10 @@ function nearestColouring(nearest: Nearest, range: [number, number], title: stri
 }
 
 function ofNearest(swarm: Swarm, crowding: Crowding | null): Colouring | null {
-  if (crowding) return nearestColouring(crowding.nearest, Crowding.range(crowding.nearest), 'Nearest bee, as shown');
+  if (crowding) return nearestColouring(crowding.nearest, Crowding.range(crowding.nearest), `Nearest ${nounOf(swarm.head).one}, as shown`);
   if (swarm.kind !== 'snapshot' || !swarm.nearest) return null;
   const [near, far] = middleOf(swarm.nearest.codes);
-  return nearestColouring(swarm.nearest, [near, Math.max(near + 1, far)], 'Nearest bee');
+  return nearestColouring(swarm.nearest, [near, Math.max(near + 1, far)], `Nearest ${nounOf(swarm.head).one}`);
 }
 
 const kSamples = 4000;

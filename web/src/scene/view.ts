@@ -29,6 +29,7 @@ import { element } from '../text/element';
 import { aheadOf, Vectors } from './vectors';
 
 export interface ViewSubject {
+  several: string;
   label: string;
   count: number;
   axes: readonly string[];
@@ -194,7 +195,7 @@ export class View {
   /** Says that one of so many bees is shown. */
   tellShare(every: number): void {
     this.#share.hidden = every === 1;
-    if (every > 1) this.#share.textContent = `1 of ${every} bees is shown while it plays, and all in conflict`;
+    if (every > 1) this.#share.textContent = `1 of ${every} ${this.subject.several} is shown while it plays, and all in conflict`;
   }
 
   /** The line of the measure tool, between places in metres of the axes. */
