@@ -230,7 +230,7 @@ Result<report::SnapshotFacts> snapshot_facts(const io::LoadedPoints& loaded,
   swarm.names = names_of(loaded, facts.pairs);
   if (!swarm.names.bees.empty()) {
     swarm.notes.emplace_back(
-        "only bees whose pairs are shown have their own ids; of the others, the number of the "
+        "only those whose pairs are shown have their own ids; of the others, the number of the "
         "data row is shown");
   }
   place(loaded.points, loaded.frame, facts);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -186,6 +187,18 @@ std::vector<TimeSpan> times_in_conflict(const std::vector<AtRisk>& at_risk) {
 
 namespace {
 
+// They may be others at each moment.
+std::string same_two(const RecordingFacts& facts) {
+  constexpr std::size_t kMany = 100;
+  std::set<std::pair<PointId, PointId>> pairs;
+  for (const Separation& at : facts.separation) {
+    pairs.emplace(at.closest.first, at.closest.second);
+    if (pairs.size() == kMany) return "The same (many pairs in turn)";
+  }
+  if (pairs.size() < 2) return "The same two";
+  return "The same (" + count_label(pairs.size()) + " pairs in turn)";
+}
+
 // Each of those who are nearest to a conflict, against its own limit.
 void draw_apart(const RecordingFacts& facts, const Box& box, Drawing& drawing) {
   constexpr double kBetween = 44.0;
@@ -197,7 +210,7 @@ void draw_apart(const RecordingFacts& facts, const Box& box, Drawing& drawing) {
       "Nearest to a conflict", "Distance",
       threshold_name(swarm),   swarm.threshold_m,
       distance_unit(swarm),    [](const Separation& at) { return at.apart->horizontal_m; }};
-  const Measure up{"The same two",
+  const Measure up{same_two(facts),
                    "Height",
                    "in height " + height_words(swarm, *swarm.vertical_m),
                    *swarm.vertical_m,

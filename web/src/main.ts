@@ -33,6 +33,7 @@ function frameOf([one, other = one]: Swarm[]): Frame {
   const box = boxWith(both, one.head.obstacles ?? [], one.head.threshold_m);
   const frame = frameAround(box, Math.max(one.head.threshold_m, other.head.threshold_m));
   frame.flat = [one, other].every(({ head }) => head.flat);
+  frame.up = [one, other].every(({ head }) => head.y_down) ? -1 : 1;
   // Metres of no place on the Earth are drawn as they are, unless the reader wants it otherwise.
   if (one.head.origin && !frame.flat) frame.lift = liftFor(box, one.head.threshold_m, one.head.vertical_m);
   return frame;

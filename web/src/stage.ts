@@ -7,6 +7,7 @@ import { View } from './scene/view';
 import type { Colours } from './scene/colouring';
 import { legend } from './panels/legend';
 import type { Choices } from './state/choices';
+import { lengthUnits } from './text/apart';
 import { element } from './text/element';
 import { nameElement } from './text/names';
 import { nounOf } from './text/noun';
@@ -37,7 +38,7 @@ export function makeStage(
     label: label ? `The swarm ${label.toLowerCase()}` : 'The swarm',
     count: head.count,
     axes: frame.flat ? head.axes.slice(0, 2) : head.axes,
-    inFeet: head.heights?.in_feet ?? false,
+    units: lengthUnits(head),
     threshold_m: head.threshold_m,
     vertical_m: head.vertical_m ?? null,
     obstacles: head.obstacles ?? [],

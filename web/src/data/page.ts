@@ -106,6 +106,8 @@ interface SwarmHead {
   aviation?: boolean;
   /** Absent: bees. */
   noun?: Noun;
+  /** y counts downwards, as in a picture. */
+  y_down?: boolean;
   /** The input has no heights: the third coordinate is 0 and means nothing. */
   flat?: boolean;
   threshold_m: number;
