@@ -2,6 +2,8 @@
 // frame to look at. Plain values, put together by what asked the engine.
 #pragma once
 
+#include "io/recording/moment_text.hpp"
+#include "io/recording/recorded_noun.hpp"
 #include "io/recording/show_facts.hpp"
 #include "report/fleet_facts.hpp"
 #include "report/placement.hpp"
@@ -38,12 +40,6 @@ struct HeightWords {
   bool unstated = false;     // what they are counted from is not said
 };
 
-// What is recorded, as people call it: an aircraft, a drone, an animal; where nothing tells, a bee.
-struct Noun {
-  std::string one = "bee";
-  std::string several = "bees";
-};
-
 struct SwarmFacts {
   std::string title;   // the file's name
   std::string source;  // what it was read as
@@ -56,7 +52,7 @@ struct SwarmFacts {
   std::optional<Placement> placed = {};
   HeightWords heights = {};
   bool aviation = false;  // figures tell distances in nautical miles and feet
-  Noun noun = {};
+  io::RecordedNoun noun = {};
   bool y_is_down = false;  // positions are those of a picture, whose origin is the corner above
   bool flat = false;       // the input has no heights: those of positions are 0, and are not shown
   double threshold_m = 0.0;
@@ -162,9 +158,9 @@ struct LimitExcess {
 
 struct RecordingFacts {
   SwarmFacts swarm;
-  std::vector<Track> tracks;  // to look at
-  double bend_m = 0.0;        // how far from their straight lines bees fly as they are looked at
-  bool since_1970 = false;
+  std::vector<Track> tracks;   // to look at
+  double bend_m = 0.0;         // how far from their straight lines bees fly as they are looked at
+  io::Calendar calendar = {};  // how its times are told
   std::vector<Gap> gaps = {};  // in ascending order of (track, begins_s)
   // Likewise: these, and when a bee is there before its first fix or after its last one.
   std::vector<Gap> unknown_spans = {};

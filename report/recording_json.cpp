@@ -1,5 +1,6 @@
 #include "report/recording_json.hpp"
 
+#include "report/clock_offsets.hpp"
 #include "report/fleet_json.hpp"
 #include "report/quantised.hpp"
 #include "report/shown_fixes.hpp"
@@ -301,9 +302,25 @@ void write_risk(io::JsonWriter& json, const RecordingFacts& facts, double begins
   json.end();
 }
 
+// What a clock shows that is not that of UTC.
+void write_clock(io::JsonWriter& json, const io::Calendar& calendar, const TimeSpan& time) {
+  json.begin_object("clock").member("dated", calendar.since_1970 || calendar.clock->dated);
+  if (calendar.is_local()) json.member("zone", calendar.zone->name());
+  json.begin_array("offsets");
+  for (const ClockOffset& offset : clock_offsets(calendar, time)) {
+    json.begin_object().member("from_s", offset.from_s - time.begins_s);
+    json.member("ahead_s", offset.ahead_s).end();
+  }
+  json.end().end();
+}
+
 void write_time(io::JsonWriter& json, const RecordingFacts& facts, const TimeSpan& time) {
+  const io::Calendar& calendar = facts.calendar;
   json.begin_object("time").member("begins_s", time.begins_s).member("ends_s", time.ends_s);
-  json.member("since_1970", facts.since_1970);
+  json.member("since_1970", calendar.since_1970);
+  if (calendar.is_local() || (!calendar.since_1970 && calendar.clock)) {
+    write_clock(json, calendar, time);
+  }
   json.end();
 }
 

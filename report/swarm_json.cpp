@@ -26,18 +26,7 @@ void write_heights(io::JsonWriter& json, const HeightWords& heights) {
   json.end();
 }
 
-// A page turns its scene, which has one way up.
-std::vector<std::string> notes_of_page(const SwarmFacts& swarm) {
-  std::vector<std::string> notes = swarm.notes;
-  if (swarm.y_is_down) {
-    notes.emplace_back(
-        "y is drawn upwards; of a picture whose y counts downwards this is the mirror image, with "
-        "the same distances");
-  }
-  return notes;
-}
-
-void write_noun(io::JsonWriter& json, const Noun& noun) {
+void write_noun(io::JsonWriter& json, const io::RecordedNoun& noun) {
   json.begin_object("noun").member("one", noun.one).member("several", noun.several);
   json.end();
 }
@@ -66,12 +55,13 @@ void write_facts(io::JsonWriter& json, const SwarmFacts& swarm, std::size_t coun
   if (swarm.heights.in_feet || swarm.heights.by_pressure) write_heights(json, swarm.heights);
   if (swarm.aviation) json.member("aviation", true);
   if (swarm.flat) json.member("flat", true);
-  if (swarm.noun.one != Noun().one) write_noun(json, swarm.noun);
+  if (swarm.y_is_down) json.member("y_down", true);
+  if (swarm.noun.one != io::RecordedNoun().one) write_noun(json, swarm.noun);
   json.member("threshold_m", swarm.threshold_m);
   if (swarm.vertical_m) json.member("vertical_m", swarm.vertical_m);
   json.member("inclusive", swarm.inclusive);
   if (!swarm.names.texts.empty()) write_names(json, swarm.names, columns);
-  json.member("notes", notes_of_page(swarm));
+  json.member("notes", swarm.notes);
   write_obstacles(json, swarm.obstacles);
 }
 

@@ -19,6 +19,7 @@
 #pragma once
 
 #include "analysis/recorded/gaps.hpp"
+#include "io/recording/recorded_noun.hpp"
 #include "io/recording/recording.hpp"
 
 #include <beespace/find_conflicts.hpp>
@@ -99,10 +100,11 @@ std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector
 
 // "12 bees unknown for 3 h 20 min in all, 5 known for a part of the time only"; nothing where it is
 // complete. With the recording the few are named that begin or end in the air.
-std::string unknown_text(const Coverage& coverage, const io::Recording* recording = nullptr);
+std::string unknown_text(const Coverage& coverage, const io::Recording* recording = nullptr,
+                         const io::RecordedNoun& noun = {});
 
 // "1 bee is known nowhere, 6 records were left out"; nothing where none is missing.
-std::string missing_text(const io::MissingRecords& missing);
+std::string missing_text(const io::MissingRecords& missing, const io::RecordedNoun& noun = {});
 
 // "a1b2c3 (UAL123) from 12.50 s for 3 min 20 s".
 std::string gap_text(const Gap& gap, const io::Recording& recording);

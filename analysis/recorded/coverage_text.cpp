@@ -45,18 +45,19 @@ std::string names_cut_off(const Coverage& coverage, const io::Recording& recordi
 
 }  // namespace
 
-std::string unknown_text(const Coverage& coverage, const io::Recording* recording) {
+std::string unknown_text(const Coverage& coverage, const io::Recording* recording,
+                         const io::RecordedNoun& noun) {
   std::string text;
   const auto append = [&text](const std::string& more) {
     if (!text.empty() && !more.empty()) text += ", ";
     text += more;
   };
   if (coverage.gaps > 0) {
-    append(io::counted(coverage.bees_with_gaps, "bee", "bees") + " unknown for " +
+    append(noun.counted(coverage.bees_with_gaps) + " unknown for " +
            io::time_span(coverage.in_gaps_s) + " in all");
   }
   if (coverage.bees_partly > 0) {
-    append(io::counted(coverage.bees_partly, "bee", "bees") + " known for " +
+    append(noun.counted(coverage.bees_partly) + " known for " +
            (coverage.instants_only ? "an instant only, each" : "a part of the recording only"));
     if (coverage.bees_cut_off > 0) {
       const bool one = coverage.bees_cut_off == 1;
@@ -84,31 +85,31 @@ std::string unknown_text(const Coverage& coverage, const io::Recording* recordin
   if (coverage.compared_with_none()) {
     const bool one = coverage.alone.size() == 1;
     const bool named = recording != nullptr && coverage.alone.size() <= kFew;
-    append((named ? listed(coverage.alone, *recording)
-                  : io::counted(coverage.alone.size(), "bee", "bees")) +
+    append((named ? listed(coverage.alone, *recording) : noun.counted(coverage.alone.size())) +
            (one ? " flies" : " fly") + " while no other is known");
   }
-  append(missing_text(coverage.missing));
+  append(missing_text(coverage.missing, noun));
   return text;
 }
 
-std::string missing_text(const io::MissingRecords& missing) {
+std::string missing_text(const io::MissingRecords& missing, const io::RecordedNoun& noun) {
   std::string text;
   if (missing.shared > 0) {
-    text = io::grouped(missing.shared) + (missing.shared == 1 ? " id seems to be of two bees"
-                                                              : " ids seem to be of two bees each");
+    text = io::grouped(missing.shared) +
+           (missing.shared == 1 ? " id seems to be of two " : " ids seem to be of two ") +
+           noun.several + (missing.shared == 1 ? "" : " each");
   }
   if (missing.files > 0) {
     if (!text.empty()) text += ", ";
     text += io::counted(missing.files, "file or folder was", "files or folders were") + " left out";
   }
   if (missing.jumping > 0) {
-    text += (text.empty() ? "" : ", ") + io::grouped(missing.jumping) +
-            (missing.jumping == 1 ? " bee jumps" : " bees jump");
+    text += (text.empty() ? "" : ", ") + noun.counted(missing.jumping) +
+            (missing.jumping == 1 ? " jumps" : " jump");
   }
   if (missing.swapped > 0) {
     if (!text.empty()) text += ", ";
-    text += "longitude and latitude of " + io::counted(missing.swapped, "bee", "bees") +
+    text += "longitude and latitude of " + noun.counted(missing.swapped) +
             " seem to be the other way round";
   }
   if (missing.untimed > 0) {
@@ -118,13 +119,14 @@ std::string missing_text(const io::MissingRecords& missing) {
   }
   if (missing.rough > 0) {
     if (!text.empty()) text += ", ";
-    text += io::counted(missing.rough, "bee has", "bees have") + " places off by kilometres";
+    text += noun.counted(missing.rough) + (missing.rough == 1 ? " has" : " have") +
+            " places off by kilometres";
   }
   if (missing.count == 0) return text;
   if (!text.empty()) text += ", ";
   if (missing.nowhere > 0) {
-    text += io::grouped(missing.nowhere) +
-            (missing.nowhere == 1 ? " bee is known nowhere, " : " bees are known nowhere, ");
+    text += noun.counted(missing.nowhere) +
+            (missing.nowhere == 1 ? " is known nowhere, " : " are known nowhere, ");
   }
   return text + io::counted(missing.count, "record", "records") +
          (missing.count == 1 ? " was" : " were") + " left out";

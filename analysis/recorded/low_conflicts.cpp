@@ -114,9 +114,9 @@ std::string low_text(const LowConflicts& low) {
          io::exact(low.below_m) + " m above where they took off";
 }
 
-std::string takeoff_unknown_text(const LowConflicts& low) {
+std::string takeoff_unknown_text(const LowConflicts& low, const io::RecordedNoun& noun) {
   if (low.bees_not_known == 0) return {};
-  return "of " + io::counted(low.bees_not_known, "bee", "bees") +
+  return "of " + noun.counted(low.bees_not_known) +
          " it is not known where they took off: none of theirs is left out";
 }
 

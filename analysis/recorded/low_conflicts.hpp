@@ -2,6 +2,7 @@
 // of a take-off grid are: they are left out where that is asked for, and counted.
 #pragma once
 
+#include "io/recording/recorded_noun.hpp"
 #include "io/recording/recording.hpp"
 
 #include <beespace/conflict.hpp>
@@ -34,7 +35,7 @@ LowConflicts leave_out_low(const io::Recording& recording, double below_m,
 std::string low_text(const LowConflicts& low);
 // "of 2 bees it is not known where they took off: none of theirs is left out"; empty where there is
 // none.
-std::string takeoff_unknown_text(const LowConflicts& low);
+std::string takeoff_unknown_text(const LowConflicts& low, const io::RecordedNoun& noun = {});
 
 // Takes those that were left out away from some of the same.
 void leave_out_too(const LowConflicts& low, std::vector<Conflict>& some);

@@ -12,7 +12,6 @@
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "analysis/scene/height_words.hpp"
-#include "analysis/scene/noun.hpp"
 #include "analysis/scene/pair_ways.hpp"
 #include "analysis/scene/separation.hpp"
 #include "analysis/scene/show_limits.hpp"
@@ -22,6 +21,7 @@
 #include "analysis/text/unit_notes.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/recording/moment_text.hpp"
+#include "io/recording/recorded_noun.hpp"
 #include "report/earth_frame.hpp"
 
 #include <beespace/find_conflicts.hpp>
@@ -153,7 +153,7 @@ void take_low(const LowConflicts& low, const io::Recording& recording,
             io::moment_text(closest->closest_s, recording);
   }
   facts.swarm.notes.push_back(std::move(note));
-  std::string unknown = takeoff_unknown_text(low);
+  std::string unknown = takeoff_unknown_text(low, facts.swarm.noun);
   if (!unknown.empty()) facts.swarm.notes.push_back(std::move(unknown));
 }
 
@@ -246,7 +246,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   swarm.origin = request.origin;
   swarm.source = recording.format_description;
   swarm.flat = recording.flat;
-  swarm.noun = noun_of(recording);
+  swarm.noun = io::noun_of(recording);
   swarm.y_is_down = recording.y_is_down;
   swarm.heights = height_words(recording.height_unit, recording.heights);
   swarm.aviation = speaks_of_feet(swarm.heights, request.threshold_unit, request.vertical);
@@ -275,7 +275,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   if (recording.skipped_count > 0) {
     swarm.notes.push_back("bad records left out: " + io::grouped(recording.skipped_count));
   }
-  facts.since_1970 = recording.since_1970;
+  facts.calendar = io::calendar_of(recording);
   if (recording.clock) swarm.notes.push_back("times are " + io::clock_text(recording));
   if (recording.show) {
     facts.limits = recording.show->limits;
@@ -283,8 +283,9 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
     if (Status good = take_show_limits(recording, facts); !good) return good.error();
   }
   if (are_all_there_for_a_moment(*in_space)) {
-    swarm.notes.emplace_back(
-        "each bee is there for a moment only, as it has one fix; to compare them as if they were "
+    swarm.notes.push_back(
+        "each " + swarm.noun.one +
+        " is there for a moment only, as it has one fix; to compare them as if they were "
         "there at once, leave the time out");
   }
 
@@ -360,7 +361,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.separation = std::move(over_time.known);
   facts.separation_open = std::move(over_time.open);
   stand_in_tracks(recording, *in_space);
-  facts.unknown = unknown_text(coverage, &recording);
+  facts.unknown = unknown_text(coverage, &recording, swarm.noun);
   const auto kept =
       kept_by_height(recording, options, request.tolerance_m, recorded->conflicts, low.left_out);
   if (!kept) return kept.error();
@@ -372,7 +373,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   }
   if (coverage.gaps > 0) {
     swarm.notes.push_back(
-        "bees are unknown between two fixes that are farther apart in time than " +
+        swarm.noun.several + " are unknown between two fixes that are farther apart in time than " +
         max_gap_text(max_gap) +
         "; the longest such gap: " + gap_text(coverage.longest.front(), recording));
   }

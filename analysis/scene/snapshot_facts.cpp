@@ -5,7 +5,6 @@
 #include "analysis/recorded/last_snapshot.hpp"
 #include "analysis/scene/conflicts_ahead.hpp"
 #include "analysis/scene/height_words.hpp"
-#include "analysis/scene/noun.hpp"
 #include "analysis/scene/uprights.hpp"
 #include "analysis/snapshot/closest_in_conflict.hpp"
 #include "analysis/snapshot/shown_ids.hpp"
@@ -14,6 +13,7 @@
 #include "analysis/text/unit_notes.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/recording/moment_text.hpp"
+#include "io/recording/recorded_noun.hpp"
 #include "report/earth_frame.hpp"
 #include "report/local_axes.hpp"
 
@@ -164,12 +164,13 @@ void note_skipped(std::uint64_t count, std::vector<std::string>& notes) {
 
 // What the search did not see.
 std::string unknown_text(const Snapshot& snapshot, const io::Recording& recording) {
+  const io::RecordedNoun noun = io::noun_of(recording);
   std::string text;
   if (const std::uint64_t unseen = snapshot.stale + snapshot.unmoving.size(); unseen > 0) {
-    text = io::grouped(unseen) + (unseen == 1 ? " bee is" : " bees are") + " left out";
+    text = noun.counted(unseen) + (unseen == 1 ? " is" : " are") + " left out";
   }
   for (const std::string& more :
-       {missing_text(recording.missing), passed_over_text(snapshot, recording)}) {
+       {missing_text(recording.missing, noun), passed_over_text(snapshot, recording)}) {
     if (!text.empty() && !more.empty()) text += ", ";
     text += more;
   }
@@ -229,7 +230,7 @@ Result<report::SnapshotFacts> snapshot_facts(const io::LoadedPoints& loaded,
   swarm.names = names_of(loaded, facts.pairs);
   if (!swarm.names.bees.empty()) {
     swarm.notes.emplace_back(
-        "only bees whose pairs are shown have their own ids; of the others, the number of the "
+        "only those whose pairs are shown have their own ids; of the others, the number of the "
         "data row is shown");
   }
   place(loaded.points, loaded.frame, facts);
@@ -242,7 +243,7 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
   report::SnapshotFacts facts = begun(title, request);
   report::SwarmFacts& swarm = facts.swarm;
   swarm.source = recording.format_description;
-  swarm.noun = noun_of(recording);
+  swarm.noun = io::noun_of(recording);
   swarm.y_is_down = recording.y_is_down;
   swarm.heights = height_words(recording.height_unit, recording.heights);
   swarm.aviation = speaks_of_feet(swarm.heights, request.threshold_unit, request.vertical);

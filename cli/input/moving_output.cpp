@@ -358,6 +358,7 @@ void write_answer(Rows rows, const MovingRequest& request, const JsonHead& head,
     case Form::kText:
       return write_rows_as_text(rows, output);
     case Form::kCsv:
+      add_dates(rows);
       return write_rows_as_csv(rows, output);
     case Form::kGeoJson:  // refused before: answering_request
       return;

@@ -3,6 +3,7 @@
 #include "cli/output/block_writer.hpp"
 #include "io/table/table_writer.hpp"
 
+#include <cstddef>
 #include <utility>
 
 namespace beespace::cli {
@@ -79,6 +80,18 @@ void set_labels_apart(Rows& rows) {
   for (auto& row : rows.rows) {
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if (columns[i].label != nullptr) row.push_back(label_of(row[i]));
+    }
+  }
+}
+
+void add_dates(Rows& rows) {
+  const std::size_t columns = rows.columns.size();
+  for (std::size_t i = 0; i < columns; ++i) {
+    if (!has_dates(rows, rows.columns[i])) continue;
+    rows.columns.push_back({rows.columns[i].moment});
+    for (auto& row : rows.rows) {
+      const auto* time_s = std::get_if<double>(&row[i]);
+      row.push_back(time_s == nullptr ? Value() : Value(rows.calendar.text(*time_s)));
     }
   }
 }

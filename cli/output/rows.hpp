@@ -34,6 +34,10 @@ struct Rows {
 // For programs, to whom a bee is its id: labels go into columns of their own, behind all others.
 void set_labels_apart(Rows& rows);
 
+// For spreadsheets: times as dates, too, in columns behind all others, where they are more than
+// seconds.
+void add_dates(Rows& rows);
+
 // A header line, then a row a line: values between tabs, bees with their labels, times since 1970
 // as dates; or between commas.
 void write_rows_as_text(const Rows& rows, io::AtomicOutput& output);

@@ -107,14 +107,11 @@ Result<RecordedEvents> events_of(const io::Recording& recording, const std::vect
   std::stable_sort(fixes.begin(), fixes.end(),
                    [](const RecordedFix& a, const RecordedFix& b) { return a.time_s < b.time_s; });
   RecordedEvents recorded;
-  recorded.rows.columns = {{"time_s"},
-                           {"event"},
-                           {"first", "first_label"},
-                           {"second", "second_label"},
-                           {"distance_m"},
-                           {"closest_s"},
-                           {"said_at_s"},
-                           {"closing"}};
+  recorded.rows.calendar = io::calendar_of(recording);
+  recorded.rows.columns = {
+      {"time_s", nullptr, "time"},       {"event"},      {"first", "first_label"},
+      {"second", "second_label"},        {"distance_m"}, {"closest_s", nullptr, "closest"},
+      {"said_at_s", nullptr, "said_at"}, {"closing"}};
   recorded.rows.labelled = analysis::has_labels(recording);
   std::vector<ToldEvent> told;
   const analysis::LiveFeed* telling = nullptr;

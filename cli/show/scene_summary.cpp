@@ -68,7 +68,7 @@ void append_scene(std::string& out, const analysis::Scene& scene, const MovingRe
   append_summary_line(out, "input", printable(swarm.title) + " (" + printable(swarm.source) + ")");
   for (const std::string& note : swarm.notes) append_summary_line(out, "note", printable(note));
   append_summary_line(
-      out, "bees",
+      out, swarm.noun.several,
       std::visit([](const auto& facts) { return io::grouped(bees_of(facts)); }, scene));
   if (const auto* snapshot = std::get_if<report::SnapshotFacts>(&scene)) {
     if (!snapshot->moment.empty()) append_summary_line(out, "now", printable(snapshot->moment));

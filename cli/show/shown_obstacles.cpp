@@ -25,7 +25,7 @@ Status show_obstacles(const std::vector<Obstacle>& obstacles, analysis::Scene& s
   }
   swarm.obstacles = obstacles;
   swarm.notes.emplace_back(
-      "obstacles are drawn, and nothing is said of them: whether bees keep clear, 'beespace "
+      "obstacles are drawn, and nothing is said of them: whether any comes too close, 'beespace "
       "verify --obstacles' says");
   return std::monostate{};
 }

@@ -53,6 +53,20 @@ std::string Calendar::text(double time_s) const {
   return clock->dated ? text : text.substr(kBeforeTime);
 }
 
+double Calendar::shown_s(double time_s) const {
+  if (since_1970) {
+    if (!zone || !(std::abs(time_s) < kFarthest_s)) return time_s;
+    const double rounded_s = std::round(time_s * 1e3) / 1e3;
+    return time_s +
+           static_cast<double>(zone->offset_at(static_cast<std::int64_t>(std::floor(rounded_s))));
+  }
+  return clock ? time_s + static_cast<double>(clock->zero_s) : time_s;
+}
+
+bool Calendar::is_local() const {
+  return since_1970 && zone && (zone->is_turned() || zone->offset_at(0) != 0);
+}
+
 Calendar calendar_of(const Recording& recording) {
   return {recording.since_1970, recording.time_zone, recording.clock};
 }

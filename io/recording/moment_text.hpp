@@ -22,6 +22,11 @@ struct Calendar {
   // "2024-05-01T12:00:00.250Z", "2024-05-01T14:00:00.250+02:00"; of a clock whose zone is not known
   // "2024-05-01 12:00:00.250", or "12:00:00.250"; nothing where there is no such text.
   [[nodiscard]] std::string text(double time_s) const;
+  // What a clock that tells a time shows, in seconds since 1970-01-01 00:00:00 on it; of one whose
+  // day is not known, since its midnight.
+  [[nodiscard]] double shown_s(double time_s) const;
+  // Whether they are told in a zone whose clocks are not those of UTC.
+  [[nodiscard]] bool is_local() const;
 };
 
 Calendar calendar_of(const Recording& recording);

@@ -36,7 +36,7 @@ std::string name_of(const Names& names, PointId first, PointId second) {
   return picture_name(names, first) + " \u2013 " + picture_name(names, second);
 }
 
-std::string counted(std::size_t count, const Noun& noun) {
+std::string counted(std::size_t count, const io::RecordedNoun& noun) {
   return count_label(count, noun.one, noun.several);
 }
 

@@ -75,6 +75,25 @@ void draw_bar(double left, double right, double bottom, double top, Ink ink, Dra
       Area{{{left, bottom}, {left, top}, {right, top}, {right, bottom}}, ink});
 }
 
+std::string capitalised(std::string word) {
+  if (!word.empty()) word.front() = static_cast<char>(word.front() - 'a' + 'A');
+  return word;
+}
+
+// Distances are in a straight line: with a limit in height, too, who is nearer than the horizontal
+// one need not be at risk.
+std::string apart_in_height(const Histogram& histogram, const SwarmFacts& swarm) {
+  if (!swarm.vertical_m) return {};
+  std::uint64_t apart = 0;
+  for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+    if (histogram.edges_m[i + 1] > swarm.threshold_m) break;
+    apart += histogram.counts[i] - histogram.at_risk[i];
+  }
+  if (apart == 0) return {};
+  return "; " + count_label(apart) + " left of the line " + (apart == 1 ? "is" : "are") +
+         " apart in height";
+}
+
 }  // namespace
 
 std::optional<Histogram> nearest_histogram(const SnapshotFacts& facts) {
@@ -123,7 +142,7 @@ void draw_histogram(const Histogram& histogram, const SwarmFacts& swarm, const B
                      [](const Tick& tick) { return tick.value != std::floor(tick.value); }),
       counts.end());
   const Panel panel{box,
-                    "Distance to the nearest other bee",
+                    "Distance to the nearest other " + swarm.noun.one,
                     {across,
                      as_many_as_fit(box.width,
                                     [&](std::size_t at_most) {
@@ -131,9 +150,10 @@ void draw_histogram(const Histogram& histogram, const SwarmFacts& swarm, const B
                                                  ? logarithmic_ticks(distances, at_most)
                                                  : nice_ticks(distances, at_most, unit.metres);
                                     }),
-                     histogram.logarithmic ? "Distance (m), by powers of ten"
-                                           : std::string("Distance (") + unit.name + ")"},
-                    {upwards, counts, "Bees"}};
+                     (histogram.logarithmic ? "Distance (m), by powers of ten"
+                                            : std::string("Distance (") + unit.name + ")") +
+                         apart_in_height(histogram, swarm)},
+                    {upwards, counts, capitalised(swarm.noun.several)}};
   draw_panel(panel, drawing);
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
     if (histogram.counts[i] == 0) continue;

@@ -105,32 +105,6 @@ std::ptrdiff_t spots_within(const Lines& lines, Spot at, double width) {
   return count;
 }
 
-// How much a label would cover that begins there: of paths and curves, and of marks, but not of
-// what is behind all of them.
-std::ptrdiff_t in_the_way(const Drawing& drawing, Spot at, double width) {
-  const auto is_data = [](const Ink& ink) {
-    return ink.rgb != kGrid.rgb && ink.rgb != kAxis.rgb && ink.rgb != kThreshold.rgb;
-  };
-  std::ptrdiff_t count = 0;
-  for (const Shape& shape : drawing.shapes) {
-    if (const auto* lines = std::get_if<Lines>(&shape)) {
-      const bool curve = !lines->dashed && lines->ink.rgb == kText.rgb && !lines->runs.empty() &&
-                         lines->runs.front().size() > 2;
-      if (curve || is_data(lines->ink)) count += spots_within(*lines, at, width);
-    }
-    Lines marks{{{}}, kText};
-    if (const auto* dots = std::get_if<Dots>(&shape)) marks.runs.front() = dots->centres;
-    if (const auto* diamonds = std::get_if<Diamonds>(&shape)) {
-      for (const Diamond& mark : diamonds->marks) marks.runs.front().push_back(mark.centre);
-    }
-    constexpr std::ptrdiff_t kMark = 4;  // a mark hides more than a spot of a line
-    for (const Spot& mark : marks.runs.front()) {
-      count += kMark * spots_within(Lines{{{mark}}, kText}, at, width);
-    }
-  }
-  return count;
-}
-
 // The baseline, or one so far above or below it that the line does not strike the text through.
 double clear_of(double line_y, double baseline, const Box& box) {
   constexpr double kAscent = 11.0;
@@ -252,6 +226,30 @@ void draw_line_upwards(const Panel& panel, double value, const std::string& name
                                    false,
                                    true,
                                    kText});
+}
+
+std::ptrdiff_t in_the_way(const Drawing& drawing, Spot at, double width) {
+  const auto is_data = [](const Ink& ink) {
+    return ink.rgb != kGrid.rgb && ink.rgb != kAxis.rgb && ink.rgb != kThreshold.rgb;
+  };
+  std::ptrdiff_t count = 0;
+  for (const Shape& shape : drawing.shapes) {
+    if (const auto* lines = std::get_if<Lines>(&shape)) {
+      const bool curve = !lines->dashed && lines->ink.rgb == kText.rgb && !lines->runs.empty() &&
+                         lines->runs.front().size() > 2;
+      if (curve || is_data(lines->ink)) count += spots_within(*lines, at, width);
+    }
+    Lines marks{{{}}, kText};
+    if (const auto* dots = std::get_if<Dots>(&shape)) marks.runs.front() = dots->centres;
+    if (const auto* diamonds = std::get_if<Diamonds>(&shape)) {
+      for (const Diamond& mark : diamonds->marks) marks.runs.front().push_back(mark.centre);
+    }
+    constexpr std::ptrdiff_t kMark = 4;  // a mark hides more than a spot of a line
+    for (const Spot& mark : marks.runs.front()) {
+      count += kMark * spots_within(Lines{{{mark}}, kText}, at, width);
+    }
+  }
+  return count;
 }
 
 double draw_ring(const Box& box, Spot spot, const std::string& text, Drawing& drawing,

@@ -52,6 +52,10 @@ void draw_line_across(const Panel& panel, double value, const std::string& name,
                       const Lines& around, Drawing& drawing);
 void draw_line_upwards(const Panel& panel, double value, const std::string& name, Drawing& drawing);
 
+// How much a label of that width would cover that begins there: of paths and curves, and of marks,
+// but not of what is behind all of them.
+std::ptrdiff_t in_the_way(const Drawing& drawing, Spot at, double width);
+
 // A ring, and what it says, if anything, on that side of it where there is room, and clear of a
 // line across at `line_y`. Returns the baseline of what it says.
 double draw_ring(const Box& box, Spot spot, const std::string& text, Drawing& drawing,

@@ -147,7 +147,7 @@ void draw_starts(const RecordingFacts& facts, const View& view, Drawing& drawing
 }
 
 // "a drone", "an animal".
-std::string one_of(const Noun& noun) {
+std::string one_of(const io::RecordedNoun& noun) {
   const bool vowel = std::string_view("aeiou").find(noun.one.front()) != std::string_view::npos;
   return (vowel ? "an " : "a ") + noun.one;
 }

@@ -14,19 +14,6 @@ int decimals_for(double step) {
   return std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
 }
 
-// The multiples of the step within the range; none where doubles cannot tell them apart.
-std::vector<double> multiples(const Range& range, double step) {
-  std::vector<double> values;
-  const double slack = 1e-9 * step;
-  const double first = std::ceil((range.low - slack) / step);
-  const double last = std::floor((range.high + slack) / step);
-  if (!(std::max(std::abs(first), std::abs(last)) < 0x1p53)) return values;
-  for (auto k = static_cast<std::int64_t>(first); static_cast<double>(k) <= last; ++k) {
-    values.push_back(static_cast<double>(k) * step);
-  }
-  return values;
-}
-
 }  // namespace
 
 double Scale::operator()(double value) const {
@@ -50,6 +37,18 @@ double nice_step(double size, std::size_t most) {
     if (factor * power >= least * (1.0 - 1e-9)) return factor * power;
   }
   return 10.0 * power;
+}
+
+std::vector<double> multiples(const Range& range, double step) {
+  std::vector<double> values;
+  const double slack = 1e-9 * step;
+  const double first = std::ceil((range.low - slack) / step);
+  const double last = std::floor((range.high + slack) / step);
+  if (!(std::max(std::abs(first), std::abs(last)) < 0x1p53)) return values;
+  for (auto k = static_cast<std::int64_t>(first); static_cast<double>(k) <= last; ++k) {
+    values.push_back(static_cast<double>(k) * step);
+  }
+  return values;
 }
 
 std::vector<Tick> nice_ticks(const Range& range, std::size_t most, double unit) {
@@ -81,17 +80,18 @@ std::vector<Tick> logarithmic_ticks(const Range& range, std::size_t most) {
   return ticks;
 }
 
-std::vector<Tick> clock_ticks(const Range& seconds, std::size_t most, double zero) {
+double clock_step(double size_s, std::size_t most) {
   constexpr std::array kSteps_s = {1.0,     2.0,     5.0,      10.0,     15.0,     30.0,
                                    60.0,    120.0,   300.0,    600.0,    900.0,    1'800.0,
                                    3'600.0, 7'200.0, 10'800.0, 21'600.0, 43'200.0, 86'400.0};
-  const double least = seconds.size() / static_cast<double>(std::max<std::size_t>(1, most));
-  double step = kSteps_s.back() * std::ceil(least / kSteps_s.back());
-  if (least <= kSteps_s.front()) {
-    step = nice_step(seconds.size(), most);
-  } else if (least <= kSteps_s.back()) {
-    step = *std::lower_bound(kSteps_s.begin(), kSteps_s.end(), least);
-  }
+  const double least = size_s / static_cast<double>(std::max<std::size_t>(1, most));
+  if (least <= kSteps_s.front()) return nice_step(size_s, most);
+  if (least <= kSteps_s.back()) return *std::lower_bound(kSteps_s.begin(), kSteps_s.end(), least);
+  return kSteps_s.back() * std::ceil(least / kSteps_s.back());
+}
+
+std::vector<Tick> clock_ticks(const Range& seconds, std::size_t most, double zero) {
+  const double step = clock_step(seconds.size(), most);
   std::vector<Tick> ticks;
   for (const double value : multiples({seconds.low - zero, seconds.high - zero}, step)) {
     ticks.push_back({value + zero, clock_label(value, step)});

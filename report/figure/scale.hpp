@@ -54,7 +54,13 @@ std::vector<Tick> nice_ticks(const Range& range, std::size_t most, double unit =
 // At the powers of ten; at 1, 2 and 5 times them where these are few.
 std::vector<Tick> logarithmic_ticks(const Range& range, std::size_t most);
 
-// Whole seconds, minutes, hours; labels count from `zero`, as clocks do.
+// The multiples of the step within the range; none where doubles cannot tell them apart.
+std::vector<double> multiples(const Range& range, double step);
+
+// Whole seconds, minutes, hours or days: the smallest step that makes at most `most` ticks.
+double clock_step(double size_s, std::size_t most);
+
+// Such ones; labels count from `zero`, as clocks do.
 std::vector<Tick> clock_ticks(const Range& seconds, std::size_t most, double zero);
 
 }  // namespace beespace::report

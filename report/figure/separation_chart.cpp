@@ -1,5 +1,7 @@
 #include "report/figure/separation_chart.hpp"
 
+#include "report/calendar_words.hpp"
+#include "report/figure/calendar_axis.hpp"
 #include "report/figure/sheet.hpp"
 #include "report/figure/style.hpp"
 #include "report/number_label.hpp"
@@ -8,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,21 +34,6 @@ TimeSpan time_of(const RecordingFacts& facts) {
   return {time.begins_s, std::max(time.ends_s, time.begins_s + least_s)};
 }
 
-// As tables tell them: month and day where a day begins, otherwise the time of day.
-std::vector<Tick> utc_ticks(const Range& range, std::size_t most) {
-  const double zero = std::floor(range.low / kDay_s) * kDay_s;
-  std::vector<Tick> ticks = clock_ticks(range, most, zero);
-  const double step = ticks.size() > 1 ? ticks[1].value - ticks[0].value : kDay_s;
-  for (Tick& tick : ticks) {
-    const double day = std::floor(tick.value / kDay_s) * kDay_s;
-    if (day > zero) {
-      tick.label =
-          tick.value == day ? date_label(day).substr(5) : clock_label(tick.value - day, step);
-    }
-  }
-  return ticks;
-}
-
 Axis time_axis(const RecordingFacts& facts, const Box& box) {
   constexpr double kFewSeconds = 1'800.0;
   constexpr double kManySeconds = 360'000.0;  // 100 hours
@@ -56,10 +44,12 @@ Axis time_axis(const RecordingFacts& facts, const Box& box) {
     return as_many_as_fit(box.width,
                           [&](std::size_t most) { return clock_ticks(range, most, zero); });
   };
-  if (facts.since_1970 && !date_label(time.begins_s).empty()) {
+  const io::Calendar& calendar = facts.calendar;
+  if (!date_time_label(time.begins_s, calendar).empty()) {
     return {scale,
-            as_many_as_fit(box.width, [&](std::size_t most) { return utc_ticks(range, most); }),
-            "Time (UTC, from " + date_label(time.begins_s) + ")"};
+            as_many_as_fit(box.width,
+                           [&](std::size_t most) { return calendar_ticks(range, most, calendar); }),
+            calendar_title(range, calendar)};
   }
   if (range.size() > kFewSeconds && range.low >= 0.0 && range.high < kManySeconds) {
     return {scale, clock_from(0.0), "Time (hours:minutes)"};
@@ -197,6 +187,18 @@ std::vector<TimeSpan> times_in_conflict(const std::vector<AtRisk>& at_risk) {
 
 namespace {
 
+// They may be others at each moment.
+std::string same_two(const RecordingFacts& facts) {
+  constexpr std::size_t kMany = 100;
+  std::set<std::pair<PointId, PointId>> pairs;
+  for (const Separation& at : facts.separation) {
+    pairs.emplace(at.closest.first, at.closest.second);
+    if (pairs.size() == kMany) return "The same (many pairs in turn)";
+  }
+  if (pairs.size() < 2) return "The same two";
+  return "The same (" + count_label(pairs.size()) + " pairs in turn)";
+}
+
 // Each of those who are nearest to a conflict, against its own limit.
 void draw_apart(const RecordingFacts& facts, const Box& box, Drawing& drawing) {
   constexpr double kBetween = 44.0;
@@ -208,7 +210,7 @@ void draw_apart(const RecordingFacts& facts, const Box& box, Drawing& drawing) {
       "Nearest to a conflict", "Distance",
       threshold_name(swarm),   swarm.threshold_m,
       distance_unit(swarm),    [](const Separation& at) { return at.apart->horizontal_m; }};
-  const Measure up{"The same two",
+  const Measure up{same_two(facts),
                    "Height",
                    "in height " + height_words(swarm, *swarm.vertical_m),
                    *swarm.vertical_m,
@@ -270,12 +272,10 @@ void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawi
 }
 
 std::string moment_label(double time_s, const RecordingFacts& facts) {
-  if (!facts.since_1970 || date_label(time_s).empty()) return decimal_label(time_s, 1) + " s";
-  const double midnight = std::floor(time_s / kDay_s) * kDay_s;
-  const std::string clock = clock_label(std::floor(time_s - midnight), 1.0);
   const TimeSpan time = time_of(facts);
-  const bool of_a_day = time.ends_s - time.begins_s <= kDay_s;
-  return of_a_day ? clock : date_label(time_s).substr(5) + " " + clock;
+  const bool of_days = time.ends_s - time.begins_s > kDay_s;
+  const std::string text = short_moment_label(time_s, facts.calendar, of_days);
+  return text.empty() ? decimal_label(time_s, 1) + " s" : text;
 }
 
 }  // namespace beespace::report

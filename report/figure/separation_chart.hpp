@@ -13,8 +13,8 @@ std::vector<TimeSpan> times_in_conflict(const std::vector<AtRisk>& at_risk);
 
 void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawing);
 
-// "63.2 s", or the time of day where seconds count from 1970; of a recording of more than a day
-// with month and day before it, "05-24 07:01:57".
+// "63.2 s", or the time of day where that is known, in the zone in which times are told; of a
+// recording of more than a day with month and day before it, "05-24 07:01:57".
 std::string moment_label(double time_s, const RecordingFacts& facts);
 
 }  // namespace beespace::report

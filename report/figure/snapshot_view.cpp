@@ -102,21 +102,32 @@ void draw_ahead(const SnapshotFacts& facts, const View& view, Drawing& drawing) 
   drawing.shapes.emplace_back(std::move(there));
 }
 
-// The name of one of them, where it is now, on the side to which it does not fly.
+// The name of one of them, where it is now: on the side to which it does not fly, or on another one
+// that has room and covers least.
 void name_one_ahead(const std::string& name, Spot at, Spot there, const Box& box,
                     Drawing& drawing) {
   constexpr double kBeside = 8.0;
-  const double room = kBeside + text_width(name, kLabelSize);
+  const double width = text_width(name, kLabelSize);
+  const double left = at.x - kBeside - width;
+  const double right = at.x + kBeside;
   const bool flies_right = there.x > at.x + 1.0;
-  const bool right = flies_right ? at.x - room < box.left : at.x + room <= box.right();
-  drawing.shapes.emplace_back(Text{{right ? at.x + kBeside : at.x - kBeside, at.y + 4.0},
-                                   name,
-                                   kLabelSize,
-                                   right ? Anchor::kStart : Anchor::kEnd,
-                                   false,
-                                   false,
-                                   true,
-                                   kText});
+  const double middle =
+      std::clamp(at.x - 0.5 * width, box.left, std::max(box.left, box.right() - width));
+  std::vector<Spot> places;
+  for (const Spot place :
+       {Spot{flies_right ? left : right, at.y + 4.0}, Spot{flies_right ? right : left, at.y + 4.0},
+        Spot{middle, at.y - kBeside - 2.0}, Spot{middle, at.y + kBeside + kLabelSize}}) {
+    const bool fits = place.x >= box.left && place.x + width <= box.right() &&
+                      place.y - kLabelSize >= box.top && place.y + 4.0 <= box.bottom();
+    if (fits) places.push_back(place);
+  }
+  if (places.empty()) places.push_back({middle, at.y + 4.0});
+  std::vector<std::ptrdiff_t> covered(places.size());
+  std::transform(places.begin(), places.end(), covered.begin(),
+                 [&](const Spot& place) { return in_the_way(drawing, place, width); });
+  const auto best = std::min_element(covered.begin(), covered.end()) - covered.begin();
+  drawing.shapes.emplace_back(Text{places[static_cast<std::size_t>(best)], name, kLabelSize,
+                                   Anchor::kStart, false, false, true, kText});
 }
 
 // Over all else, each once.

@@ -351,7 +351,7 @@ std::vector<std::string> write_czml(const RecordingFacts& facts, io::AtomicOutpu
   const MapObstacles obstacles = map_obstacles(facts);
   std::vector<std::string> notes = map.notes;
   notes.insert(notes.end(), obstacles.notes.begin(), obstacles.notes.end());
-  if (!facts.since_1970) notes.emplace_back(kTimeNote);
+  if (!facts.calendar.since_1970) notes.emplace_back(kTimeNote);
   const std::size_t conflicts = marks_shown(facts.conflicts.size(), "conflicts", notes);
   const MapPlaces places(facts.swarm);
   const TimeSpan time = time_of(map);

@@ -3,11 +3,11 @@
 #include "io/json/geojson_geometry.hpp"
 #include "io/json/json_writer.hpp"
 #include "io/units/units.hpp"
+#include "report/calendar_words.hpp"
 #include "report/map/map_obstacles.hpp"
 #include "report/map/map_places.hpp"
 #include "report/map/map_tracks.hpp"
 #include "report/map/map_words.hpp"
-#include "report/number_label.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -65,10 +65,10 @@ void write_conflict(io::JsonWriter& json, const RecordingFacts& facts, std::size
   json.member("begins_s", conflict.begins_s);
   json.member("closest_s", conflict.closest_s).member("ends_s", conflict.ends_s);
   json.member("certain", conflict.certain);
-  if (!facts.since_1970) return;
-  json.member("begins", instant_label(conflict.begins_s));
-  json.member("closest", instant_label(conflict.closest_s));
-  json.member("ends", instant_label(conflict.ends_s));
+  if (!facts.calendar.tells()) return;
+  json.member("begins", date_time_label(conflict.begins_s, facts.calendar));
+  json.member("closest", date_time_label(conflict.closest_s, facts.calendar));
+  json.member("ends", date_time_label(conflict.ends_s, facts.calendar));
 }
 
 void add_conflicts(const RecordingFacts& facts, const MapPlaces& places, Features& features) {
@@ -109,9 +109,9 @@ void add_paths(const MapTracks& map, const RecordingFacts& facts, const MapPlace
           [&](io::JsonWriter& json) {
             json.member("kind", "path").member("id", facts.swarm.names.of(track.bee));
             json.member("begins_s", run.front().time_s).member("ends_s", run.back().time_s);
-            if (!facts.since_1970) return;
-            json.member("begins", instant_label(run.front().time_s));
-            json.member("ends", instant_label(run.back().time_s));
+            if (!facts.calendar.tells()) return;
+            json.member("begins", date_time_label(run.front().time_s, facts.calendar));
+            json.member("ends", date_time_label(run.back().time_s, facts.calendar));
           });
     }
   }

@@ -197,7 +197,7 @@ std::vector<std::string> write_kml(const RecordingFacts& facts, io::AtomicOutput
   const MapObstacles obstacles = map_obstacles(facts);
   std::vector<std::string> notes = map.notes;
   notes.insert(notes.end(), obstacles.notes.begin(), obstacles.notes.end());
-  if (!facts.since_1970) notes.emplace_back(kTimeNote);
+  if (!facts.calendar.since_1970) notes.emplace_back(kTimeNote);
   const std::size_t conflicts = marks_shown(facts.conflicts.size(), "conflicts", notes);
   const MapPlaces places(facts.swarm);
   Document document(facts.swarm, kept_words(facts), notes, output);

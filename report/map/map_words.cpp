@@ -18,10 +18,11 @@ std::string closest_of(std::uint64_t all, std::uint64_t kept, const char* what) 
          " are in the file";
 }
 
-std::string with_unknown(std::string words, const std::string& unknown) {
+std::string with_unknown(std::string words, const SwarmFacts& swarm, const std::string& unknown) {
   if (unknown.empty()) return words;
   words += words.empty() ? "C" : "; c";
-  return words + "onflicts are those of the bees and times that are known: " + unknown;
+  words += "onflicts are those of the " + swarm.noun.several;
+  return words + " and times that are known: " + unknown;
 }
 
 // `apart` is that of each, or empty.
@@ -46,10 +47,10 @@ std::string height_reference(const SwarmFacts& swarm) {
   }
   if (swarm.heights.above_sea) {
     return "Heights are metres above mean sea level, as the input has them. Globes that count from "
-           "the WGS84 ellipsoid show bees some tens of metres higher or lower.";
+           "the WGS84 ellipsoid show them some tens of metres higher or lower.";
   }
   return "Heights are those of the input, taken as metres above the WGS84 ellipsoid. Globes that "
-         "count altitudes from mean sea level show bees some tens of metres higher or lower.";
+         "count altitudes from mean sea level show them some tens of metres higher or lower.";
 }
 
 }  // namespace
@@ -75,7 +76,8 @@ std::string conflict_words(const RecordingFacts& facts, std::size_t conflict) {
 }
 
 std::string kept_words(const SnapshotFacts& facts) {
-  return with_unknown(closest_of(facts.pair_count, facts.pairs.size(), " pairs"), facts.unknown);
+  return with_unknown(closest_of(facts.pair_count, facts.pairs.size(), " pairs"), facts.swarm,
+                      facts.unknown);
 }
 
 std::string kept_words(const RecordingFacts& facts) {
@@ -83,7 +85,7 @@ std::string kept_words(const RecordingFacts& facts) {
   if (facts.low_count > 0) {
     words += (words.empty() ? "" : "; ") + facts.low_text + " are left out";
   }
-  return with_unknown(std::move(words), facts.unknown);
+  return with_unknown(std::move(words), facts.swarm, facts.unknown);
 }
 
 std::string document_words(const SwarmFacts& swarm, const std::string& kept,

@@ -2,8 +2,8 @@
 
 #include "io/table/table_writer.hpp"
 #include "io/units/units.hpp"
+#include "report/calendar_words.hpp"
 #include "report/map/map_places.hpp"
-#include "report/number_label.hpp"
 
 #include <algorithm>
 #include <array>
@@ -135,7 +135,7 @@ void write_risk_table(const RecordingFacts& facts, io::AtomicOutput& output) {
   std::string text;
   io::TableWriter table(text, ',');
   places.write_names(table.header("first,second,begins_s,closest_s,ends_s,closest_m,certain"));
-  if (facts.since_1970) table.header("begins,closest,ends");
+  if (facts.calendar.tells()) table.header("begins,closest,ends");
   table.header("lasts_s");
   const ApartColumns apart(facts.swarm, facts.conflicts_apart);
   apart.write_names(table);
@@ -147,9 +147,9 @@ void write_risk_table(const RecordingFacts& facts, io::AtomicOutput& output) {
     table.field(c.begins_s).field(c.closest_s).field(c.ends_s).field(c.closest_m).field(c.certain);
     places.write(table, position_at(facts.tracks[c.first], c.closest_s));
     places.write(table, position_at(facts.tracks[c.second], c.closest_s));
-    if (facts.since_1970) {
+    if (facts.calendar.tells()) {
       for (const double time_s : {c.begins_s, c.closest_s, c.ends_s}) {
-        table.field(instant_label(time_s));
+        table.field(date_time_label(time_s, facts.calendar));
       }
     }
     table.field(c.ends_s - c.begins_s);

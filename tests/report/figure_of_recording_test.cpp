@@ -255,7 +255,7 @@ TEST(FigureOfRecording, ManyPathsAreShades) {
 TEST(FigureOfRecording, TimesOfSeveralDaysAreListedWithTheirDates) {
   constexpr double kMay24_s = 1'684'886'400.0;  // 2023-05-24
   RecordingFacts facts = two_tracks();
-  facts.since_1970 = true;
+  facts.calendar.since_1970 = true;
   for (Track& track : facts.tracks) {
     for (Fix& fix : track.fixes) fix.time_s += kMay24_s + 3'600.0;
   }

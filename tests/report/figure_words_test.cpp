@@ -3,6 +3,7 @@
 #include "report/figure/figure.hpp"
 #include "report/figure/style.hpp"
 #include "report/separation_words.hpp"
+#include "tests/report/figure_facts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +41,7 @@ RecordingFacts crossing() {
   facts.swarm.threshold_m = 5.0 * 1852.0;
   facts.swarm.vertical_m = 1000.0 * kFoot_m;
   facts.swarm.names.texts = {"3c6444 (LUFTHANSA2A)", "4ca7b3 (RYANAIR12AB)"};
-  facts.since_1970 = true;
+  facts.calendar.since_1970 = true;
   const double across_m = 3.19 * 1852.0;
   const double up_m = 800.0 * kFoot_m;
   facts.tracks = {Track{{{kBegins_s, {0, 0, 10'000}}, {kBegins_s + 600, {140'000, 0, 10'000}}}},
@@ -217,6 +218,62 @@ TEST(FigureWords, TheTimeAxisAgreesWithTables) {
   EXPECT_TRUE(says(texts, "10-13"));
   EXPECT_TRUE(says(texts, "00:02"));
   EXPECT_FALSE(says(texts, "24:0"));
+}
+
+// The curve goes on from one pair to the next without a word of it.
+TEST(FigureWords, WhereOtherTwoAreNearestToAConflictThatIsSaid) {
+  RecordingFacts facts = crossing();
+  EXPECT_TRUE(says(texts_of(figure_of(facts)), "The same two"));
+  facts.tracks.push_back(facts.tracks.front());
+  facts.swarm.names.texts.emplace_back("c");
+  facts.separation.back().closest.second = 2;
+  EXPECT_TRUE(says(texts_of(figure_of(facts)), "The same (2 pairs in turn)"));
+}
+
+// Distances to the nearest are those in a straight line; 1,000 ft above is no conflict.
+TEST(FigureWords, WhoIsApartInHeightIsCountedBesideTheHorizontalLimit) {
+  SnapshotFacts facts = three_bees();
+  facts.at_risk.clear();
+  facts.pairs.clear();
+  facts.pair_count = 0;
+  facts.swarm.noun = {"aircraft", "aircraft"};
+  EXPECT_FALSE(says(texts_of(figure_of(facts)), "apart in height"));
+  facts.swarm.vertical_m = 20.0;
+  const auto texts = texts_of(figure_of(facts));
+  EXPECT_TRUE(says(texts, "Distance (m); 2 left of the line are apart in height"));
+  EXPECT_TRUE(says(texts, "Distance to the nearest other aircraft"));
+  EXPECT_TRUE(says(texts, "Aircraft"));
+}
+
+// At the border there is no room on the side to which it does not fly.
+TEST(FigureWords, TheNameOfOneAheadDoesNotCoverItsOwnRing) {
+  SnapshotFacts facts = three_bees();
+  facts.at_risk.clear();
+  facts.pairs.clear();
+  facts.pair_count = 0;
+  facts.swarm.names.texts = {"4b1617 (SWR123)", "3c6444 (DLH4AB)", "flip"};
+  facts.positions = {{0, 0, 0}, {200, 300, 0}, {1000, 500, 200}};
+  facts.moment = "noon";
+  facts.ahead = Ahead{60.0, 1, {}, true};
+  facts.ahead->conflicts.push_back({0, 1, 5.0, 9.0, 1.0, {}, {90, 0, 0}, {100, 0, 0}});
+  const Drawing drawing = figure_of(facts);
+  std::vector<Spot> rings;
+  for (const Dots& dots : shapes_of<Dots>(drawing)) {
+    if (dots.ink.rgb == kRisk.rgb)
+      rings.insert(rings.end(), dots.centres.begin(), dots.centres.end());
+  }
+  ASSERT_FALSE(rings.empty());
+  std::size_t names = 0;
+  for (const Text& text : shapes_of<Text>(drawing)) {
+    if (text.text != "4b1617 (SWR123)") continue;
+    ++names;
+    const double right = text.at.x + text_width(text.text, text.size);
+    for (const Spot& ring : rings) {
+      EXPECT_FALSE(ring.x > text.at.x && ring.x < right && ring.y < text.at.y + 4.0 &&
+                   ring.y > text.at.y - text.size);
+    }
+  }
+  EXPECT_EQ(names, 1u);
 }
 
 TEST(FigureWords, NamesInListsAreNotCut) {

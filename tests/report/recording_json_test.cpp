@@ -201,7 +201,7 @@ TEST(RecordingJson, WithExactTimesTheErrorIsThatOfThePositionsOnly) {
 TEST(RecordingJson, TheTimeIsThatOfAllFixes) {
   RecordingFacts facts;
   facts.tracks = {{}, {{{5.0, {}}, {7.0, {}}}}, {{{3.0, {}}}}, {{{9.5, {}}}}};
-  facts.since_1970 = true;
+  facts.calendar.since_1970 = true;
   const Read read(facts);
   EXPECT_EQ(text_of(read["kind"]), "recording");
   EXPECT_EQ(std::uint64_t(read["count"]), 4u);
@@ -209,8 +209,39 @@ TEST(RecordingJson, TheTimeIsThatOfAllFixes) {
   EXPECT_EQ(double(read["time"]["ends_s"]), 9.5);
   EXPECT_TRUE(bool(read["time"]["since_1970"]));
   EXPECT_EQ(read.numbers(read["fixes"]["counts"]), (std::vector<std::uint64_t>{0, 2, 1, 1}));
-  facts.since_1970 = false;
+  facts.calendar.since_1970 = false;
   EXPECT_FALSE(bool(Read(facts)["time"]["since_1970"]));
+}
+
+TEST(RecordingJson, TheClockSaysByHowMuchItIsAheadAndWhenItIsTurned) {
+  constexpr double kBerlinSetBack_s = 1'729'990'800.0;  // 2024-10-27T01:00:00Z
+  RecordingFacts facts;
+  facts.tracks = {{{{kBerlinSetBack_s - 100.0, {}}, {kBerlinSetBack_s + 100.0, {}}}}};
+  facts.calendar = {true, *io::TimeZone::find("Europe/Berlin"), {}};
+  const Read berlin(facts);
+  const Json clock = berlin["time"]["clock"];
+  EXPECT_TRUE(bool(clock["dated"]));
+  EXPECT_EQ(text_of(clock["zone"]), "Europe/Berlin");
+  const auto numbers = [](Json offsets) {
+    std::vector<double> all;
+    for (const Json offset : offsets) {
+      all.push_back(double(offset["from_s"]));
+      all.push_back(double(offset["ahead_s"]));
+    }
+    return all;
+  };
+  EXPECT_EQ(numbers(clock["offsets"]), (std::vector<double>{0.0, 7'200.0, 100.0, 3'600.0}));
+
+  facts.calendar = {false, {}, io::WallClock{true, 1'714'521'600}};
+  const Read unnamed(facts);
+  EXPECT_TRUE(bool(unnamed["time"]["clock"]["dated"]));
+  EXPECT_FALSE(has(unnamed["time"]["clock"], "zone"));
+  EXPECT_EQ(numbers(unnamed["time"]["clock"]["offsets"]),
+            (std::vector<double>{0.0, 1'714'521'600.0}));
+  for (const io::Calendar& plain : {io::Calendar{}, io::Calendar{true, {}, {}}}) {
+    facts.calendar = plain;
+    EXPECT_FALSE(has(Read(facts)["time"], "clock"));
+  }
 }
 
 TEST(RecordingJson, GapsAreWrittenAsTheFixBeforeThem) {

@@ -75,6 +75,16 @@ awk 'BEGIN {print "id,time_s,x,y"; for (t = 0; t <= 20; ++t)
   printf "a,%d,0,0\nb,%d,40,0\nc,%d,40,40\nd,%d,%d,37\n", t, t, t, t, 20 + t}' > "$data/flat.csv"
 page flat "$data/flat.csv" --threshold 5
 
+# A video, whose rows count downwards; two on dates that name no zone; and drones while clocks are set back.
+awk 'BEGIN {print "id,frame,x_px,y_px"; for (f = 0; f <= 50; ++f) printf "a,%d,%d,10\nb,%d,%d,400\n", f, 10 + f, f, 600 - f}' > "$data/video.csv"
+page video "$data/video.csv" --threshold 3mm --fps 25 --scale 0.1mm
+awk 'BEGIN {print "animal,time,x_m,y_m"; for (s = 0; s < 60; ++s)
+  printf "Anna,2024-07-01 12:00:%02d,%d,0\nBert,2024-07-01 12:00:%02d,%d,3\n", s, s, s, 40 - s}' > "$data/unnamed.csv"
+page unnamed "$data/unnamed.csv" --threshold 5
+awk 'BEGIN {print "id,time_s,x,y,z"; for (t = 0; t <= 7200; t += 60)
+  printf "a,%d,%d,0,0\nb,%d,%d,3,0\n", 1729987200 + t, t, 1729987200 + t, 7200 - t}' > "$data/zoned.csv"
+page zoned "$data/zoned.csv" --threshold 5 --time-zone Europe/Berlin
+
 # In a line that was turned and turned back: as wide as a rounding error.
 printf 'x,y,z\n0,10,0.3\n10,9.999999999999998,0.30000000000000004\n' > "$data/line.csv"
 page line "$data/line.csv" --threshold 5

@@ -19,7 +19,7 @@ import { RecordingPlacer } from './scene/placement';
 import type { Choices, ColourBy, Filter, Selected } from './state/choices';
 import { Signal } from './state/signal';
 import { followTheme } from './state/theme';
-import { formatCount } from './text/numbers';
+import { counted, nounOf, nounOfAll } from './text/noun';
 import { linkTimes } from './time/linked_times';
 import { offerTestHook } from './test_hook';
 import { wirePanels } from './wiring';
@@ -33,6 +33,7 @@ function frameOf([one, other = one]: Swarm[]): Frame {
   const box = boxWith(both, one.head.obstacles ?? [], one.head.threshold_m);
   const frame = frameAround(box, Math.max(one.head.threshold_m, other.head.threshold_m));
   frame.flat = [one, other].every(({ head }) => head.flat);
+  frame.up = [one, other].every(({ head }) => head.y_down) ? -1 : 1;
   // Metres of no place on the Earth are drawn as they are, unless the reader wants it otherwise.
   if (one.head.origin && !frame.flat) frame.lift = liftFor(box, one.head.threshold_m, one.head.vertical_m);
   return frame;
@@ -52,14 +53,14 @@ async function show(page: Page, renderers: (Painter | null)[]): Promise<void> {
 
   const swarms: Swarm[] = [];
   for (const head of page.swarms) {
-    if (head.count > kMany) await progress(`Reading ${formatCount(head.count)} bees …`);
+    if (head.count > kMany) await progress(`Reading ${counted(head.count, nounOf(head))} …`);
     swarms.push(await undamaged(() => readSwarm(head)));
   }
   if (swarms.some(({ head }) => head.count > kMany)) await progress('Drawing …');
 
   const moving = swarms.some(({ kind }) => kind === 'recording');
   const fleet = swarms.some((swarm) => swarm.kind === 'recording' && swarm.fleet !== null);
-  const help = helpDialog({ moving, fleet, flat: swarms.every(({ head }) => head.flat) });
+  const help = helpDialog({ moving, fleet, flat: swarms.every(({ head }) => head.flat), noun: nounOfAll(swarms.map((swarm) => ({ swarm }))) });
   const frame = frameOf(swarms);
   const times = linkTimes(swarms);
   const opening: Opening = { swarms, views: [], choices, times };

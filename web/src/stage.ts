@@ -7,8 +7,10 @@ import { View } from './scene/view';
 import type { Colours } from './scene/colouring';
 import { legend } from './panels/legend';
 import type { Choices } from './state/choices';
+import { lengthUnits } from './text/apart';
 import { element } from './text/element';
 import { nameElement } from './text/names';
+import { nounOf } from './text/noun';
 
 export interface Stage {
   box: HTMLElement;
@@ -28,14 +30,15 @@ export function makeStage(
   const title = label ? element('p', { class: 'stage-title' }, element('strong', {}, label), ' ', nameElement(head.title)) : null;
   const words =
     swarm.kind === 'snapshot'
-      ? { risk: 'at risk', line: 'too close to each other', fleet: false }
-      : { risk: 'in conflict now', line: 'in conflict with each other', fleet: swarm.fleet !== null };
+      ? { risk: 'at risk', line: 'too close to each other', fleet: false, noun: nounOf(head) }
+      : { risk: 'in conflict now', line: 'in conflict with each other', fleet: swarm.fleet !== null, noun: nounOf(head) };
   const scene = element('div', { class: 'scene' });
   const subject = {
+    several: nounOf(head).several,
     label: label ? `The swarm ${label.toLowerCase()}` : 'The swarm',
     count: head.count,
     axes: frame.flat ? head.axes.slice(0, 2) : head.axes,
-    inFeet: head.heights?.in_feet ?? false,
+    units: lengthUnits(head),
     threshold_m: head.threshold_m,
     vertical_m: head.vertical_m ?? null,
     obstacles: head.obstacles ?? [],

@@ -21,6 +21,7 @@ import { onPick } from './stage';
 import type { Choices, ColourBy } from './state/choices';
 import { button, element } from './text/element';
 import { formatHeight } from './text/heights';
+import { nounOfAll } from './text/noun';
 import type { LinkedTimes } from './time/linked_times';
 import { timeline, type Timeline } from './time/timeline';
 
@@ -108,14 +109,14 @@ function viewButtons(shown: Shown[], choices: Choices): HTMLElement {
     ...(flat ? [] : [liftControl(choices)]),
     reset,
     ...(flat ? [] : inSpace),
-    measureButton(choices),
+    measureButton(shown, choices),
     button('PNG', { title: 'Save what is seen as a picture', 'aria-label': 'PNG: save as a picture' }, () => void savePictures(shown)),
   );
   return box;
 }
 
-function measureButton(choices: Choices): HTMLButtonElement {
-  const made = button('Measure', { title: 'How far apart two bees or places are (m)' }, () => choices.measuring.set(!choices.measuring.value));
+function measureButton(shown: Shown[], choices: Choices): HTMLButtonElement {
+  const made = button('Measure', { title: `How far apart two ${nounOfAll(shown).several} or places are (m)` }, () => choices.measuring.set(!choices.measuring.value));
   choices.measuring.watch((on) => made.setAttribute('aria-pressed', String(on)));
   return made;
 }

@@ -95,9 +95,9 @@ TEST_F(LeftOutRecords, PicturesAndMapsSayIt) {
     const Finished finished = run(
         arguments + Arguments{"--threshold", "5NM", "--fail-on-risk", "-o", folder_.path(name)});
     EXPECT_EQ(finished.exit_code, 1) << arguments[0] << finished.err;
-    expect_parts(finished.err, {"1 bee is known nowhere"});
+    expect_parts(finished.err, {"1 aircraft is known nowhere", "  aircraft   "});
     EXPECT_EQ(finished.err.find("at risk    none\n"), std::string::npos) << finished.err;
-    EXPECT_NE(folder_.read(name).find("1 bee is known nowhere"), std::string::npos);
+    EXPECT_NE(folder_.read(name).find("1 aircraft is known nowhere"), std::string::npos);
   }
 }
 

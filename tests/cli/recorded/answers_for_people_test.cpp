@@ -110,6 +110,43 @@ TEST(AnswersForPeople, AviationHasNauticalMilesAndFeetToo) {
   expect_parts(said.err, {" NM (", " m) horizontally and 600 ft (182.880 m) vertically apart at "});
 }
 
+// Spreadsheets have both, the dates behind all others.
+TEST(AnswersForPeople, TablesHaveDatesBehindAllOthers) {
+  const Arguments question = {"replay", "--threshold", "5", "--max-gap", "never", "--csv"};
+  const auto last_three = [&](const std::string& input, const Arguments& more) {
+    const Finished finished = run(question + more, input);
+    TextRows rows = rows_of(finished.out, ',');
+    EXPECT_EQ(rows.size(), 2u) << finished.err;
+    for (auto& row : rows) row.erase(row.begin(), row.end() - 3);
+    return rows;
+  };
+  const auto table = [](const std::string& behind) {
+    return "id,time,x_m,y_m\na,2024-07-01 12:00:00" + behind + ",0,0\na,2024-07-01 12:00:20" +
+           behind + ",20,0\nb,2024-07-01 12:00:00" + behind + ",10,3\nb,2024-07-01 12:00:20" +
+           behind + ",10,3\n";
+  };
+  const std::vector<std::string> head = {"begins", "closest", "ends"};
+  // As it stands in the file, which names no zone: not in UTC.
+  EXPECT_EQ(last_three(table(""), {}),
+            (TextRows{head,
+                      {"2024-07-01 12:00:06.000", "2024-07-01 12:00:10.000",
+                       "2024-07-01 12:00:14.000"}}));
+  EXPECT_EQ(last_three(table("Z"), {})[1].at(1), "2024-07-01T12:00:10.000Z");
+  EXPECT_EQ(last_three(table("Z"), {"--time-zone", "Europe/Berlin"})[1].at(1),
+            "2024-07-01T14:00:10.000+02:00");
+  EXPECT_EQ(last_three(table(""), {"--time-zone", "Europe/Berlin"})[1].at(1),
+            "2024-07-01T12:00:10.000+02:00");
+  const std::vector<std::string> seconds = lines_of(run(question, kMetres).out);
+  EXPECT_TRUE(seconds.at(0).ends_with(",lasts_s")) << seconds.at(0);
+  // Of reports, too.
+  expect_parts(run(question + Arguments{"--report", "pairs"}, table("")).out,
+               {",closest\n", ",2024-07-01 12:00:10.000\n"});
+  expect_parts(run(question + Arguments{"--report", "separation"}, table("")).out,
+               {",time\n", ",2024-07-01 12:00:10.000\n"});
+  expect_parts(run(question + Arguments{"--report", "events"}, table("")).out,
+               {",time,closest,said_at\n", ",2024-07-01 12:00:06.000,"});
+}
+
 TEST(AnswersForPeople, TimesSince1970AreDatesInTextAndNumbersForPrograms) {
   const std::string input = aircraft("1533099600", "1533099700");
   const Arguments question = {"replay", "--threshold", "5NM",  "--vertical",

@@ -51,6 +51,24 @@ TEST_F(Plot, ItsSummaryPlaysNoTricksOnATerminal) {
   expect_parts(finished.err, {"[31mut.svg"});
 }
 
+// Whatever the zone of a clock is, it is not UTC because none is named.
+TEST_F(Plot, TellsTimesInTheZoneThatWasNamedOrAsTheyStandInTheFile) {
+  const std::string table =
+      "id,time,x_m,y_m\na,2024-07-01 12:00:00,0,0\na,2024-07-01 12:00:20,20,0\n"
+      "b,2024-07-01 12:00:00,10,3\nb,2024-07-01 12:00:20,10,3\n";
+  const Arguments question = {"--threshold", "5", "--max-gap", "never"};
+  const std::string bare = run(Arguments{"plot"} + question, table).out;
+  expect_parts(bare, {"Time (as in the file, from 2024-07-01)", " at 12:00:10,"});
+  EXPECT_EQ(bare.find("Time (UTC"), std::string::npos);
+  const Arguments berlin = question + Arguments{"--time-zone", "Europe/Berlin"};
+  expect_parts(run(Arguments{"plot"} + berlin, table).out,
+               {"Time (Europe/Berlin, +02:00, from 2024-07-01)", " at 12:00:10+02:00,"});
+  expect_parts(run(Arguments{"export", "--format", "csv"} + question, table).out,
+               {",begins,closest,ends,", ",2024-07-01 12:00:10,"});
+  expect_parts(run(Arguments{"export", "--format", "csv"} + berlin, table).out,
+               {",2024-07-01T12:00:10+02:00,"});
+}
+
 TEST_F(Plot, OfASnapshotMarksThoseAtRiskByTheirIds) {
   const Finished finished = run({"plot", bees_, "-o", folder_.path("bees.svg")});
   ASSERT_EQ(finished.exit_code, 0) << finished.err;

@@ -15,6 +15,12 @@ export interface HeightWords {
   by_pressure: boolean;
 }
 
+/** What is recorded, as people call it. */
+export interface Noun {
+  one: string;
+  several: string;
+}
+
 /** How far apart two are horizontally and in height. */
 export interface ApartHead {
   horizontal_m?: number;
@@ -98,8 +104,10 @@ interface SwarmHead {
   heights?: HeightWords;
   /** The input, or who asked, speaks of nautical miles or feet: separations are told in them, too. */
   aviation?: boolean;
-  /** What is recorded, as people call it; otherwise a bee. */
-  noun?: { one: string; several: string };
+  /** Absent: bees. */
+  noun?: Noun;
+  /** y counts downwards, as in a picture. */
+  y_down?: boolean;
   /** The input has no heights: the third coordinate is 0 and means nothing. */
   flat?: boolean;
   threshold_m: number;
@@ -143,10 +151,28 @@ export interface FleetHead {
   branches: Places<'counts' | 'time_s' | 'x' | 'y' | 'z' | 'braking_s' | 'back'> & { stop: Places<'x' | 'y' | 'z'> };
 }
 
+/** What a clock shows that is not that of UTC. */
+export interface ClockHead {
+  /** Whether its day is known. */
+  dated: boolean;
+  /** Absent: the input names none. */
+  zone?: string;
+  /** From then on (from the beginning of the recording) it is so far ahead of the numbers. */
+  offsets: { from_s: number; ahead_s: number }[];
+}
+
+export interface RecordingTime {
+  begins_s: number;
+  ends_s: number;
+  since_1970: boolean;
+  /** Absent: times are told in UTC, or as seconds. */
+  clock?: ClockHead;
+}
+
 export interface RecordingHead extends SwarmHead {
   kind: 'recording';
   risk: RecordingRisk;
-  time: { begins_s: number; ends_s: number; since_1970: boolean };
+  time: RecordingTime;
   fixes: Places<'counts' | 'time_s' | 'x' | 'y' | 'z'>;
   absent_after: ColumnPlace;
   conflicts: Places<

@@ -2,16 +2,18 @@
 import type { Choices } from '../state/choices';
 import { element } from '../text/element';
 import { formatBelow, formatCount } from '../text/numbers';
+import { counted, nounOf, nounOfAll } from '../text/noun';
 import type { Shown } from './shown';
 
 const kOffered = 200;
 
 export function filterControls(all: Shown[], choices: Choices): HTMLElement {
   const moving = all.some(({ swarm }) => swarm.kind === 'recording');
+  const { several } = nounOfAll(all);
   const onlyRisk = element('input', { type: 'checkbox', id: 'only-at-risk' });
   const risk = element(
     'label',
-    { class: 'check', for: 'only-at-risk', title: moving ? 'Only bees that are in conflict at some time' : 'Only bees that are at risk' },
+    { class: 'check', for: 'only-at-risk', title: moving ? `Only ${several} that are in conflict at some time` : `Only ${several} that are at risk` },
     onlyRisk,
     'Only at risk',
   );
@@ -24,7 +26,7 @@ export function filterControls(all: Shown[], choices: Choices): HTMLElement {
   for (const shown of all) {
     const into = shown.label ? element('optgroup', { label: shown.label }) : groups;
     shown.company.groups.list.slice(0, kOffered).forEach((group, place) => {
-      const text = `Group ${formatCount(group.number)}: ${formatCount(group.bees.length)} bees, ${formatBelow(group.closest_m, shown.swarm.head.threshold_m, 3)}`;
+      const text = `Group ${formatCount(group.number)}: ${counted(group.bees.length, nounOf(shown.swarm.head))}, ${formatBelow(group.closest_m, shown.swarm.head.threshold_m, 3)}`;
       into.append(element('option', { value: `${shown.index}/${place}` }, text));
     });
     const more = shown.company.groups.list.length - kOffered;

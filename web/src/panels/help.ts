@@ -1,23 +1,27 @@
 // What one can do here, and with which keys.
+import type { Noun } from '../data/page';
+import { oneOf } from '../text/noun';
 import { button, element } from '../text/element';
 
-const kKeys: [string, string][] = [
-  ['/', 'find a bee'],
-  ['1, 2, …, 9', 'the closest pair, the second closest, …'],
-  ['n, p', 'the next closest pair or conflict, and back'],
-  ['← → ↑ ↓', 'turn (with Shift: move)'],
-  ['+ −', 'nearer, farther'],
-  ['r', 'all of the swarm again'],
-  ['t, s', 'from the top, from the side'],
-  ['f', 'fly to the selected bee'],
-  ['o', 'only those at risk, or all'],
-  ['g', 'only the group of the selected bee, or all'],
-  ['m', 'measure: click two bees, or places on the floor'],
-  ['c', 'what colours tell: the nearest bee, height, speed, conflict group'],
-  ['d', 'dark or light'],
-  ['Escape', 'no bee selected, all groups; measuring ends'],
-  ['?', 'this help'],
-];
+function keysFor(noun: Noun): [string, string][] {
+  return [
+    ['/', `find ${oneOf(noun)}`],
+    ['1, 2, …, 9', 'the closest pair, the second closest, …'],
+    ['n, p', 'the next closest pair or conflict, and back'],
+    ['← → ↑ ↓', 'turn (with Shift: move)'],
+    ['+ −', 'nearer, farther'],
+    ['r', 'all of the swarm again'],
+    ['t, s', 'from the top, from the side'],
+    ['f', `fly to the selected ${noun.one}`],
+    ['o', 'only those at risk, or all'],
+    ['g', `only the group of the selected ${noun.one}, or all`],
+    ['m', `measure: click two ${noun.several}, or places on the floor`],
+    ['c', `what colours tell: the nearest ${noun.one}, height, speed, conflict group`],
+    ['d', 'dark or light'],
+    ['Escape', `no ${noun.one} selected, all groups; measuring ends`],
+    ['?', 'this help'],
+  ];
+}
 
 const kTimeKeys: [string, string][] = [
   ['Space', 'play, pause'],
@@ -45,23 +49,24 @@ function keyTable(keys: [string, string][]): HTMLElement {
 }
 
 /** Where it is known what the planner of the fleet said. */
-function fleetHelp(): HTMLElement {
+function fleetHelp(noun: Noun): HTMLElement {
   return element(
     'p',
     {},
-    'Of the selected bee the small ring is where its planner has it, and the ball around that its tube: it is not farther ' +
+    `Of the selected ${noun.one} the small ring is where its planner has it, and the ball around that its tube: it is not farther ` +
       'from there while it keeps its contract. Lines lead along all branches on which it may be, each to a stop; the hull of ' +
-      'them all is its claim, of which others keep clear. A large ring is around a bee that is out of its contract.',
+      `them all is its claim, of which others keep clear. A large ring is around ${oneOf(noun)} that is out of its contract.`,
   );
 }
 
 /** Without heights there is one view, which does not turn. */
-function keysOf(flat: boolean): [string, string][] {
-  if (!flat) return kKeys;
-  return kKeys.filter(([key]) => key !== 't, s').map(([key, what]) => (key.startsWith('←') ? [key, 'move'] : [key, what]));
+function keysOf(flat: boolean, noun: Noun): [string, string][] {
+  const keys = keysFor(noun);
+  if (!flat) return keys;
+  return keys.filter(([key]) => key !== 't, s').map(([key, what]) => (key.startsWith('←') ? [key, 'move'] : [key, what]));
 }
 
-export function helpDialog({ moving, fleet, flat }: { moving: boolean; fleet: boolean; flat: boolean }): HTMLDialogElement {
+export function helpDialog({ moving, fleet, flat, noun }: { moving: boolean; fleet: boolean; flat: boolean; noun: Noun }): HTMLDialogElement {
   const dialog = element('dialog', { class: 'help', 'aria-labelledby': 'help-heading' });
   dialog.append(
     element(
@@ -74,14 +79,15 @@ export function helpDialog({ moving, fleet, flat }: { moving: boolean; fleet: bo
       'p',
       {},
       flat
-        ? 'Drag to move, wheel or pinch to zoom. The input has no heights: all is seen from above. Click a bee to see its numbers. '
-        : 'Drag to turn, with the right button or two fingers to move, wheel or pinch to zoom. Click a bee to see its numbers. ',
+        ? 'Drag to move, wheel or pinch to zoom. The input has no heights: all is seen from above. '
+        : 'Drag to turn, with the right button or two fingers to move, wheel or pinch to zoom. ',
+      `Click ${oneOf(noun)} to see its numbers. `,
       'Red diamonds are at risk and always drawn on top; lines join those who are too close. ',
-      flat ? 'The circle around the selected bee is what counts as too close to it.' : 'The sphere or cylinder around the selected bee is what counts as too close to it.',
+      `The ${flat ? 'circle' : 'sphere or cylinder'} around the selected ${noun.one} is what counts as too close to it.`,
     ),
-    ...(fleet ? [fleetHelp()] : []),
+    ...(fleet ? [fleetHelp(noun)] : []),
     element('h3', {}, 'Keys'),
-    keyTable(keysOf(flat)),
+    keyTable(keysOf(flat, noun)),
   );
   if (moving) dialog.append(element('h3', {}, 'Time'), keyTable(kTimeKeys));
   dialog.addEventListener('click', (event) => {

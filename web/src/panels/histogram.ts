@@ -2,7 +2,8 @@
 import type { Snapshot } from '../data/snapshot';
 import { quantileCode, type Nearest } from '../data/nearest';
 import { drawing, element, panel } from '../text/element';
-import { formatCount, formatExactly, formatMetres, formatTick } from '../text/numbers';
+import { formatExactly, formatMetres, formatTick } from '../text/numbers';
+import { counted, nounOfAll } from '../text/noun';
 import type { Shown } from './shown';
 
 const kWidth = 360;
@@ -123,12 +124,13 @@ export function histogramPanel(all: Shown[]): HTMLElement | null {
     swarm.kind === 'snapshot' && swarm.nearest ? [{ swarm, nearest: swarm.nearest, label }] : [],
   );
   if (known.length === 0) return null;
+  const noun = nounOfAll(all);
   const around_m = rangeOf(known.map(({ swarm, nearest }) => ({ nearest, threshold_m: swarm.head.threshold_m })));
   const range_m = alignedRange(around_m, known[0].swarm.head.threshold_m, kBins);
   const figures = known.map(({ swarm, nearest, label }) => {
     const median = formatMetres(nearest.ofCode(quantileCode(nearest.countCodes(), 0.5)), 3);
-    const text = `Half of ${formatCount(swarm.head.count)} bees have another one within ${median}.`;
-    const name = `Histogram of the distances to the nearest bee. ${text}`;
+    const text = `Half of ${counted(swarm.head.count, noun)} have another one within ${median}.`;
+    const name = `Histogram of the distances to the nearest ${noun.one}. ${text}`;
     return element(
       'figure',
       {},
@@ -137,5 +139,5 @@ export function histogramPanel(all: Shown[]): HTMLElement | null {
       element('figcaption', {}, text),
     );
   });
-  return panel('histogram', 'Distance to the nearest bee', ...figures);
+  return panel('histogram', `Distance to the nearest ${noun.one}`, ...figures);
 }

@@ -3,6 +3,7 @@ import { rampOf } from '../scene/cloud';
 import type { Colours } from '../scene/colouring';
 import { kPalettes } from '../scene/palette';
 import type { Choices, ColourBy } from '../state/choices';
+import type { Noun } from '../data/page';
 import { drawing, element } from '../text/element';
 
 const kGlyphs = {
@@ -16,25 +17,23 @@ function glyph(kind: keyof typeof kGlyphs): SVGElement {
   return drawing('svg', { viewBox: '0 0 16 16', class: 'glyph', 'aria-hidden': 'true' }, kGlyphs[kind]());
 }
 
-const kNames: Record<ColourBy, string> = {
-  nearest: 'Nearest bee',
-  height: 'Height',
-  speed: 'Speed',
-  group: 'Conflict group',
-  none: 'One colour',
-};
+function namesOf({ one }: Noun): Record<ColourBy, string> {
+  return { nearest: `Nearest ${one}`, height: 'Height', speed: 'Speed', group: 'Conflict group', none: 'One colour' };
+}
 
 /** What bees are coloured by: chosen here, and told with the ends of its scale. */
-function colourRow(colours: Colours, choices: Choices): HTMLElement {
-  const select = element('select', { 'aria-label': 'What the colours of bees tell', title: 'What the colours of bees tell (c)' });
-  select.append(...colours.offered.map((by) => element('option', { value: by }, kNames[by])));
+function colourRow(colours: Colours, noun: Noun, choices: Choices): HTMLElement {
+  const what = `What the colours of ${noun.several} tell`;
+  const names = namesOf(noun);
+  const select = element('select', { 'aria-label': what, title: `${what} (c)` });
+  select.append(...colours.offered.map((by) => element('option', { value: by }, names[by])));
   select.addEventListener('change', () => choices.colourBy.set(select.value as ColourBy));
   const ramp = element('span', { class: 'ramp' });
   const [from, to] = [element('span'), element('span')];
   const tell = (): void => {
     const colouring = colours.of(choices.colourBy.value);
     select.value = colouring.by;
-    select.title = colouring.title ? `${colouring.title}: what the colours of bees tell (c)` : 'What the colours of bees tell (c)';
+    select.title = colouring.title ? `${colouring.title}: ${what.charAt(0).toLowerCase()}${what.slice(1)} (c)` : `${what} (c)`;
     const plain = colouring.codes === null;
     for (const part of [from, ramp, to]) part.hidden = plain;
     // Small numbers stand on the left, whichever colour they have.
@@ -52,7 +51,7 @@ function colourRow(colours: Colours, choices: Choices): HTMLElement {
 
 export function legend(
   colours: Colours,
-  words: { risk: string; line: string; fleet: boolean },
+  words: { risk: string; line: string; fleet: boolean; noun: Noun },
   choices: Choices,
 ): HTMLElement {
   const box = element(
@@ -63,10 +62,10 @@ export function legend(
   );
   if (words.fleet) {
     box.append(
-      element('span', { class: 'legend-row' }, glyph('ghost'), 'selected bee, as planned'),
+      element('span', { class: 'legend-row' }, glyph('ghost'), `selected ${words.noun.one}, as planned`),
       element('span', { class: 'legend-row' }, glyph('out'), 'out of its contract'),
     );
   }
-  if (colours.offered.length > 1) box.append(colourRow(colours, choices));
+  if (colours.offered.length > 1) box.append(colourRow(colours, words.noun, choices));
   return box;
 }

@@ -1,8 +1,9 @@
 // How a drone show keeps the limits that it declares, and its cues.
 import type { LimitName, LimitsKept, RecordingHead } from '../data/page';
+import { formatMoment } from '../text/calendar';
 import { button, element, panel } from '../text/element';
 import { isolate, nameElement } from '../text/names';
-import { decimalsWithin, formatCount, formatDigits, formatTime } from '../text/numbers';
+import { formatCount, formatDigits } from '../text/numbers';
 import type { Actions, Shown } from './shown';
 
 const kListed = 20;
@@ -24,10 +25,6 @@ export function formatLimited(value: number, most: number, unit: string): string
     if ((told > most) === (value > most)) return `${digits === 4 ? formatDigits(value, 4) : told}\u202f${unit}`;
   }
   return `${value}\u202f${unit}`;
-}
-
-function timeText({ time }: RecordingHead, time_s: number): string {
-  return formatTime(time.begins_s + time_s, time.since_1970, decimalsWithin(time.ends_s - time.begins_s));
 }
 
 function beeButton(shown: Shown, bee: number, time_s: number, what: string, actions: Actions): HTMLElement {
@@ -52,7 +49,7 @@ function greatestTable(shown: Shown, head: RecordingHead, actions: Actions): HTM
       element('th', { scope: 'row' }, name),
       element('td', {}, `${most}\u202f${unit}`),
       element('td', { class: broken ? 'risky' : '' }, formatLimited(value, most, unit)),
-      element('td', {}, who, ` at ${timeText(head, time_s)}`),
+      element('td', {}, who, ` at ${formatMoment(time_s, head.time)}`),
     );
   });
   const heads = ['', 'Limit', 'Greatest', 'Of whom'].map((text) => (text ? element('th', { scope: 'col' }, text) : element('td')));
@@ -69,7 +66,7 @@ function excessList(shown: Shown, head: RecordingHead, actions: Actions): HTMLEl
       {},
       beeButton(shown, bee, time_s, `beyond the limit of ${name.toLowerCase()}`, actions),
       element('span', { class: 'figure' }, formatLimited(value, greatest[limit].most, unit)),
-      element('span', { class: 'when' }, ` ${name.toLowerCase()} at ${timeText(head, time_s)}`),
+      element('span', { class: 'when' }, ` ${name.toLowerCase()} at ${formatMoment(time_s, head.time)}`),
     );
   });
   if (count > kListed) items.push(element('li', { class: 'more' }, `and ${formatCount(count - kListed)} more`));
@@ -96,7 +93,7 @@ function cueList(head: RecordingHead, shown: Shown, toTime: (shown: Shown, time_
     element(
       'li',
       {},
-      button(timeText(head, time_s), { class: 'link' }, () => toTime(shown, time_s)),
+      button(formatMoment(time_s, head.time), { class: 'link' }, () => toTime(shown, time_s)),
       nameElement(name),
     ),
   );

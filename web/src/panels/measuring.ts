@@ -5,6 +5,7 @@ import type { Choices } from '../state/choices';
 import { formatHorizontal, formatVertical } from '../text/apart';
 import { element } from '../text/element';
 import { nameElement } from '../text/names';
+import { nounOf } from '../text/noun';
 import { formatError, formatMetres } from '../text/numbers';
 import type { View } from '../scene/view';
 import type { Shown } from './shown';
@@ -16,12 +17,11 @@ export interface Measuring {
   take: (bee: number | null, x: number, y: number) => void;
 }
 
-const kAsk = 'Measure: click two bees, or places on the floor.';
-
 export function measuringOn(shown: Shown & { view: View }, choices: Choices): Measuring {
   const { view, swarm } = shown;
   const text = element('div', { class: 'measure', role: 'status', hidden: '' });
   view.holder.append(text);
+  const ask = `Measure: click two ${nounOf(swarm.head).several}, or places on the floor.`;
   let ends: End[] = [];
   let told = '';
 
@@ -35,7 +35,7 @@ export function measuringOn(shown: Shown & { view: View }, choices: Choices): Me
     told = key;
     view.measureLine(places);
     if (ends.length < 2) {
-      text.replaceChildren(kAsk, ...(ends.length === 1 ? [' From ', nameOf(ends[0]), ' to …'] : []));
+      text.replaceChildren(ask, ...(ends.length === 1 ? [' From ', nameOf(ends[0]), ' to …'] : []));
       return;
     }
     const names = [element('span', {}, nameOf(ends[0]), ' to ', nameOf(ends[1]))];

@@ -1,7 +1,9 @@
 // Where the data came from, how exact the picture is, and what was left out.
+import { formatTime } from '../text/calendar';
 import { element, panel } from '../text/element';
 import { nameElement } from '../text/names';
-import { formatDigits, formatError, formatTime } from '../text/numbers';
+import { formatDigits, formatError } from '../text/numbers';
+import { nounOf } from '../text/noun';
 import { tooClose } from '../text/threshold';
 import type { Shown } from './shown';
 
@@ -26,9 +28,10 @@ function factsOf({ swarm }: Shown): [string, Node | string][] {
     if (!head.flat) facts.push(['Heights', `${counted}; east and north are along the ground`]);
   }
   if (head.kind === 'recording') {
-    const { begins_s, ends_s, since_1970 } = head.time;
-    facts.push(['Time', `${formatTime(begins_s, since_1970)} to ${formatTime(ends_s, since_1970)}`]);
-    facts.push(['Between fixes', 'bees move in straight lines']);
+    const { begins_s, ends_s, clock } = head.time;
+    const where = clock?.zone ? ` (${clock.zone})` : '';
+    facts.push(['Time', `${formatTime(begins_s, head.time)} to ${formatTime(ends_s, head.time)}${where}`]);
+    facts.push(['Between fixes', `${nounOf(head).several} move in straight lines`]);
     if (head.fleet) facts.push(["Planner's log", nameElement(head.fleet.title)]);
   }
   return facts;

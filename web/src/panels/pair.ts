@@ -3,9 +3,10 @@ import type { ApartNow } from '../data/pair_ways';
 import { pairsOf } from '../data/swarm';
 import type { Choices, Selected } from '../state/choices';
 import { formatHorizontal, formatVertical } from '../text/apart';
+import { formatMoment } from '../text/calendar';
 import { button, element, panel } from '../text/element';
 import { isolate, nameElement } from '../text/names';
-import { decimalsWithin, formatBelow, formatDuration, formatStep, formatTime } from '../text/numbers';
+import { formatBelow, formatDuration, formatStep } from '../text/numbers';
 import { formatSpeed } from '../text/speeds';
 import type { Recording } from '../data/recording';
 import type { LinkedTimes } from '../time/linked_times';
@@ -82,8 +83,7 @@ function stillFacts(shown: Shown, { bee, other, place }: Selected): Fact[] {
 
 function closestText(swarm: Recording, place: number): string {
   const { conflicts, head } = swarm;
-  const when = formatTime(head.time.begins_s + conflicts.closest_s[place], head.time.since_1970, decimalsWithin(head.time.ends_s - head.time.begins_s));
-  return `${formatBelow(conflicts.distance_m[place], head.threshold_m)} at ${when}`;
+  return `${formatBelow(conflicts.distance_m[place], head.threshold_m)} at ${formatMoment(conflicts.closest_s[place], head.time)}`;
 }
 
 function nowFacts(shown: Shown, swarm: Recording, way: number, within_s: number): Fact[] {

@@ -2,11 +2,15 @@
 import { pairsOf } from '../data/swarm';
 import type { Choices } from '../state/choices';
 import { csvOf, fileName, saveFile } from '../save';
+import { clockTime, formatTime, isoTime, tellsClock } from '../text/calendar';
 import { button, element, panel } from '../text/element';
 import { nameElement } from '../text/names';
-import { decimalsWithin, formatBelow, formatCount, formatDuration, formatTime } from '../text/numbers';
+import { decimalsWithin, formatBelow, formatCount, formatDuration, formatSeconds } from '../text/numbers';
+import { capitalised, nounOf } from '../text/noun';
 import { PagedTable, type TableColumn } from './paged_table';
 import type { Actions, Shown } from './shown';
+
+const kDay_s = 86400;
 
 /** Numbers that sort bees as their names do, digits by their value. */
 function rankNames(shown: Shown): (bee: number) => number {
@@ -35,7 +39,7 @@ function columnsOf(shown: Shown): TableColumn[] {
     cell: (place) => nameElement(swarm.names.of(bees[place])),
   });
   const columns: TableColumn[] = [
-    bee('Bee', first),
+    bee(capitalised(nounOf(swarm.head).one), first),
     bee('Other', second),
     {
       label: swarm.kind === 'snapshot' ? 'Distance' : 'Closest',
@@ -47,18 +51,20 @@ function columnsOf(shown: Shown): TableColumn[] {
   if (swarm.kind === 'recording') {
     const { conflicts, head } = swarm;
     const decimals = decimalsWithin(head.time.ends_s - head.time.begins_s);
-    const since = head.time.since_1970;
+    const days = head.time.ends_s - head.time.begins_s > kDay_s;
+    const turned = (head.time.clock?.offsets.length ?? 0) > 1;
     columns.push(
       {
         label: 'At',
         rank: (place) => conflicts.closest_s[place],
         cell: (place) => {
           const within = conflicts.closest_s[place];
-          const text = formatTime(head.time.begins_s + within, since, decimals);
-          // The day is in the time line; here the clock is enough, or the time since the beginning.
-          if (since) return element('span', { title: text }, text.slice(11).replace(' UTC', ''));
+          const text = formatTime(head.time.begins_s + within, head.time, decimals);
+          const shown = clockTime(head.time.begins_s + within, head.time, decimals);
+          // Of a day the clock is enough, or the time since the beginning: the rest is in the time line.
+          if (shown) return element('span', { title: text }, [days ? shown.day.slice(5) : '', shown.time, turned ? shown.zone : ''].filter(Boolean).join(' '));
           const long = Math.abs(head.time.begins_s) >= 1e5;
-          return long ? element('span', { title: text }, `+${formatTime(within, false, decimals)}`) : text;
+          return long ? element('span', { title: text }, `+${formatSeconds(within, decimals)}`) : text;
         },
         numeric: true,
       },
@@ -85,7 +91,7 @@ function leftOut(shown: Shown): HTMLElement | null {
   return element('p', { class: 'left-out' }, text);
 }
 
-/** In metres and seconds, with every digit that the page has. */
+/** In metres and seconds, with every digit that the page has; times as dates, too, where they are known. */
 function csvRows({ swarm }: Shown, places: Uint32Array): (string | number)[][] {
   const { first, second, distance_m, apart } = pairsOf(swarm);
   const names = (place: number): string[] => [swarm.names.of(first[place]), swarm.names.of(second[place])];
@@ -97,7 +103,7 @@ function csvRows({ swarm }: Shown, places: Uint32Array): (string | number)[][] {
   const { conflicts, head } = swarm;
   const time = (within_s: number): number => Number((head.time.begins_s + within_s).toFixed(6));
   return [
-    ['first', 'second', 'begins_s', 'closest_s', 'ends_s', 'closest_m', ...apartNames, 'certain'],
+    ['first', 'second', 'begins_s', 'closest_s', 'ends_s', 'closest_m', ...apartNames, 'certain', ...(tellsClock(head.time) ? ['begins', 'closest', 'ends'] : [])],
     ...Array.from(places, (at) => [
       ...names(at),
       time(conflicts.begins_s[at]),
@@ -106,6 +112,7 @@ function csvRows({ swarm }: Shown, places: Uint32Array): (string | number)[][] {
       distance_m[at],
       ...both(at),
       conflicts.certain[at],
+      ...(tellsClock(head.time) ? [conflicts.begins_s, conflicts.closest_s, conflicts.ends_s].map((times) => isoTime(head.time.begins_s + times[at], head.time)) : []),
     ]),
   ];
 }

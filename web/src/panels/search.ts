@@ -2,6 +2,7 @@
 import type { Choices } from '../state/choices';
 import { element } from '../text/element';
 import { nameElement } from '../text/names';
+import { capitalised, counted, nounOfAll, oneOf } from '../text/noun';
 import type { Actions, Shown } from './shown';
 
 const kOffered = 12;
@@ -12,19 +13,20 @@ interface Offer {
 }
 
 export function searchBox(all: Shown[], choices: Choices, actions: Actions): HTMLElement {
+  const noun = nounOfAll(all);
   const input = element('input', {
     type: 'search',
     id: 'search',
     role: 'combobox',
-    placeholder: 'Find a bee',
-    'aria-label': 'Find a bee by its id',
+    placeholder: `Find ${oneOf(noun)}`,
+    'aria-label': `Find ${oneOf(noun)} by its id`,
     'aria-expanded': 'false',
     'aria-controls': 'search-offers',
     'aria-autocomplete': 'list',
     autocomplete: 'off',
     spellcheck: 'false',
   });
-  const list = element('ul', { id: 'search-offers', role: 'listbox', 'aria-label': 'Bees found', hidden: '' });
+  const list = element('ul', { id: 'search-offers', role: 'listbox', 'aria-label': `${capitalised(noun.several)} found`, hidden: '' });
   const none = element('p', { class: 'hidden-text', role: 'status' });
   const box = element('div', { class: 'search' }, input, list, none);
   let offers: Offer[] = [];
@@ -55,8 +57,8 @@ export function searchBox(all: Shown[], choices: Choices, actions: Actions): HTM
     offers = find(all, input.value);
     list.replaceChildren(...offers.map((one, i) => offerElement(all, one, i)));
     const asked = input.value.trim() !== '';
-    none.textContent = asked ? `${offers.length === 0 ? 'No' : offers.length} bees found` : '';
-    if (asked && offers.length === 0) list.append(element('li', { class: 'quiet', role: 'option', 'aria-disabled': 'true' }, 'No such bee'));
+    none.textContent = asked ? offers.length === 0 ? `No ${noun.one} found` : `${counted(offers.length, noun)} found` : '';
+    if (asked && offers.length === 0) list.append(element('li', { class: 'quiet', role: 'option', 'aria-disabled': 'true' }, `No such ${noun.one}`));
     list.hidden = !asked;
     input.setAttribute('aria-expanded', String(asked));
     activate(offers.length > 0 ? 0 : -1);

@@ -7,11 +7,11 @@ import type { Recording } from '../data/recording';
 import { counterpart, pairsOf, type Swarm } from '../data/swarm';
 import type { Choices, Selected } from '../state/choices';
 import type { Signal } from '../state/signal';
+import { formatMoment } from '../text/calendar';
 import { button, element, panel } from '../text/element';
 import { formatHeight } from '../text/heights';
 import { isolate, nameElement, shorten } from '../text/names';
 import {
-  decimalsWithin,
   formatBelow,
   formatCoordinate,
   formatCount,
@@ -19,8 +19,8 @@ import {
   formatDuration,
   formatError,
   formatMetres,
-  formatTime,
 } from '../text/numbers';
+import { counted, nounOf, nounOfAll, oneOf } from '../text/noun';
 import { formatClimb, formatSpeed } from '../text/speeds';
 import { beeChart } from '../time/bee_chart';
 import { seekable, type TimeChart } from '../time/time_chart';
@@ -104,7 +104,7 @@ function factsOf(shown: Shown, bee: number, now: Now): Fact[] {
     facts.push(['State', risky ? 'at risk' : 'not at risk', risky ? 'risky' : 'calm']);
     if (swarm.nearest) {
       const { nearest } = swarm;
-      facts.push(['Nearest bee', `about ${formatMetres(nearest.distance(bee), Math.min(4, nearest.digits))}`]);
+      facts.push([`Nearest ${nounOf(swarm.head).one}`, `about ${formatMetres(nearest.distance(bee), Math.min(4, nearest.digits))}`]);
     }
   } else {
     const within = now.within(shown);
@@ -115,7 +115,7 @@ function factsOf(shown: Shown, bee: number, now: Now): Fact[] {
   }
   const group = company.groups.of[bee];
   if (group >= 0) {
-    facts.push(['Conflict group', `${formatCount(company.groups.list[group].number)}, of ${formatCount(company.groups.list[group].bees.length)} bees`]);
+    facts.push(['Conflict group', `${formatCount(company.groups.list[group].number)}, of ${counted(company.groups.list[group].bees.length, nounOf(swarm.head))}`]);
   }
   const place = placeNow(shown, bee, now);
   if (swarm.kind === 'recording' && swarm.fleet) facts.push(...fleetFacts(swarm.fleet, bee, now.within(shown), place));
@@ -181,11 +181,7 @@ function neighbourList(shown: Shown, bee: number, chosen: number | null, actions
     const distance = element('span', { class: 'figure' }, formatBelow(distance_m[place], swarm.head.threshold_m));
     const when =
       swarm.kind === 'recording'
-        ? element('span', { class: 'when' }, ` at ${formatTime(
-            swarm.head.time.begins_s + swarm.conflicts.closest_s[place],
-            swarm.head.time.since_1970,
-            decimalsWithin(swarm.head.time.ends_s - swarm.head.time.begins_s),
-          )}`)
+        ? element('span', { class: 'when' }, ` at ${formatMoment(swarm.conflicts.closest_s[place], swarm.head.time)}`)
         : null;
     return element('li', {}, made, distance, when);
   });
@@ -206,7 +202,7 @@ function neighbourlessText(shown: Shown, bee: number): string {
   if (swarm.kind === 'snapshot' && swarm.isAtRisk(bee)) return 'Its pairs are among those left out of this page.';
   if (swarm.kind === 'snapshot') {
     const whole = swarm.head.risk.unknown === undefined;
-    return whole ? 'No bee is too close to it.' : 'None of those that are known is too close to it.';
+    return whole ? `No ${nounOf(swarm.head).one} is too close to it.` : 'None of those that are known is too close to it.';
   }
   const { head } = swarm;
   const unknown = head.kind === 'recording' && head.risk.unknown !== undefined;
@@ -228,7 +224,7 @@ function announce(shown: Shown, { bee, other, place }: Selected): string {
 export function selectionPanel(all: Shown[], choices: Choices, now: Now, actions: Actions): HTMLElement {
   const body = element('div', { class: 'selection-body' });
   const live = element('p', { class: 'hidden-text', role: 'status', 'aria-live': 'polite' });
-  const box = panel('selection', 'Selected bee', body, live);
+  const box = panel('selection', `Selected ${nounOfAll(all).one}`, body, live);
 
   const facts = element('div');
   let chart: TimeChart | null = null;
@@ -248,7 +244,7 @@ export function selectionPanel(all: Shown[], choices: Choices, now: Now, actions
     if (!selected) {
       box.removeAttribute('data-selected-bee');
       box.removeAttribute('data-selected-name');
-      body.replaceChildren(element('p', { class: 'quiet' }, 'None yet. Click a bee, search for one, or choose a row of the table.'));
+      body.replaceChildren(element('p', { class: 'quiet' }, `None yet. Click ${oneOf(nounOfAll(all))}, search for one, or choose a row of the table.`));
       live.textContent = '';
       return;
     }

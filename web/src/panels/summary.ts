@@ -5,6 +5,8 @@ import { formatHorizontal, formatVertical, limitsOf } from '../text/apart';
 import { element, button, panel } from '../text/element';
 import { isolate, nameElement } from '../text/names';
 import { formatBelow, formatCount, formatDuration, formatMetres, formatShare } from '../text/numbers';
+import type { Noun } from '../data/page';
+import { capitalised, counted, nounOf, nounOfAll } from '../text/noun';
 import { tooClose } from '../text/threshold';
 import type { Actions, Shown } from './shown';
 
@@ -21,7 +23,7 @@ interface Row {
 }
 
 /** Rows that the headline of a swarm alone tells already. */
-const kInHeadline = ['Bees', 'At risk', 'Share at risk', 'In conflict at some time', 'Ahead'];
+const kInHeadline = ['At risk', 'Share at risk', 'In conflict at some time', 'Ahead'];
 
 /** The times of conflicts are rounded to less than this share of all of the time. */
 const kTimeRounding = 1e-4;
@@ -35,9 +37,9 @@ function countRow(label: string, count: number): Row {
   return { label, value: formatCount(count), number: count, unit: 'count' };
 }
 
-function snapshotRows(risk: SnapshotRisk, count: number): Row[] {
+function snapshotRows(risk: SnapshotRisk, count: number, { several }: Noun): Row[] {
   return [
-    countRow('Bees', count),
+    countRow(capitalised(several), count),
     countRow('At risk', risk.at_risk),
     { label: 'Share at risk', value: formatShare(risk.at_risk, count) },
     countRow('Pairs too close', risk.pairs),
@@ -48,15 +50,15 @@ function snapshotRows(risk: SnapshotRisk, count: number): Row[] {
   ];
 }
 
-function recordingRows(risk: RecordingRisk, count: number, duration_s: number): Row[] {
+function recordingRows(risk: RecordingRisk, count: number, duration_s: number, { several }: Noun): Row[] {
   return [
-    countRow('Bees', count),
+    countRow(capitalised(several), count),
     countRow('In conflict at some time', risk.bees),
     countRow('Conflicts', risk.conflicts),
     ...(risk.possible > 0 ? [countRow('Of these only possible', risk.possible)] : []),
     countRow('Pairs in conflict', risk.pairs),
     {
-      label: 'Time in conflict, all bees',
+      label: `Time in conflict, all ${several}`,
       value: formatDuration(risk.bee_seconds),
       number: risk.bee_seconds,
       unit: 'seconds',
@@ -67,12 +69,12 @@ function recordingRows(risk: RecordingRisk, count: number, duration_s: number): 
   ];
 }
 
-function rowsOf(shown: Shown): Row[] {
+function rowsOf(shown: Shown, noun: Noun): Row[] {
   const { head } = shown.swarm;
   const rows =
     head.kind === 'snapshot'
-      ? snapshotRows(head.risk, head.count)
-      : recordingRows(head.risk, head.count, head.time.ends_s - head.time.begins_s);
+      ? snapshotRows(head.risk, head.count, noun)
+      : recordingRows(head.risk, head.count, head.time.ends_s - head.time.begins_s, noun);
   return [...rows, ...closestRows(head, shownClosest(head)), ...groundRows(head)];
 }
 
@@ -121,13 +123,11 @@ function headline(shown: Shown): HTMLElement {
   const risk = whole ? 'at risk' : 'that are known at risk';
   const what = head.kind === 'snapshot' ? risk : known ? `in conflict${known}` : when;
   const moment = head.kind === 'snapshot' && head.moment !== undefined ? ` at ${head.moment}` : '';
-  const { one, several } = head.noun ?? { one: 'bee', several: 'bees' };
-  const of = head.count === 1 ? `of 1 ${one}` : `of ${formatCount(head.count)} ${several}`;
   return element(
     'p',
     { class: count > 0 ? 'headline risky' : 'headline' },
     element('strong', {}, formatCount(count)),
-    ` ${of} ${what}${moment}`,
+    ` of ${counted(head.count, nounOf(head))} ${what}${moment}`,
     element('span', { class: 'share' }, ` (${formatShare(count, head.count)})`),
   );
 }
@@ -201,7 +201,9 @@ function closestFacts(rows: Row[], link: HTMLElement | null): HTMLElement[] {
 }
 
 function single(shown: Shown, actions: Actions): Node[] {
-  const rows = rowsOf(shown).filter(({ label }) => !kInHeadline.includes(label));
+  const noun = nounOf(shown.swarm.head);
+  const told = [...kInHeadline, capitalised(noun.several)];
+  const rows = rowsOf(shown, noun).filter(({ label }) => !told.includes(label));
   // How close, and who, comes first.
   const isClosest = ({ label }: Row): boolean => label.startsWith('Closest') && label !== kWithGround;
   const list = element(
@@ -225,7 +227,8 @@ function flatWord(all: Shown[]): Node[] {
 }
 
 function beside(both: Shown[], actions: Actions): Node[] {
-  const [before, after] = both.map(rowsOf);
+  const noun = nounOfAll(both);
+  const [before, after] = both.map((shown) => rowsOf(shown, noun));
   const labels = [...new Set([...before, ...after].map((row) => row.label))];
   const rule = [...new Set(both.map(({ swarm }) => tooClose(swarm.head)))];
   const body = labels.map((label) => {

@@ -2,10 +2,9 @@
 import { BufferAttribute, BufferGeometry, Group, LineSegments, Vector3 } from 'three';
 import type { Camera, RawShaderMaterial } from 'three';
 import type { Triple } from '../data/positions';
+import type { AxisUnit, LengthUnits } from '../text/apart';
 import { element } from '../text/element';
-import { kFoot_m } from '../text/heights';
 import { niceTicks } from '../text/nice_steps';
-import { formatCount, formatTick } from '../text/numbers';
 import type { Frame } from './frame';
 import { shapeMaterial, vectorOf } from './materials';
 import type { Palette } from './palette';
@@ -16,10 +15,9 @@ interface Tick {
   label: HTMLElement;
 }
 
-/** Heights in feet have their ticks at whole ones. */
-function ticksOf(axis: number, least: number, most: number, inFeet: boolean): { metres: number; text: string }[] {
-  if (axis < 2 || !inFeet) return niceTicks(least, most, 5).map((metres) => ({ metres, text: formatTick(metres) }));
-  return niceTicks(least / kFoot_m, most / kFoot_m, 5).map((feet) => ({ metres: feet * kFoot_m, text: `${formatCount(feet)}\u202fft` }));
+/** At whole ones of what lengths are told in. */
+function ticksOf(least: number, most: number, { metres, text }: AxisUnit): { metres: number; text: string }[] {
+  return niceTicks(least / metres, most / metres, 5).map((value) => ({ metres: value * metres, text: text(value) }));
 }
 
 const kClear_px = 34;
@@ -39,14 +37,15 @@ export class Axes {
   constructor(
     readonly frame: Frame,
     axes: readonly string[],
-    inFeet: boolean,
+    units: LengthUnits,
   ) {
     const { least, most } = frame.box;
     const grid: number[] = [];
     const box: number[] = [];
+    const ground = units.ground(Math.max(most[0] - least[0], most[1] - least[1]));
     for (const axis of frame.flat ? [0, 1] : [0, 1, 2]) {
       this.#names.push(element('span', { class: 'axis-name' }, axes[axis]));
-      for (const { metres, text } of ticksOf(axis, least[axis], most[axis], inFeet)) {
+      for (const { metres, text } of ticksOf(least[axis], most[axis], axis < 2 ? ground : units.height)) {
         const label = element('span', { class: 'axis-tick' }, text);
         this.#ticks.push({ axis, metres, label });
         if (axis === 2) continue;
@@ -122,7 +121,7 @@ export class Axes {
   #edgeTowards(axis: number, camera: Camera, toPixels: (place: Triple) => [number, number, boolean]): Triple {
     const { least, most } = this.frame.box;
     const side = (other: number): number =>
-      camera.position.getComponent(other) > 0 ? most[other] : least[other];
+      camera.position.getComponent(other) * (other === 1 ? this.frame.up : 1) > 0 ? most[other] : least[other];
     if (axis === 0) return [least[0], side(1), least[2]];
     if (axis === 1) return [side(0), least[1], least[2]];
     // At the side of the picture where the other upright edge of numbers is not.

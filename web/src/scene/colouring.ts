@@ -5,7 +5,9 @@ import { speedsOf } from '../data/speeds';
 import { pairsOf, type Company, type Swarm } from '../data/swarm';
 import type { Triple } from '../data/positions';
 import type { ColourBy } from '../state/choices';
+import { lengthUnits } from '../text/apart';
 import { kFoot_m } from '../text/heights';
+import { nounOf } from '../text/noun';
 import { formatCount, formatDigits, formatMetres, formatTick } from '../text/numbers';
 import { kKnot_mps } from '../text/speeds';
 import { Crowding } from './crowding';
@@ -27,16 +29,20 @@ export interface Colouring {
 
 const kPlain: Colouring = { by: 'none', codes: null, range: [0, 1], title: '', ends: ['', ''] };
 
-function nearestColouring(nearest: Nearest, range: [number, number], title: string): Colouring {
-  const [near, far] = range.map((code) => formatMetres(nearest.ofCode(Math.round(code)), 2));
+function nearestColouring({ head }: Swarm, nearest: Nearest, range: [number, number], title: string): Colouring {
+  const text = (metres: number): string => {
+    const unit = lengthUnits(head).ground(metres);
+    return head.aviation ? unit.text(Number((metres / unit.metres).toPrecision(2))) : formatMetres(metres, 2);
+  };
+  const [near, far] = range.map((code) => text(nearest.ofCode(Math.round(code))));
   return { by: 'nearest', codes: nearest.codes, range, title, ends: [`≤\u202f${near}`, `≥\u202f${far}`] };
 }
 
 function ofNearest(swarm: Swarm, crowding: Crowding | null): Colouring | null {
-  if (crowding) return nearestColouring(crowding.nearest, Crowding.range(crowding.nearest), 'Nearest bee, as shown');
+  if (crowding) return nearestColouring(swarm, crowding.nearest, Crowding.range(crowding.nearest), `Nearest ${nounOf(swarm.head).one}, as shown`);
   if (swarm.kind !== 'snapshot' || !swarm.nearest) return null;
   const [near, far] = middleOf(swarm.nearest.codes);
-  return nearestColouring(swarm.nearest, [near, Math.max(near + 1, far)], 'Nearest bee');
+  return nearestColouring(swarm, swarm.nearest, [near, Math.max(near + 1, far)], `Nearest ${nounOf(swarm.head).one}`);
 }
 
 const kSamples = 4000;

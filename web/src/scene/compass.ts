@@ -9,7 +9,11 @@ export class Compass {
   readonly box = drawing('svg', { class: 'compass', viewBox: '-54 -40 108 80', 'aria-hidden': 'true' });
   readonly #arms: { line: SVGLineElement; text: SVGTextElement }[];
 
-  constructor(axes: readonly string[]) {
+  constructor(
+    axes: readonly string[],
+    /** -1 where y is drawn downwards. */
+    readonly up: number,
+  ) {
     this.#arms = axes.map((name) => ({
       line: drawing('line', { x1: 0, y1: 0 }),
       text: drawing('text', {}, name),
@@ -21,7 +25,7 @@ export class Compass {
     const direction = new Vector3();
     const back = camera.quaternion.clone().invert();
     this.#arms.forEach(({ line, text }, axis) => {
-      direction.set(axis === 0 ? 1 : 0, axis === 1 ? 1 : 0, axis === 2 ? 1 : 0).applyQuaternion(back);
+      direction.set(axis === 0 ? 1 : 0, axis === 1 ? this.up : 0, axis === 2 ? 1 : 0).applyQuaternion(back);
       const [x, y] = [direction.x * kArm, -direction.y * kArm];
       line.setAttribute('x2', x.toFixed(1));
       line.setAttribute('y2', y.toFixed(1));

@@ -14,6 +14,8 @@ export class Frame {
   lift = 1;
   /** Where there are no heights: all is seen from above. */
   flat = false;
+  /** -1 where y counts downwards, as in a picture: so it is drawn. */
+  up: 1 | -1 = 1;
 
   constructor(
     readonly box: Box,
@@ -32,12 +34,12 @@ export class Frame {
 
   fromScene(place: Triple): Triple {
     const [x, y, z] = this.centre;
-    return [place[0] + x, place[1] + y, place[2] / this.lift + z];
+    return [place[0] + x, this.up * place[1] + y, place[2] / this.lift + z];
   }
 
   toScene(place: Triple): Triple {
     const [x, y, z] = this.centre;
-    return [place[0] - x, place[1] - y, this.lift * (place[2] - z)];
+    return [place[0] - x, this.up * (place[1] - y), this.lift * (place[2] - z)];
   }
 }
 
@@ -49,8 +51,8 @@ export function frameAround(box: Box, threshold_m: number): Frame {
 export function liftFor({ least, most }: Box, threshold_m: number, vertical_m: number | undefined): number {
   const wide = Math.max(most[0] - least[0], most[1] - least[1]);
   const high = most[2] - least[2];
-  if (!(high > 0) || high >= kFlat * wide) return 1;
-  // What is too close to a bee, a ball or a cylinder, is not to be a tower.
+  // What is too close to a bee is not to be a tower; a ball is to stay one.
+  if (!(high > 0) || high >= kFlat * wide || (vertical_m === undefined && threshold_m > 0)) return 1;
   const most_lift = threshold_m > 0 ? Math.min(kLifts[kLifts.length - 1], (3 * threshold_m) / (vertical_m ?? threshold_m)) : kLifts[kLifts.length - 1];
   return Math.max(1, niceBelow(Math.min(most_lift, (1.6 * kFlat * wide) / high)));
 }

@@ -1,7 +1,7 @@
 // How long a metre is on the screen, where the camera looks at.
+import type { LengthUnits } from '../text/apart';
 import { element } from '../text/element';
 import { niceBelow } from '../text/nice_steps';
-import { formatTick } from '../text/numbers';
 
 const kLongest_px = 130;
 
@@ -15,11 +15,14 @@ export class ScaleBar {
     this.#text,
   );
 
-  show(metresPerPixel: number, viewWidth: number, lift: number): void {
-    const metres = niceBelow(kLongest_px * metresPerPixel);
+  show(metresPerPixel: number, viewWidth: number, lift: number, units: LengthUnits): void {
+    const longest_m = kLongest_px * metresPerPixel;
+    const unit = units.ground(longest_m);
+    const value = niceBelow(longest_m / unit.metres);
+    const metres = value * unit.metres;
     // As a share of the view, it stays right on paper too.
     this.#bar.style.width = `${((100 * metres) / metresPerPixel / viewWidth).toFixed(3)}cqw`;
-    const length = formatTick(Number(metres.toPrecision(6)));
+    const length = unit.text(Number(value.toPrecision(6)));
     this.#text.textContent = lift === 1 ? length : `${length}, heights ×${lift}`;
   }
 }

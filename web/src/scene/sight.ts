@@ -40,7 +40,7 @@ export class Sight {
   toScreen(): Matrix4 {
     const { camera } = this.orbit;
     const toScreen = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse);
-    return toScreen.scale(new Vector3(1, 1, this.frame.lift));
+    return toScreen.scale(new Vector3(1, this.frame.up, this.frame.lift));
   }
 
   /** The bee that is seen there. */

@@ -25,15 +25,16 @@ import { ScaleBar } from './scale_bar';
 import { Sight } from './sight';
 import { ThresholdShape } from './threshold_shape';
 import { Trails } from './trails';
+import type { LengthUnits } from '../text/apart';
 import { element } from '../text/element';
 import { aheadOf, Vectors } from './vectors';
 
 export interface ViewSubject {
+  several: string;
   label: string;
   count: number;
   axes: readonly string[];
-  /** Whether heights are read in feet. */
-  inFeet: boolean;
+  units: LengthUnits;
   threshold_m: number;
   vertical_m: number | null;
   obstacles: Obstacle[];
@@ -91,7 +92,7 @@ export class View {
     this.pace = new Pace(count);
     this.#cloud = new Cloud(count, frame);
     this.#rest = new Rest(this.#cloud, () => this.invalidate());
-    this.#axes = new Axes(frame, subject.axes, subject.inFeet);
+    this.#axes = new Axes(frame, subject.axes, subject.units);
     this.#threshold = new ThresholdShape(subject.threshold_m, subject.vertical_m);
     this.#trails = new Trails(frame);
     this.#trails.hide();
@@ -100,7 +101,7 @@ export class View {
     this.#vectors = new Vectors(frame);
     this.#ruler = new Ruler(frame);
     this.#guidance = new Guidance(frame);
-    this.#compass = new Compass(subject.axes);
+    this.#compass = new Compass(subject.axes, frame.up);
     this.#lifted.add(this.#axes.group, this.ground.group, this.#obstacles.group, this.#trails.lines, this.#cloud.group, this.#vectors.lines, this.#guidance.group, this.#ruler.group);
     this.#scene.add(this.#lifted, this.#threshold.group, this.#outcasts.rings);
     this.#lift = frame.lift;
@@ -140,7 +141,7 @@ export class View {
   }
 
   #setLift(): void {
-    this.#lifted.scale.z = this.frame.lift;
+    this.#lifted.scale.set(1, this.frame.up, this.frame.lift);
     this.#threshold.lift(this.frame.lift);
   }
 
@@ -194,7 +195,7 @@ export class View {
   /** Says that one of so many bees is shown. */
   tellShare(every: number): void {
     this.#share.hidden = every === 1;
-    if (every > 1) this.#share.textContent = `1 of ${every} bees is shown while it plays, and all in conflict`;
+    if (every > 1) this.#share.textContent = `1 of ${every} ${this.subject.several} is shown while it plays, and all in conflict`;
   }
 
   /** The line of the measure tool, between places in metres of the axes. */
@@ -225,7 +226,7 @@ export class View {
     for (const place of places) middle.addScaledVector(place, 1 / places.length);
     const apart = Math.max(...places.map((place) => place.distanceTo(middle)));
     const { threshold_m, vertical_m } = this.subject;
-    const shape = Math.max(threshold_m, (vertical_m ?? 0) * this.frame.lift);
+    const shape = Math.max(threshold_m, (vertical_m ?? threshold_m) * this.frame.lift);
     const reach = Math.max(4 * apart, 3.2 * shape, this.frame.radius * 2e-4);
     this.orbit.flyTo(middle, Math.min(reach * 1.6, this.orbit.homeDistance), atOnce);
   }
@@ -267,7 +268,7 @@ export class View {
     this.#axes.letter(camera, this.#width, this.#height);
     this.#markers.move(this.#marked.map((bee) => this.sceneOf(bee)), camera, this.#width, this.#height);
     this.#compass.turn(camera);
-    this.#scale.show((2 * distance * Math.tan((camera.fov * Math.PI) / 360)) / this.#height, this.#width, this.frame.lift);
+    this.#scale.show((2 * distance * Math.tan((camera.fov * Math.PI) / 360)) / this.#height, this.#width, this.frame.lift, this.subject.units);
     for (const listener of this.#drawn) listener();
   }
 

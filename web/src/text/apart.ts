@@ -59,6 +59,22 @@ export function lengthUnit(head: Head): AxisUnit {
   return head.threshold_m < kSmall_m ? inUnits(0.001, 'mm') : kInMetres;
 }
 
+/** In what lengths of a scene are told: as pictures have them. */
+export interface LengthUnits {
+  /** Along the ground, of lengths about so long. */
+  ground: (length_m: number) => AxisUnit;
+  height: AxisUnit;
+}
+
+const kMiles: AxisUnit = inUnits(kNauticalMile_m, 'NM');
+const kFeet: AxisUnit = inUnits(kFoot_m, 'ft');
+
+/** Metres; of aviation nautical miles, or feet where less than a mile is too close, and heights in feet. */
+export function lengthUnits(head: Head): LengthUnits {
+  const ofAviation = (length_m: number): AxisUnit => (isInFeet(head) && length_m < 5 * kNauticalMile_m ? kFeet : kMiles);
+  return { ground: head.aviation ? ofAviation : () => kInMetres, height: head.aviation || head.heights?.in_feet ? kFeet : kInMetres };
+}
+
 export function axisUnits(head: Head): { horizontal: AxisUnit; vertical: AxisUnit } {
   if (!head.aviation) return { horizontal: lengthUnit(head), vertical: lengthUnit(head) };
   return { horizontal: isInFeet(head) ? inUnits(kFoot_m, 'ft') : inUnits(kNauticalMile_m, 'NM'), vertical: inUnits(kFoot_m, 'ft') };

@@ -124,12 +124,8 @@ export function formatStep(seconds: number): string {
   return `${Number((seconds / unit_s).toPrecision(6))}${kThin}${name}`;
 }
 
-/** A time of a recording: seconds from a zero of its own, or UTC. */
-export function formatTime(seconds: number, since1970: boolean, decimals = 1): string {
-  if (since1970 && Math.abs(seconds) < 8e12) {
-    const [day, clock] = new Date(Math.round(seconds * 1000)).toISOString().split('T');
-    return `${day} ${clock.slice(0, decimals > 0 ? 9 + Math.min(3, decimals) : 8)} UTC`;
-  }
+/** 63.2 s: a time from a zero of the recording's own. */
+export function formatSeconds(seconds: number, decimals = 1): string {
   return `${plain(seconds, decimals)}${kThin}s`;
 }
 

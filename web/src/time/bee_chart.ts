@@ -1,7 +1,7 @@
 // How high and how fast a bee flies over time, and what its show allows: from the positions as they are shown. Where it is
 // beyond a limit was decided along its curves, and is a band here.
 import { flownBy, type Flown } from '../data/flown';
-import type { LimitName } from '../data/page';
+import type { LimitName, RecordingTime } from '../data/page';
 import type { Recording } from '../data/recording';
 import { drawing } from '../text/element';
 import { kFoot_m } from '../text/heights';
@@ -92,7 +92,7 @@ function rowsOf({ head }: Recording): Row[] {
 /** Of the bee, and of another one beside it; null where neither flies. */
 export function beeChart(swarm: Recording, bee: number, other: number | null, name: string): TimeChart | null {
   const flown = [bee, ...(other === null ? [] : [other])].map((one) => flownBy(swarm, one));
-  const { begins_s, ends_s, since_1970 } = swarm.head.time;
+  const { begins_s, ends_s } = swarm.head.time;
   const duration_s = ends_s - begins_s;
   if (!(duration_s > 0) || flown.every(({ fix_s }) => fix_s.length < 2)) return null;
   const xOf = (time_s: number): number => kLeft + (Math.min(duration_s, Math.max(0, time_s)) / duration_s) * (kWidth - kLeft - kRight);
@@ -100,7 +100,7 @@ export function beeChart(swarm: Recording, bee: number, other: number | null, na
   const height = rows.length * kRow + kBottom;
   const svg = drawing('svg', { viewBox: `0 0 ${kWidth} ${height}`, class: 'time-chart bee-chart', role: 'img', 'aria-label': name });
   rows.forEach((row, i) => svg.append(...drawRow(row, i * kRow, swarm, bee, flown, xOf)));
-  svg.append(...moments(begins_s, duration_s, since_1970, xOf, height - 4));
+  svg.append(...moments(swarm.head.time, xOf, height - 4));
   const cursor = drawing('line', { class: 'cursor', y1: kTop - 6, y2: height - kBottom + 3 });
   svg.append(cursor);
   return {
@@ -112,11 +112,11 @@ export function beeChart(swarm: Recording, bee: number, other: number | null, na
   };
 }
 
-function moments(begins_s: number, duration_s: number, since_1970: boolean, xOf: (time_s: number) => number, y: number): SVGElement[] {
+function moments(time: RecordingTime, xOf: (time_s: number) => number, y: number): SVGElement[] {
   let taken = -Infinity;
-  return momentsWithin(begins_s, begins_s + duration_s, since_1970, 3).flatMap(({ time_s, text }) => {
+  return momentsWithin(time.begins_s, time.ends_s, time, 3).flatMap(({ time_s, text }) => {
     const half = 3.1 * text.length;
-    const x = Math.min(kWidth - half, Math.max(half, xOf(time_s - begins_s)));
+    const x = Math.min(kWidth - half, Math.max(half, xOf(time_s - time.begins_s)));
     if (x - half < taken) return [];
     taken = x + half + 8;
     return [drawing('text', { class: 'level-text', x, y, 'text-anchor': 'middle' }, text)];

@@ -3,8 +3,9 @@
 import { closestNow } from '../data/closest_now';
 import { sampleAt, type Recording } from '../data/recording';
 import { formatHorizontal, formatVertical } from '../text/apart';
+import { formatMoment } from '../text/calendar';
 import { isolate } from '../text/names';
-import { decimalsWithin, formatBelow, formatTime } from '../text/numbers';
+import { formatBelow } from '../text/numbers';
 import { isOpenAt } from './unknown';
 
 /** Moments nearer to each other than this are one. */
@@ -55,8 +56,7 @@ export function closestAt(swarm: Recording, within_s: number): ClosestWords | 'o
   }
   // Nothing of bees that have gone since, or come later.
   if (place < 0 || since_s < -kMoment_s || ![of.first[place], of.second[place]].every((bee) => fixes.isThere(bee, within_s))) return null;
-  const { begins_s, ends_s, since_1970 } = head.time;
-  const when = since_s > kMoment_s ? ` at ${formatTime(begins_s + within_s - since_s, since_1970, decimalsWithin(ends_s - begins_s))}` : '';
+  const when = since_s > kMoment_s ? ` at ${formatMoment(within_s - since_s, head.time)}` : '';
   return words(
     swarm,
     {

@@ -1,13 +1,16 @@
 // One clock for one or two recordings.
+import type { RecordingTime } from '../data/page';
 import type { Swarm } from '../data/swarm';
 import type { Recording } from '../data/recording';
+import { areAlike, joined, kSeconds, zeroOf, type Calendar } from '../text/calendar';
 import { Clock } from './clock';
 
 export interface LinkedTimes {
   clock: Clock;
   /** What the clock's time is called: added to it. */
   zero_s: number;
-  since1970: boolean;
+  /** How that is told. */
+  calendar: Calendar;
   /** The clock's time as seconds from the beginning of this swarm. */
   within: (of: { swarm: Swarm }) => number;
   /** The other way round. */
@@ -30,7 +33,7 @@ export function linkTimes(swarms: Swarm[]): LinkedTimes {
     return {
       clock: new Clock(0, 0, 1),
       zero_s: 0,
-      since1970: false,
+      calendar: kSeconds,
       within: () => 0,
       clockTime: () => 0,
       seek: () => undefined,
@@ -38,16 +41,18 @@ export function linkTimes(swarms: Swarm[]): LinkedTimes {
     };
   }
   const [one, other = one] = times;
-  const overlap =
-    one.since_1970 === other.since_1970 && one.begins_s <= other.ends_s && other.begins_s <= one.ends_s;
-  const zero = overlap ? Math.min(one.begins_s, other.begins_s) : 0;
-  const shift = (swarm: Swarm): number => (overlap && isRecording(swarm) ? swarm.head.time.begins_s - zero : 0);
+  // As the first one counts.
+  const begins = (time: RecordingTime): number => time.begins_s + zeroOf(time) - zeroOf(one);
+  const ends_s = begins(other) + other.ends_s - other.begins_s;
+  const overlap = areAlike(one, other) && one.begins_s <= ends_s && begins(other) <= one.ends_s;
+  const zero = overlap ? Math.min(one.begins_s, begins(other)) : 0;
+  const shift = (swarm: Swarm): number => (overlap && isRecording(swarm) ? begins(swarm.head.time) - zero : 0);
   const ends = Math.max(...recordings.map((swarm) => shift(swarm) + swarm.head.time.ends_s - swarm.head.time.begins_s));
   const clock = new Clock(0, ends, stepOf(recordings[0], ends));
   return {
     clock,
     zero_s: overlap ? zero : 0,
-    since1970: overlap && one.since_1970,
+    calendar: overlap ? joined(one, other) : kSeconds,
     within: ({ swarm }) => clock.time.value - shift(swarm),
     clockTime: ({ swarm }, within_s) => within_s + shift(swarm),
     seek: ({ swarm }, within_s) => {

@@ -1,6 +1,7 @@
 // Moments to write below a chart over time: round ones, as clocks and calendars have them.
+import { clockTime, steadyStretches, tellsClock, type Calendar } from '../text/calendar';
 import { niceTicks } from '../text/nice_steps';
-import { decimalsFor, formatTime } from '../text/numbers';
+import { decimalsFor, formatSeconds } from '../text/numbers';
 
 export interface Moment {
   time_s: number;
@@ -18,26 +19,28 @@ export function clockStep(atLeast_s: number): number {
   return ten_s * ([1, 2, 5].find((days) => days * ten_s >= atLeast_s) ?? 10);
 }
 
-/** About as many as wanted, ascending; seconds of a recording's own zero are counted by tens. */
-export function momentsWithin(begins_s: number, ends_s: number, since1970: boolean, wanted: number): Moment[] {
-  if (!since1970 || ends_s - begins_s < wanted) {
+/** About as many as wanted, ascending; seconds of a recording's own zero are counted by tens, and those of a clock as it shows them. */
+export function momentsWithin(begins_s: number, ends_s: number, calendar: Calendar, wanted: number): Moment[] {
+  if (!tellsClock(calendar) || ends_s - begins_s < wanted) {
     const times = niceTicks(begins_s, ends_s, wanted);
     const decimals = times.length > 1 ? decimalsFor(times[1] - times[0]) : times.every(Number.isInteger) ? 0 : 1;
-    return times.map((time_s) => ({ time_s, text: clockText(time_s, since1970, decimals, 0) }));
+    return times.map((time_s) => ({ time_s, text: clockText(time_s, calendar, decimals, 0) }));
   }
   const step_s = clockStep((ends_s - begins_s) / wanted);
-  const moments: Moment[] = [];
-  for (let time_s = Math.ceil(begins_s / step_s) * step_s; time_s <= ends_s; time_s += step_s) {
-    moments.push({ time_s, text: clockText(time_s, true, 0, step_s) });
-  }
-  return moments;
+  return steadyStretches(calendar).flatMap(({ from_s, until_s, ahead_s }) => {
+    const moments: Moment[] = [];
+    const first_s = Math.ceil((Math.max(begins_s, from_s) + ahead_s) / step_s) * step_s - ahead_s;
+    for (let time_s = first_s; time_s <= ends_s && time_s < until_s; time_s += step_s) {
+      moments.push({ time_s, text: clockText(time_s, calendar, 0, step_s) });
+    }
+    return moments;
+  });
 }
 
 /** Whole days are dates; whole minutes need no seconds. */
-function clockText(time_s: number, since1970: boolean, decimals: number, step_s: number): string {
-  const full = formatTime(time_s, since1970, decimals);
-  if (!since1970 || !full.endsWith(' UTC')) return full;
-  if (step_s >= kDay_s) return full.slice(0, 10);
-  const clock = full.slice(11).replace(' UTC', '');
-  return step_s >= 60 ? clock.slice(0, 5) : clock;
+function clockText(time_s: number, calendar: Calendar, decimals: number, step_s: number): string {
+  const shown = clockTime(time_s, calendar, decimals);
+  if (!shown) return formatSeconds(time_s, decimals);
+  if (step_s >= kDay_s && shown.day !== '') return shown.day;
+  return step_s >= 60 ? shown.time.slice(0, 5) : shown.time;
 }

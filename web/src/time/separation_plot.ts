@@ -2,8 +2,9 @@
 // The plot is the time line too: it says where one is, and takes one elsewhere.
 import type { Spans } from '../data/spans';
 import type { Shown } from '../panels/shown';
+import { formatTime, tellsClock, zoneWord } from '../text/calendar';
 import { drawing, element } from '../text/element';
-import { decimalsFor, decimalsWithin, formatCount, formatTime } from '../text/numbers';
+import { decimalsFor, decimalsWithin, formatCount, formatSeconds } from '../text/numbers';
 import { closestAt } from './closest_at';
 import type { LinkedTimes } from './linked_times';
 import { measuresOf, type Measure, type Recorded } from './measures';
@@ -98,7 +99,7 @@ export class SeparationPlot {
 
   /** What there is to say of a time that is pointed at. */
   #tell(time: number): void {
-    const { zero_s, since1970, clock } = this.times;
+    const { zero_s, calendar, clock } = this.times;
     const lines = this.#recorded.flatMap((shown) => {
       const { spans } = shown.swarm;
       const within_s = time - this.times.clockTime(shown, 0);
@@ -109,7 +110,7 @@ export class SeparationPlot {
       if (closest === 'open') return [...risk, `closest two ${kUnknownHere}: another may be closer`];
       return closest === null ? risk : [...risk, `${closest.apart}${closest.when}: ${closest.pair}`];
     });
-    const when = formatTime(zero_s + time, since1970, decimalsWithin(clock.ends_s - clock.begins_s));
+    const when = formatTime(zero_s + time, calendar, decimalsWithin(clock.ends_s - clock.begins_s));
     this.#tip.replaceChildren(...[when, ...lines].map((line) => element('div', {}, line)));
     this.#tip.hidden = false;
     const x = this.#xOf(time);
@@ -118,14 +119,14 @@ export class SeparationPlot {
   }
 
   #follow(): void {
-    const { clock, zero_s, since1970 } = this.times;
+    const { clock, zero_s, calendar } = this.times;
     const time = clock.time.value;
     const x = this.#xOf(time).toFixed(2);
     this.#cursor.setAttribute('x1', x);
     this.#cursor.setAttribute('x2', x);
     this.box.setAttribute('aria-valuenow', time.toFixed(3));
     const unknown = this.#recorded.flatMap((shown) => unknownText(shown.swarm, this.times.within(shown)) ?? []);
-    this.box.setAttribute('aria-valuetext', [formatTime(zero_s + time, since1970, decimalsFor(clock.step_s)), ...unknown].join(', '));
+    this.box.setAttribute('aria-valuetext', [formatTime(zero_s + time, calendar, decimalsFor(clock.step_s)), ...unknown].join(', '));
   }
 
   #xOf(time: number): number {
@@ -197,15 +198,15 @@ export class SeparationPlot {
   }
 
   #moments(height: number): SVGElement[] {
-    const { clock, zero_s, since1970 } = this.times;
+    const { clock, zero_s, calendar } = this.times;
     const [begins_s, ends_s] = [zero_s + clock.begins_s, zero_s + clock.ends_s];
-    const widest = 6.3 * formatTime(ends_s, false, 1).length;
+    const widest = 6.3 * formatSeconds(ends_s, 1).length;
     const room = this.#width - kRight - kLeft;
-    const most = Math.max(1, Math.min(this.#width / 130, room / (1.8 * (since1970 ? 52 : widest))));
-    const moments = momentsWithin(begins_s, ends_s, since1970, most);
+    const most = Math.max(1, Math.min(this.#width / 130, room / (1.8 * (tellsClock(calendar) ? 52 : widest))));
+    const moments = momentsWithin(begins_s, ends_s, calendar, most);
     // Of long numbers only as many as have room.
     let taken = 0;
-    const unit = drawing('text', { class: 'level-text', x: kLeft - 6, y: height - 4, 'text-anchor': 'end' }, since1970 ? 'UTC' : 'time');
+    const unit = drawing('text', { class: 'level-text', x: kLeft - 6, y: height - 4, 'text-anchor': 'end' }, zoneWord(calendar));
     return [
       unit,
       ...moments.flatMap(({ time_s, text }) => {

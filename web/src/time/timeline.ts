@@ -2,8 +2,10 @@
 import type { Recording } from '../data/recording';
 import type { Shown } from '../panels/shown';
 import type { Choices } from '../state/choices';
+import { formatTime } from '../text/calendar';
+import { nounOfAll } from '../text/noun';
 import { button, element } from '../text/element';
-import { decimalsWithin, formatCount, formatDuration, formatTime } from '../text/numbers';
+import { decimalsWithin, formatCount, formatDuration } from '../text/numbers';
 import { kSpeeds } from './clock';
 import { closestAt } from './closest_at';
 import { icon, type Icon } from './icons';
@@ -42,7 +44,7 @@ function iconButton(name: Icon, label: string, key: string, act: () => void): HT
 /** Lines of velocity lead so far ahead. */
 function vectorTitle(all: Shown[]): string {
   const ahead = all.flatMap(({ swarm, view }) => (swarm.kind === 'recording' && view ? [formatDuration(view.aheadOf(swarm.fixes), 2)] : []));
-  return `A line from each bee to where it would be after ${[...new Set(ahead)].join(' or ') || 'a while'} (v)`;
+  return `A line from each ${nounOfAll(all).one} to where it would be after ${[...new Set(ahead)].join(' or ') || 'a while'} (v)`;
 }
 
 export interface Timeline {
@@ -84,7 +86,7 @@ export function timeline(all: Shown[], times: LinkedTimes, choices: Choices): Ti
   const read = element('output', { class: 'time-now', 'aria-label': 'Time shown' });
   const says = element('p', { class: 'time-says' });
   clock.time.watch((time) => {
-    read.textContent = formatTime(times.zero_s + time, times.since1970, decimalsWithin(clock.ends_s - clock.begins_s));
+    read.textContent = formatTime(times.zero_s + time, times.calendar, decimalsWithin(clock.ends_s - clock.begins_s));
     document.documentElement.dataset.timeS = time.toFixed(3);
     const statements = all.flatMap((shown) => {
       if (shown.swarm.kind !== 'recording') return [];

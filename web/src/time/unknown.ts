@@ -3,6 +3,7 @@ import type { Recording, Separation } from '../data/recording';
 import { drawing } from '../text/element';
 import { isolate } from '../text/names';
 import { formatCount } from '../text/numbers';
+import { counted, nounOf, nounOfAll } from '../text/noun';
 import type { Recorded } from './measures';
 
 const kPattern = 'unknown-hatch';
@@ -22,7 +23,7 @@ export function unknownText(swarm: Recording, within_s: number): string | null {
   const bees = unknownAt(swarm, within_s);
   if (bees.length === 0) return null;
   const names = bees.map((bee) => isolate(swarm.names.of(bee)));
-  const who = bees.length > kNamed ? `${formatCount(bees.length)} bees are` : `${names.join(' and ')} ${bees.length > 1 ? 'are' : 'is'}`;
+  const who = bees.length > kNamed ? `${counted(bees.length, nounOf(swarm.head))} are` : `${names.join(' and ')} ${bees.length > 1 ? 'are' : 'is'}`;
   return `unknown where ${who}`;
 }
 
@@ -48,7 +49,7 @@ export function unknownStretches({ unknown }: Recording): number {
 export function timeName(recorded: Recorded[]): string {
   const stretches = recorded.reduce((sum, { swarm }) => sum + unknownStretches(swarm), 0);
   if (stretches === 0) return 'Time';
-  return `Time; in ${stretches === 1 ? 'a stretch' : `${formatCount(stretches)} stretches`} of it not all bees are known, which is hatched`;
+  return `Time; in ${stretches === 1 ? 'a stretch' : `${formatCount(stretches)} stretches`} of it not all ${nounOfAll(recorded).several} are known, which is hatched`;
 }
 
 /** Once in a drawing, before what is hatched. */

@@ -25,6 +25,15 @@ pageTest('a square looks like one, also after keys that turn elsewhere', 'flat',
   }
 });
 
+pageTest('a picture is drawn as it is, y downward', 'video', {}, async ({ page }) => {
+  await page.keyboard.press('r');
+  await settled(page);
+  const [a, b] = await Promise.all([0, 1].map((bee) => projected(page, bee)));
+  assert.ok(a && b && a.x < b.x && a.y < b.y, JSON.stringify([a, b]));
+  assert.doesNotMatch(await page.locator('.about').innerText(), /mirror/);
+  await page.screenshot({ path: `${kArtefacts}/video.png` });
+});
+
 pageTest('neither bees nor pairs have a height', 'flat', {}, async ({ page }) => {
   const pair = await page.locator('.pair .facts dt').allInnerTexts();
   assert.ok(pair.includes('Apart') && !pair.includes('In height') && !pair.includes('Horizontally'), pair.join(', '));

@@ -40,6 +40,14 @@ pageTest('from the side those of one height are on one level, and those above ar
   assert.ok(ticks.filter((text) => /ft$/.test(text)).length >= 2, ticks.join(' | '));
 });
 
+pageTest('lengths along the ground are in nautical miles, and heights in feet', 'wide', {}, async ({ page }) => {
+  await page.keyboard.press('r');
+  await settled(page);
+  const ticks = await page.locator('.axis-tick').allTextContents();
+  assert.ok(ticks.some((text) => text.endsWith('NM')) && ticks.some((text) => text.endsWith('ft')) && !ticks.some((text) => text.endsWith('m')), ticks.join(', '));
+  assert.match(await page.locator('.scale-bar').innerText(), /NM, heights/);
+});
+
 pageTest('heights are drawn larger, which is said and can be changed', 'wide', {}, async ({ page }) => {
   const said = kPlain(await page.locator('.scale-bar').innerText());
   const lift = Number(await page.locator('#lift').inputValue());

@@ -1,9 +1,10 @@
 // Moments below charts are round ones, as clocks and calendars have them.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { kSeconds } from '../../src/text/calendar';
 import { clockStep, momentsWithin } from '../../src/time/moments';
 
-const texts = (begins_s: number, ends_s: number, wanted: number): string[] => momentsWithin(begins_s, ends_s, true, wanted).map(({ text }) => text);
+const texts = (begins_s: number, ends_s: number, wanted: number): string[] => momentsWithin(begins_s, ends_s, { begins_s, since_1970: true }, wanted).map(({ text }) => text);
 const kNoon_s = Date.UTC(2026, 2, 1, 12) / 1000;
 
 test('steps are those of a clock, then whole days', () => {
@@ -19,5 +20,5 @@ test('ten minutes are told by the minute, a minute by seconds, weeks by days', (
 });
 
 test('a recording with a zero of its own counts seconds', () => {
-  assert.deepEqual(momentsWithin(0, 10, false, 4).map(({ text }) => text.replace('\u202f', ' ')), ['0 s', '2 s', '4 s', '6 s', '8 s', '10 s']);
+  assert.deepEqual(momentsWithin(0, 10, kSeconds, 4).map(({ text }) => text.replace('\u202f', ' ')), ['0 s', '2 s', '4 s', '6 s', '8 s', '10 s']);
 });

@@ -9,6 +9,7 @@ import { isOpenAt, runsOf, unknownStretches, unknownText } from '../../src/time/
 function recording(spans: [bee: number, begins_s: number, ends_s: number][], known_s: number[] = []): Recording {
   const [bees, begins, ends] = [0, 1, 2].map((i) => spans.map((span) => span[i]));
   return {
+    head: { noun: { one: 'drone', several: 'drones' } },
     unknown: new Spans(Uint32Array.from(bees), Float64Array.from(begins), Float64Array.from(ends)),
     fixes: { isThere: (_bee: number, time_s: number) => known_s.includes(time_s) },
     names: { of: (bee: number) => `drone ${bee}` },
@@ -22,7 +23,7 @@ test('one or two who are unknown are named, more are counted', () => {
   assert.equal(unknownText(swarm, 0), null);
   assert.equal(plain(unknownText(swarm, 2)), 'unknown where drone 0 is');
   assert.equal(plain(unknownText(swarm, 5.5)), 'unknown where drone 0 and drone 1 are');
-  assert.equal(plain(unknownText(swarm, 6.5)), 'unknown where 3 bees are');
+  assert.equal(plain(unknownText(swarm, 6.5)), 'unknown where 3 drones are');
   // At the fixes around a gap it is known.
   assert.equal(unknownText(swarm, 1), null);
   assert.equal(unknownText(swarm, 9), null);
