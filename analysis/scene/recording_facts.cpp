@@ -1,6 +1,8 @@
 #include "analysis/scene/recording_facts.hpp"
 
 #include "analysis/geometry/scale_doubt.hpp"
+#include "analysis/recorded/above_fl410.hpp"
+#include "analysis/recorded/chords.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
@@ -136,6 +138,13 @@ std::vector<PointId> bees_named(const std::vector<Conflict>& conflicts,
     bees.insert(bees.end(), {at.closest.first, at.closest.second});
   }
   return bees;
+}
+
+// Where straight lines may be off from what gliders flew that circle.
+void note_chords(const Chords& chords, report::SwarmFacts& swarm) {
+  if (std::string text = chords_text(chords); !text.empty()) {
+    swarm.notes.push_back(std::move(text));
+  }
 }
 
 // Those that are left out as both are low: how many, and how close the closest come.
@@ -306,6 +315,8 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   const auto curves = follow_velocities(recording, geometry, options, recorded->conflicts);
   if (!curves) return curves.error();
   recorded->conflicts = merged(std::move(recorded->conflicts), curves->conflicts);
+  leave_out_jumps(recording, recorded->conflicts);
+  note_chords(doubt_chords(recording, tracks, options, recorded->conflicts), swarm);
   recorded->conflicts = merged(std::move(recorded->conflicts), *standing);
   const auto left_out = leave_out_standing(recording, tracks, options, recorded->conflicts);
   if (!left_out) return left_out.error();

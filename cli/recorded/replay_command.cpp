@@ -159,6 +159,7 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   findings.low = std::move(low);
   findings.closest_in_the_air = found->closest_in_the_air;
   findings.curves = &found->curves;
+  findings.chords = found->chords;
   auto kept = analysis::kept_by_height(*recording, options, request.tolerance_m,
                                        found->recorded.conflicts, findings.low.left_out);
   if (!kept) return in_words_of_the_command(kept.error(), moving);

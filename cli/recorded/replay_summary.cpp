@@ -335,6 +335,8 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
   if (figures.memory_bytes) {
     append_summary_line(out, "memory",
                         io::byte_count(*figures.memory_bytes) + ", " +
+  append_note(out, analysis::chords_text(findings.chords));
+  append_note(out, near_limit_text(findings.recorded.conflicts, request, distances));
                             io::counted(figures.windows, "window of time", "windows of time"));
   }
   append_summary_line(

@@ -219,6 +219,7 @@ void RecordingAssembly::settle_label(RecordedBee& bee) {
     if (i == kMostNamed) bee.label += ", ...";
     if (i < kMostNamed) bee.label += (i > 0 ? ", " : "") + called[i].label;
   }
+    bee.lost.erase(std::unique(bee.lost.begin(), bee.lost.end()), bee.lost.end());
   if (called.size() < 2) called.clear();
 }
 

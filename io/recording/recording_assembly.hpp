@@ -257,6 +257,7 @@ class RecordingAssembly {
   void settle_heard();
   void claim(std::string_view id, const Fix& fix, GroundClaim claims);
   void settle_claim(const std::string& id, const GroundClaims::Run& run);
+  void leave_out_spikes(const std::unordered_set<std::string>& shared);
   // Of aircraft that take off from the ground, or land there, when they did.
   void settle_ground(RecordedBee& bee) const;
   void settle_unplaced(RecordedBee& bee);

@@ -46,6 +46,7 @@ void RecordingAssembly::find_doubtful_tracks() {
   for (const SharedTrack& track : tracks_.jumping(recording_.frame)) {
     if (!shared.contains(track.id)) jump(track);
   }
+  if (recording_.missing.jumping > 0) leave_out_spikes(shared);
 }
 
 // Once all is read.
