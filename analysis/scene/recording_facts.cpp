@@ -377,6 +377,13 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   if (!coverage.complete()) {
     swarm.notes.push_back("what is said of conflicts is of the known time: " + facts.unknown);
   }
+  if (std::string above = above_fl410_text(recording, swarm.threshold_m, request.vertical);
+      !above.empty()) {
+    swarm.notes.push_back(std::move(above));
+  }
+  if (std::string sector = sector_text(coverage); !sector.empty()) {
+    swarm.notes.push_back(std::move(sector));
+  }
   if (coverage.gaps > 0) {
     swarm.notes.push_back(
         "bees are unknown between two fixes that are farther apart in time than " +

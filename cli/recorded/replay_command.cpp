@@ -175,10 +175,11 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
     distances.apart = analysis::apart_along(*tracks, found->curves,
                                             height_unit_m(geometry, recording->height_unit));
     // Along curves heights are not straight in time, too.
-    if (found->curves.tracks.empty()) {
-      distances.least_height =
-          analysis::least_height_of(*tracks, height_unit_m(geometry, recording->height_unit));
-    }
+    distances.least_height = [along_lines = analysis::least_height_of(
+                                  *tracks, height_unit_m(geometry, recording->height_unit)),
+                              curved = !found->curves.tracks.empty()](const Conflict& conflict) {
+      return curved && !conflict.certain ? std::nullopt : along_lines(conflict);
+    };
   }
   progress.enter_stage("writing");
   const JsonHead head = [&](io::JsonWriter& json) {
