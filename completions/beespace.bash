@@ -63,7 +63,7 @@ _beespace() {
         --report) values='conflicts pairs bees separation events' ;;
         -o | --output) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --max-results | --ignore-below | --every | --horizon | --leave-factor | --look-every | --memory | --temporary) return ;;
-        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --straight --threshold --vertical --separation --inclusive --threads --max-results --ignore-below --report --every --horizon --leave-factor --look-every --memory --temporary --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --sector --straight --threshold --vertical --separation --inclusive --threads --max-results --ignore-below --report --every --horizon --leave-factor --look-every --memory --temporary --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     watch)
@@ -153,7 +153,7 @@ _beespace() {
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --compare | --fleet-log | --obstacles | -o | --output) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --ignore-below) return ;;
-        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --ignore-below --compare --fleet-log --obstacles --output --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --sector --threshold --vertical --separation --inclusive --threads --ignore-below --compare --fleet-log --obstacles --output --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     view)
@@ -166,7 +166,7 @@ _beespace() {
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --compare | --fleet-log | --obstacles) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --ignore-below | --port) return ;;
-        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --ignore-below --compare --fleet-log --obstacles --no-open --port --json --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --sector --threshold --vertical --separation --inclusive --threads --ignore-below --compare --fleet-log --obstacles --no-open --port --json --quiet --help --version' files=yes ;;
       esac
       ;;
     plot)
@@ -179,7 +179,7 @@ _beespace() {
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         -o | --output) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --ignore-below | --width | --title) return ;;
-        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --ignore-below --output --width --title --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --sector --threshold --vertical --separation --inclusive --threads --ignore-below --output --width --title --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     export)
@@ -193,7 +193,7 @@ _beespace() {
         --format) values='kml czml geojson csv' ;;
         -o | --output | --obstacles) files=yes ;;
         --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --ignore-below | --origin) return ;;
-        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --ignore-below --output --format --origin --obstacles --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --sector --threshold --vertical --separation --inclusive --threads --ignore-below --output --format --origin --obstacles --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     generate)

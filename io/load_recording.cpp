@@ -292,6 +292,7 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
     if (is_base_station(content->view)) return read_base_station(content->view, assembly);
     const std::string_view text = without_byte_order_mark(content->view);
     if (is_daidalus_encounter(text)) return read_daidalus_encounter(text, assembly);
+    if (auto problem = missing_units_of_encounter(text)) return *std::move(problem);
     if (is_bluesky_scenario(text)) return read_bluesky_scenario(text, assembly);
   }
   if (format == RecordingFormat::kSkybrushShow) {

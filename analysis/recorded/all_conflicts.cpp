@@ -1,6 +1,7 @@
 #include "analysis/recorded/all_conflicts.hpp"
 
 #include "analysis/recorded/findings.hpp"
+#include "analysis/recorded/jump_spans.hpp"
 #include "analysis/recorded/landed_times.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 
@@ -45,6 +46,8 @@ Result<AllConflicts> all_conflicts(const io::Recording& recording, const std::ve
     found.curves = *std::move(curves);
     conflicts = merged(std::move(conflicts), found.curves.conflicts);
   }
+  leave_out_jumps(recording, conflicts);
+  found.chords = doubt_chords(recording, tracks, options, conflicts);
   const auto left_out = leave_out_standing(recording, tracks, options, conflicts);
   if (!left_out) return left_out.error();
   found.standing_count = *left_out;

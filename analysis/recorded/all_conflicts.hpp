@@ -5,6 +5,7 @@
 
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/recorded/apart.hpp"
+#include "analysis/recorded/chords.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "io/recording/recording.hpp"
 
@@ -23,6 +24,7 @@ struct AllConflicts {
   RecordedConflicts recorded;
   std::vector<Conflict> with_standing;  // of the conflicts: with a drone on the ground
   VelocityCurves curves;                // whose conflicts are among them
+  Chords chords;                        // which of them are possible as the two turn
   // The closest of the conflicts; where there is none, of all encounters, if there is no vertical
   // threshold, with which how far apart two are in a straight line says little.
   std::optional<Conflict> closest;

@@ -105,6 +105,32 @@ std::pair<double, double> whole_time(const io::Recording& recording) {
   return time;
 }
 
+// Of who leaves a sector the last records often have no place, or the last one again.
+bool is_beside_sector(const io::Recording& recording, const TimeSpan& unplaced, double max_gap_s) {
+  return recording.sector && unplaced.ends_s - unplaced.begins_s <= max_gap_s;
+}
+
+// Records that are missing, but for those.
+io::MissingRecords missing_within(const io::Recording& recording, double max_gap_s) {
+  io::MissingRecords missing = recording.missing;
+  if (!recording.sector) return missing;
+  std::uint64_t beside = 0;
+  for (const io::RecordedBee& bee : recording.bees) {
+    if (bee.beside_s.empty()) continue;
+    const TimeSpan fixes{bee.fixes.front().time_s, bee.fixes.back().time_s};
+    const auto [first, last] = std::minmax_element(bee.beside_s.begin(), bee.beside_s.end());
+    for (const double time_s : bee.beside_s) {
+      const bool before = time_s < fixes.begins_s;
+      const TimeSpan end =
+          before ? TimeSpan{*first, fixes.begins_s} : TimeSpan{fixes.ends_s, *last};
+      if (is_beside_sector(recording, end, max_gap_s)) ++beside;
+    }
+  }
+  missing.count -= std::min(missing.count, beside);
+  missing.bees = std::min(missing.bees, missing.count);
+  return missing;
+}
+
 // How long a bee is not known before its first fix and after its last one, and whether it was in
 // the air then, or there without a place, or never seen in the air while others fly: `hidden` is
 // when.
@@ -145,9 +171,13 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
   const auto add = [&](Outside& of, const TimeSpan& away, const TimeSpan& unplaced, const Fix& end,
                        const Fix& beside) {
     const double seconds = away.ends_s - away.begins_s;
-    if (unplaced.begins_s < unplaced.ends_s) {
+    if (unplaced.begins_s < unplaced.ends_s && !is_beside_sector(recording, unplaced, max_gap_s)) {
       of.unplaced = true;
       of.hidden.push_back(unplaced);
+    }
+    if (recording.sector) {
+      of.seconds += std::max(seconds, 0.0);
+      return;
     }
     if (!(seconds > 0.0)) return;
     const double known_s = end == beside ? 0.0 : std::max(usual_s, interval_s);
@@ -234,10 +264,11 @@ std::vector<Gap> longest_of(std::vector<Gap> gaps) {
 
 // How far apart the bursts of fixes are of which its track is made, as collars take them by a
 // schedule, or the fixes of an aircraft that flies straight on: much of its time lies between them,
-// and nearly all gaps are of one length. An outage of a drone is none.
+// and nearly all gaps are of one length; of aircraft none that is longer than those may differ. An
+// outage of a drone is none.
 using GapIterator = std::vector<Gap>::const_iterator;
 std::optional<double> interval_of_bursts(const io::RecordedBee& bee, GapIterator first,
-                                         GapIterator last) {
+                                         GapIterator last, bool of_aircraft) {
   constexpr double kMuch = 0.3;
   constexpr double kNearlyAll = 0.8;
   constexpr double kDiffer = 0.1;
@@ -256,7 +287,12 @@ std::optional<double> interval_of_bursts(const io::RecordedBee& bee, GapIterator
   });
   const bool regular =
       static_cast<double>(alike) >= kNearlyAll * static_cast<double>(lengths_s.size());
-  return regular ? std::optional(usual_s) : std::nullopt;
+  if (regular) return usual_s;
+  constexpr double kOfAircraft_s = 120.0;  // a minute or so in cruise
+  const std::size_t nearly_last =
+      static_cast<std::size_t>(kNearlyAll * static_cast<double>(lengths_s.size() - 1));
+  const double nearly_all_s = lengths_s[nearly_last];
+  return of_aircraft && nearly_all_s <= kOfAircraft_s ? std::optional(nearly_all_s) : std::nullopt;
 }
 
 }  // namespace
@@ -266,7 +302,11 @@ std::vector<double> unknown_times_s(const io::Recording& recording, const std::v
   std::vector<double> unknown_s;
   constexpr double kAny = std::numeric_limits<double>::infinity();
   for (const Outside& outside : outside_of(recording, kAny, max_gap)) {
-    unknown_s.push_back(outside.seconds);
+    double of_this_s = recording.sector ? 0.0 : outside.seconds;
+    if (recording.sector) {
+      for (const TimeSpan& span : outside.hidden) of_this_s += span.ends_s - span.begins_s;
+    }
+    unknown_s.push_back(of_this_s);
   }
   // A long gap may be within a doubtful span, or across its ends.
   const auto within = apart_from_each_other(joined_gaps(gaps, doubtful_spans(recording, max_gap)));
@@ -309,15 +349,21 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& lon
     for (auto gap = first; gap != last; ++gap) coverage.in_gaps_s += length_of(*gap);
     ++coverage.bees_with_gaps;
     const auto& [fixes, median_s] = intervals[track];
-    const auto apart_s = fixes >= kFixesToTell && median_s > max_gap.seconds
-                             ? std::optional(median_s)
-                             : interval_of_bursts(recording.bees[track], first, last);
+    const auto apart_s =
+        fixes >= kFixesToTell && median_s > max_gap.seconds
+            ? std::optional(median_s)
+            : interval_of_bursts(recording.bees[track], first, last, recording.of_aircraft);
     if (apart_s) {
       coverage.bursts = coverage.bursts || apart_s != median_s;
       coverage.slow.push_back(track);
       coverage.slowest_interval_s = std::max(coverage.slowest_interval_s, *apart_s);
     }
     first = last;
+  }
+  coverage.of_aircraft = recording.of_aircraft;
+  if (!coverage.slow.empty()) {
+    coverage.joins_slow_s = recording.of_aircraft ? max_gap_just_for(coverage.slowest_interval_s)
+                                                  : max_gap_for(coverage.slowest_interval_s);
   }
   coverage.longest = longest_of(gaps);
   std::vector<Gap> hidden;
@@ -335,11 +381,12 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& lon
   }
   coverage.longest_outside = longest_of(std::move(hidden));
   coverage.in_a_plane = is_in_a_plane(recording) || recording.flat;
+  coverage.sector = recording.sector;
   coverage.instants_only = is_of_instants(recording);
   coverage.alone = recorded_alone(recording);
   coverage.alone_is_known = !recording.of_drones;
   coverage.bridged = longest_bridged(recording, max_gap);
-  coverage.missing = recording.missing;
+  coverage.missing = missing_within(recording, max_gap.seconds);
   return coverage;
 }
 

@@ -16,6 +16,9 @@
 // is not known where, while it has records without a place. An aircraft that says to be on the
 // ground before or after is known from there on, and so is a drone that says that it has landed,
 // unless it is never seen in the air itself while others fly (see airborne.hpp).
+//
+// Who asks about a cut of a sector (io::Recording::sector) says that before its first fix and after
+// its last one a bee is outside: that hides nothing, and is counted only.
 #pragma once
 
 #include "analysis/recorded/gaps.hpp"
@@ -47,6 +50,10 @@ struct Coverage {
   std::vector<PointId> slow = {};
   double slowest_interval_s = 0.0;  // of these, the longest one
   bool bursts = false;              // some of these have several fixes at a time
+  // A --max-gap that joins their fixes; of aircraft no more than that takes, as these fly straight
+  // on where they report seldom, and a lost signal is to stay unknown.
+  std::optional<double> joins_slow_s = {};
+  bool of_aircraft = false;
   std::size_t bees_partly =
       0;  // whose first fix is later, or whose last is earlier, than of others
   std::size_t bees_cut_off = 0;   // of these: in the air then, or on their way in a plane
@@ -60,6 +67,7 @@ struct Coverage {
   bool alone_is_known = true;
   std::optional<Gap> bridged = {};  // the longest interval that was joined, where that is unusual
   bool in_a_plane = false;
+  bool sector = false;  // before and after, those partly known are outside, and not asked about
   // Each bee is known for an instant, while time goes on: that of two bees at one is chance.
   bool instants_only = false;
   double outside_s = 0.0;  // before the first and after the last fix, summed over the bees
@@ -70,7 +78,9 @@ struct Coverage {
   static constexpr std::size_t kMostNamed = 3;
 
   // Whether it is known all the time where all bees were.
-  [[nodiscard]] bool complete() const { return !may_hide_conflicts() && bees_partly == 0; }
+  [[nodiscard]] bool complete() const {
+    return !may_hide_conflicts() && (bees_partly == 0 || sector);
+  }
   // Whether a drone is that should have been with others.
   [[nodiscard]] bool compared_with_none() const { return !alone_is_known && !alone.empty(); }
   // Whether a bee was there, but it is not known where.
@@ -97,6 +107,10 @@ std::vector<double> unknown_times_s(const io::Recording& recording, const std::v
 // then, or has records without a place. In ascending order of (track, begins_s). `gaps` as above.
 std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector<Gap>& gaps,
                                const MaxGap& max_gap);
+
+// "72 bees before the first or after the last fix are outside the sector"; nothing where none is,
+// or where it is not asked so.
+std::string sector_text(const Coverage& coverage, const io::RecordedNoun& noun = {});
 
 // "12 bees unknown for 3 h 20 min in all, 5 known for a part of the time only"; nothing where it is
 // complete. With the recording the few are named that begin or end in the air.

@@ -54,9 +54,22 @@ std::string unknown_text(const Coverage& coverage, const io::Recording* recordin
   };
   if (coverage.gaps > 0) {
     append(noun.counted(coverage.bees_with_gaps) + " unknown for " +
-           io::time_span(coverage.in_gaps_s) + " in all");
+           io::time_span(coverage.in_gaps_s) + " in all" +
+           (coverage.of_aircraft && coverage.joins_slow_s
+                ? " (--max-gap " + io::exact(*coverage.joins_slow_s) +
+                      " joins their fixes in cruise by straight lines)"
+                : ""));
   }
-  if (coverage.bees_partly > 0) {
+  if (coverage.sector) {
+    if (coverage.bees_unplaced > 0) {
+      append(noun.counted(coverage.bees_unplaced) + " there without a place before or after");
+    }
+    if (!coverage.unseen.empty()) {
+      append(noun.counted(coverage.unseen.size()) +
+             " known on the ground only, and not while others fly" +
+             names_of(coverage.unseen, recording));
+    }
+  } else if (coverage.bees_partly > 0) {
     append(noun.counted(coverage.bees_partly) + " known for " +
            (coverage.instants_only ? "an instant only, each" : "a part of the recording only"));
     if (coverage.bees_cut_off > 0) {
@@ -90,6 +103,12 @@ std::string unknown_text(const Coverage& coverage, const io::Recording* recordin
   }
   append(missing_text(coverage.missing, noun));
   return text;
+}
+
+std::string sector_text(const Coverage& coverage, const io::RecordedNoun& noun) {
+  if (!coverage.sector || coverage.bees_partly == 0) return {};
+  return noun.counted(coverage.bees_partly) + (coverage.bees_partly == 1 ? " is" : " are") +
+         " outside the sector before the first or after the last fix (--sector)";
 }
 
 std::string missing_text(const io::MissingRecords& missing, const io::RecordedNoun& noun) {
@@ -169,7 +188,7 @@ std::string slow_text(const Coverage& coverage, const io::Recording& recording) 
   return names + has + io::time_span(coverage.slowest_interval_s) +
          ", which is more than the max gap, and " + (one ? "is" : "are") +
          (coverage.bursts ? " unknown in between" : " hardly ever known") + ": --max-gap " +
-         io::exact(max_gap_for(coverage.slowest_interval_s)) +
+         io::exact(coverage.joins_slow_s.value_or(max_gap_for(coverage.slowest_interval_s))) +
          " joins such fixes by straight lines";
 }
 

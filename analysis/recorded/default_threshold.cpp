@@ -1,5 +1,6 @@
 #include "analysis/recorded/default_threshold.hpp"
 
+#include "io/aircraft/igc_log.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/recording/flat_distance.hpp"
 #include "io/table/fields.hpp"
@@ -61,6 +62,20 @@ Error aircraft_question(std::string_view known_by, const std::optional<io::State
   return {ErrorCode::kInvalidArgument, std::move(message), {}};
 }
 
+// All of it is what loggers of gliders wrote.
+bool is_of_gliders(const io::Recording& recording) {
+  return recording.format_description.starts_with(io::kIgcLog);
+}
+
+// They fly close together, in one thermal, and who types a number knows that.
+std::optional<Error> glider_question(const std::optional<io::StatedLength>& typed) {
+  if (typed) return std::nullopt;
+  return Error{ErrorCode::kInvalidArgument,
+               "these are gliders: how close is too close? Say it in metres, as in --threshold 50, "
+               "or with --vertical beside it, as in --threshold 150 --vertical 50",
+               {}};
+}
+
 // By its heights, which others do not state so; empty where these say nothing.
 std::string_view known_by_heights(io::Frame frame, io::Unit unit, io::HeightDatum datum) {
   if (frame != io::Frame::kWgs84) return {};
@@ -106,6 +121,7 @@ std::optional<Error> threshold_needed(const io::Recording& recording,
   }
   if (says_enough(typed) || recording.show) return std::nullopt;
   if (!typed && recording.declared_threshold_m) return std::nullopt;
+  if (is_of_gliders(recording)) return glider_question(typed);
   const std::string_view by =
       known_by_heights(recording.frame, recording.height_unit, recording.heights);
   if (!by.empty()) return aircraft_question(by, typed);

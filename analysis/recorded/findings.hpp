@@ -2,6 +2,7 @@
 // from these for pairs, bees and moments.
 #pragma once
 
+#include "analysis/recorded/chords.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/kept_by_height.hpp"
 #include "analysis/recorded/low_conflicts.hpp"
@@ -41,6 +42,7 @@ struct Findings {
   const VelocityCurves* curves = nullptr;
   bool velocities_passed_over = false;  // there are some, and they would have to be looked at
 
+  Chords chords = {};
   // Nothing where it was not looked at.
   std::optional<KeptByHeight> kept_by_height = {};
 

@@ -58,6 +58,13 @@ double max_gap_for(double interval_s) {
   return with_three_digits(kGapFactor * interval_s);
 }
 
+double max_gap_just_for(double interval_s) {
+  constexpr double kMore = 1.1;
+  constexpr double kLong_s = 20.0;
+  const double step_s = interval_s > kLong_s ? 5.0 : 1.0;
+  return std::ceil(kMore * interval_s / step_s) * step_s;
+}
+
 MaxGap max_gap_of(const io::Recording& recording, const std::optional<double>& asked) {
   std::vector<BeeInterval> intervals;
   intervals.reserve(recording.bees.size());

@@ -44,6 +44,8 @@ MaxGap max_gap_of(const std::vector<BeeInterval>& bees, const std::optional<doub
 
 // A --max-gap that leaves no gap between fixes that are so far apart as a rule.
 double max_gap_for(double interval_s);
+// The same, and hardly more: whole seconds, of longer ones five each.
+double max_gap_just_for(double interval_s);
 
 // The longest time between two fixes that is joined by a straight line though it is more than twice
 // what is usual, of all and of this bee. Nothing of shows, and where only ends are kept.

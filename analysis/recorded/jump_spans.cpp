@@ -1,11 +1,12 @@
 #include "analysis/recorded/jump_spans.hpp"
 
-#include "io/recording/jumps.hpp"
+#include "io/recording/jumped_stretches.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 namespace beespace::analysis {
@@ -15,36 +16,6 @@ auto order_of_gap(const Gap& gap) {
   return std::tuple(gap.track, gap.begins_s, gap.ends_s);
 }
 
-const Velocity* velocity_at(const io::RecordedBee& bee, std::size_t fix) {
-  return bee.velocities.empty() ? nullptr : &bee.velocities[fix];
-}
-
-// To which of its fixes it jumps.
-std::vector<std::size_t> jumps_of(const io::RecordedBee& bee, io::Frame frame) {
-  std::vector<std::size_t> found;
-  io::Jumps jumps(bee.fixes, bee.velocities, frame);
-  for (std::size_t i = 0; i < bee.fixes.size(); ++i) {
-    if (jumps.take(bee.fixes[i], velocity_at(bee, i), frame)) found.push_back(i);
-  }
-  return found;
-}
-
-// With which of the next jumps it comes back to where it can have got from before jump `out`: what
-// lies between was somewhere else. `out` itself where there is none.
-std::size_t way_back(const io::RecordedBee& bee, io::Frame frame,
-                     const std::vector<std::size_t>& jumps, std::size_t out) {
-  constexpr std::size_t kMostBetween = 8;
-  const std::size_t before = jumps[out] - 1;
-  io::Jumps from(bee.fixes, bee.velocities, frame);
-  from.take(bee.fixes[before], velocity_at(bee, before), frame);
-  const std::size_t end = std::min(jumps.size(), out + 1 + kMostBetween);
-  for (std::size_t i = out + 1; i < end; ++i) {
-    const std::size_t fix = jumps[i];
-    if (!from.jumps_to(bee.fixes[fix], velocity_at(bee, fix), frame)) return i;
-  }
-  return out;
-}
-
 }  // namespace
 
 std::vector<Gap> jump_spans(const io::Recording& recording) {
@@ -52,15 +23,30 @@ std::vector<Gap> jump_spans(const io::Recording& recording) {
   if (recording.missing.jumping == 0) return spans;
   for (std::size_t track = 0; track < recording.bees.size(); ++track) {
     const io::RecordedBee& bee = recording.bees[track];
-    const std::vector<std::size_t> jumps = jumps_of(bee, recording.frame);
-    for (std::size_t i = 0; i < jumps.size(); ++i) {
-      const std::size_t back = way_back(bee, recording.frame, jumps, i);
-      spans.push_back({static_cast<PointId>(track), bee.fixes[jumps[i] - 1].time_s,
-                       bee.fixes[jumps[back]].time_s});
-      i = back;
+    for (const io::JumpedStretch& stretch : io::jumped_stretches(bee, recording.frame)) {
+      spans.push_back({static_cast<PointId>(track), bee.fixes[stretch.before].time_s,
+                       bee.fixes[stretch.behind].time_s});
     }
   }
   return spans;
+}
+
+void leave_out_jumps(const io::Recording& recording, std::vector<Conflict>& conflicts) {
+  if (recording.missing.jumping == 0 || conflicts.empty()) return;
+  std::unordered_map<PointId, std::vector<TimeSpan>> legs;  // of those in conflict
+  const auto jumps_all_the_time = [&](PointId bee, const Conflict& conflict) {
+    auto known = legs.find(bee);
+    if (known == legs.end()) {
+      known = legs.emplace(bee, io::jumping_legs(recording.bees[bee], recording.frame)).first;
+    }
+    return std::any_of(known->second.begin(), known->second.end(), [&](const TimeSpan& leg) {
+      return leg.begins_s < conflict.begins_s && conflict.ends_s < leg.ends_s;
+    });
+  };
+  std::erase_if(conflicts, [&](const Conflict& conflict) {
+    return jumps_all_the_time(conflict.first, conflict) ||
+           jumps_all_the_time(conflict.second, conflict);
+  });
 }
 
 std::vector<Gap> lost_spans(const io::Recording& recording, const MaxGap& max_gap) {

@@ -240,7 +240,11 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
                                 stated_height(recording, bee, last));
       if (!at) return of_bee(at.error(), bee);
       snapshot.unmoving.push_back({static_cast<std::uint32_t>(i), at->position, at->height_m});
-      if (!no_two_fixes(bee, max_age_s)) ++snapshot.climbless;
+      if (!no_two_fixes(bee, max_age_s)) {
+        ++snapshot.climbless;
+      } else if (!bee.velocities.empty() && known_over_ground(bee.velocities[last])) {
+        ++snapshot.level_only;
+      }
       no_velocity = of_bee(std::move(state).error(), bee);
       continue;
     }

@@ -45,6 +45,8 @@ struct Snapshot {
   };
   std::vector<Placed> unmoving;
   std::uint64_t climbless = 0;  // of these: those of which only the climb rate is not known
+  // Likewise, but of those that have one fix only.
+  std::uint64_t level_only = 0;
   std::uint64_t estimated = 0;  // velocities that come from the last two fixes
   // Climb rates that are not those of the last fix, by what they come from; velocities that come
   // from the last two fixes as a whole are not among them.

@@ -203,6 +203,12 @@ Status check_moves(const SceneRequest& request, const std::string& title) {
                      "--ignore-below out",
                  {}};
   }
+  if (request.load.sector) {
+    return Error{
+        ErrorCode::kInvalidArgument,
+        "'" + title + "' is a snapshot, which no aircraft enters or leaves; leave --sector out",
+        {}};
+  }
   if (request.fleet_log.empty()) return std::monostate{};
   return Error{ErrorCode::kInvalidArgument,
                "'" + title +

@@ -1,6 +1,8 @@
 #include "analysis/scene/recording_facts.hpp"
 
 #include "analysis/geometry/scale_doubt.hpp"
+#include "analysis/recorded/above_fl410.hpp"
+#include "analysis/recorded/chords.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
@@ -136,6 +138,13 @@ std::vector<PointId> bees_named(const std::vector<Conflict>& conflicts,
     bees.insert(bees.end(), {at.closest.first, at.closest.second});
   }
   return bees;
+}
+
+// Where straight lines may be off from what gliders flew that circle.
+void note_chords(const Chords& chords, report::SwarmFacts& swarm) {
+  if (std::string text = chords_text(chords); !text.empty()) {
+    swarm.notes.push_back(std::move(text));
+  }
 }
 
 // Those that are left out as both are low: how many, and how close the closest come.
@@ -307,6 +316,8 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   const auto curves = follow_velocities(recording, geometry, options, recorded->conflicts);
   if (!curves) return curves.error();
   recorded->conflicts = merged(std::move(recorded->conflicts), curves->conflicts);
+  leave_out_jumps(recording, recorded->conflicts);
+  note_chords(doubt_chords(recording, tracks, options, recorded->conflicts), swarm);
   recorded->conflicts = merged(std::move(recorded->conflicts), *standing);
   const auto left_out = leave_out_standing(recording, tracks, options, recorded->conflicts);
   if (!left_out) return left_out.error();
@@ -370,6 +381,13 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   note_curves(*curves, facts);
   if (!coverage.complete()) {
     swarm.notes.push_back("what is said of conflicts is of the known time: " + facts.unknown);
+  }
+  if (std::string above = above_fl410_text(recording, swarm.threshold_m, request.vertical);
+      !above.empty()) {
+    swarm.notes.push_back(std::move(above));
+  }
+  if (std::string sector = sector_text(coverage, swarm.noun); !sector.empty()) {
+    swarm.notes.push_back(std::move(sector));
   }
   if (coverage.gaps > 0) {
     swarm.notes.push_back(

@@ -193,11 +193,12 @@ void note_ages(const Snapshot& snapshot, std::vector<std::string>& notes) {
                     io::exact(kMaxAgeShown_s) + " s");
   }
   if (!snapshot.unmoving.empty()) {
-    notes.push_back(io::grouped(snapshot.unmoving.size()) +
-                    " left out: neither a velocity (speed, direction and climb) nor two fixes tell "
-                    "how fast they "
-                    "go" +
-                    (snapshot.climbless > 0 ? ", or nothing how fast they climb" : ""));
+    notes.push_back(
+        io::grouped(snapshot.unmoving.size()) +
+        " left out: neither a velocity (speed, direction and climb) nor two fixes tell "
+        "how fast they "
+        "go" +
+        (snapshot.climbless + snapshot.level_only > 0 ? ", or nothing how fast they climb" : ""));
   }
 }
 

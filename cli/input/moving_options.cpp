@@ -112,6 +112,12 @@ void add_gap_options(Command& command, std::optional<double>& max_gap_s, double&
                  "How closely to follow curves (default: 0.001)");
 }
 
+void add_sector_option(Command& command, io::RecordingOptions& load) {
+  command.flag("--sector", load.sector,
+               "A cut of a sector: before its first and after its\nlast fix an aircraft is "
+               "outside, and not asked about\n(default: where it is then is unknown)");
+}
+
 void add_threshold_options(Command& command, MovingRequest& request) {
   command.group("Separation");
   command.option("--threshold", "LENGTH", request.threshold, read_stated_threshold_in_motion,

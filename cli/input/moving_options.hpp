@@ -61,6 +61,8 @@ void add_input_options(Command& command, MovingRequest& request);
 // Of recordings: --max-gap; and that with --tolerance.
 void add_max_gap_option(Command& command, std::optional<double>& max_gap_s);
 void add_gap_options(Command& command, std::optional<double>& max_gap_s, double& tolerance_m);
+// --sector, of commands that ask about a recording, and not whether a flight was good.
+void add_sector_option(Command& command, io::RecordingOptions& load);
 void add_threshold_options(Command& command, MovingRequest& request);
 // --ignore-below, of commands that know where bees took off.
 void add_low_option(Command& command, MovingRequest& request);

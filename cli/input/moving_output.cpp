@@ -118,6 +118,19 @@ std::string separation_summary(const MovingRequest& request, double threshold_m,
          (aircraft ? "; of aircraft --separation has the usual ones" : "");
 }
 
+void append_traffic_hint(std::string& out, const io::Recording& recording,
+                         const MovingRequest& request, double threshold_m) {
+  constexpr double kLeastOfControl_m = 1'852.0;  // what keeps apart by flight levels, too
+  if (request.vertical || recording.flat || recording.frame != io::Frame::kWgs84 ||
+      !(recording.of_aircraft || recording.height_unit == io::Unit::kFoot) ||
+      threshold_m < kLeastOfControl_m) {
+    return;
+  }
+  append_summary_line(out, "note",
+                      "the threshold is of the straight line, and flight levels 1000 ft apart are "
+                      "closer than that: --vertical 1000ft leaves out who is kept apart by height");
+}
+
 std::string pair_text(const Conflict& conflict, const io::Recording& recording) {
   return printable(text_of(analysis::name_at(conflict.closest_s, conflict.first, recording))) +
          " and " +

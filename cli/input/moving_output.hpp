@@ -37,6 +37,11 @@ std::string separation_typed(const MovingRequest& request);
 std::string separation_summary(const MovingRequest& request, double threshold_m,
                                const io::Recording& recording, bool aircraft = false);
 
+// Of aircraft, of which only a distance is asked for: what would leave out those that flight levels
+// keep apart.
+void append_traffic_hint(std::string& out, const io::Recording& recording,
+                         const MovingRequest& request, double threshold_m);
+
 // Whether distances are told in nautical miles and feet too: where the thresholds or the heights of
 // the input are, or --units says so.
 bool in_aviation(const MovingRequest& request, const io::Recording& recording);

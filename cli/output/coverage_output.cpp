@@ -47,7 +47,13 @@ void append_coverage(std::string& out, const analysis::Coverage& coverage,
   if (const std::string slow = analysis::slow_text(coverage, recording); !slow.empty()) {
     append_summary_line(out, "", printable(slow));
   }
-  if (coverage.bees_partly > 0) {
+  if (coverage.sector && coverage.bees_partly > 0) {
+    append_summary_line(out, "sector",
+                        io::counted(coverage.bees_partly, "bee", "bees") +
+                            " before the first or after the last fix, for " +
+                            io::time_span(coverage.outside_s) +
+                            " in all: outside, and not asked about (--sector)");
+  } else if (coverage.bees_partly > 0) {
     append_summary_line(
         out, coverage.gaps > 0 ? "" : "unknown",
         io::counted(coverage.bees_partly, "bee", "bees") +
@@ -91,6 +97,7 @@ void write_coverage(io::JsonWriter& json, const analysis::Coverage& coverage,
   json.member("bees_there_without_a_place", coverage.bees_unplaced);
   json.member("bees_on_ground_only", coverage.unseen.size());
   json.member("bees_alone", coverage.alone.size());
+  json.member("sector", coverage.sector);
   json.member("before_first_and_after_last_s", coverage.outside_s);
   json.new_line();
   write_missing(json, coverage.missing);

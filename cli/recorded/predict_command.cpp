@@ -2,6 +2,7 @@
 
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/geometry/scale_doubt.hpp"
+#include "analysis/recorded/above_fl410.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/created_flights.hpp"
 #include "analysis/recorded/default_threshold.hpp"
@@ -154,9 +155,12 @@ void append_unmoving(std::string& out, const analysis::Snapshot& snapshot, doubl
         out, "unknown",
         red(io::grouped(count) + " checked for now only") + ", where last heard of: " + why);
   };
-  say_of(snapshot.unmoving.size() - snapshot.climbless,
+  say_of(snapshot.unmoving.size() - snapshot.climbless - snapshot.level_only,
          "neither a velocity (speed, direction and climb) nor two fixes, at most " +
              io::exact(max_age_s) + " s apart, tell how fast they go");
+  say_of(snapshot.level_only,
+         "speed and direction are there, but no climb rate (baro_rate or geom_rate of "
+         "aircraft.json, a column of a table), which one fix alone does not tell");
   say_of(snapshot.climbless, "neither a climb rate nor " + io::exact(analysis::kShortestClimb_s) +
                                  " s of heights, which go in steps, tell how fast they climb");
 }
@@ -253,6 +257,9 @@ std::string summary(const Prediction& prediction, const PredictRequest& request,
                       separation_summary(request.moving, prediction.threshold_m,
                                          prediction.recording, prediction.distances.aviation));
   append_summary_line(out, "horizon", io::exact(prediction.horizon_s) + " s");
+  append_traffic_hint(out, prediction.recording, request.moving, prediction.threshold_m);
+  append_note(out, analysis::above_fl410_text(prediction.recording, prediction.threshold_m,
+                                              request.moving.vertical));
   append_summary_line(out, "conflicts", found_line(prediction));
   const auto& conflicts = prediction.conflicts;
   if (!conflicts.empty()) {

@@ -159,6 +159,7 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   findings.low = std::move(low);
   findings.closest_in_the_air = found->closest_in_the_air;
   findings.curves = &found->curves;
+  findings.chords = found->chords;
   auto kept = analysis::kept_by_height(*recording, options, request.tolerance_m,
                                        found->recorded.conflicts, findings.low.left_out);
   if (!kept) return in_words_of_the_command(kept.error(), moving);
@@ -174,10 +175,11 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
     distances.apart = analysis::apart_along(*tracks, found->curves,
                                             height_unit_m(geometry, recording->height_unit));
     // Along curves heights are not straight in time, too.
-    if (found->curves.tracks.empty()) {
-      distances.least_height =
-          analysis::least_height_of(*tracks, height_unit_m(geometry, recording->height_unit));
-    }
+    distances.least_height = [along_lines = analysis::least_height_of(
+                                  *tracks, height_unit_m(geometry, recording->height_unit)),
+                              curved = !found->curves.tracks.empty()](const Conflict& conflict) {
+      return curved && !conflict.certain ? std::nullopt : along_lines(conflict);
+    };
   }
   progress.enter_stage("writing");
   const JsonHead head = [&](io::JsonWriter& json) {

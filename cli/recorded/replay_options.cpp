@@ -136,6 +136,7 @@ Command replay_command() {
                    "Files and folders to read (default, or -:\nstandard input)");
   add_input_options(replay, moving);
   add_gap_options(replay, request->max_gap_s, request->tolerance_m);
+  add_sector_option(replay, moving.load);
   replay.flag("--straight", request->straight, "Straight lines, whatever the velocities");
   add_separation_options(replay, moving);
   add_low_option(replay, moving);

@@ -1,5 +1,6 @@
 #include "cli/recorded/replay_summary.hpp"
 
+#include "analysis/recorded/above_fl410.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/kept_by_height.hpp"
 #include "analysis/recorded/landed_times.hpp"
@@ -7,6 +8,7 @@
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
 #include "cli/output/coverage_output.hpp"
+#include "cli/recorded/near_limit.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/recording/moment_text.hpp"
 #include "io/units/units.hpp"
@@ -62,19 +64,24 @@ const char* known_words(const analysis::Findings& findings) {
                                              : "no conflict in the known time";
 }
 
+// `beside` is what goes with any answer.
 std::string verdict(const analysis::Findings& findings,
-                    const std::vector<analysis::PairInConflict>& pairs) {
+                    const std::vector<analysis::PairInConflict>& pairs, const std::string& beside) {
   if (!findings.has_encounters)
     return red("nothing to compare") + ": no two bees are there at the same time" +
            (findings.coverage.may_hide_conflicts()
                 ? "; " + printable(analysis::unknown_text(findings.coverage, &findings.recording))
                 : "");
   const std::string open = open_text(findings);
+  const std::string sector = analysis::sector_text(findings.coverage);
   if (pairs.empty() && open.empty() && !findings.low.left_out.empty()) {
-    return bold("keeps its distance") + ", but for " + low_text(findings.low);
+    return bold("keeps its distance") + ", but for " + low_text(findings.low) +
+           (sector.empty() ? "" : "; " + sector) + (beside.empty() ? "" : "; " + beside);
   }
-  const std::string but = open.empty() ? "" : "; " + open;
-  if (pairs.empty() && open.empty()) return bold("keeps its distance");
+  const std::string but = (open.empty() ? "" : "; " + open) +
+                          (sector.empty() ? "" : "; " + sector) +
+                          (beside.empty() ? "" : "; " + beside);
+  if (pairs.empty() && open.empty()) return bold("keeps its distance") + but;
   if (pairs.empty()) {
     return bold(known_words(findings)) + but;
   }
@@ -320,10 +327,16 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
         "with --memory it is not looked at whether heights alone keep two apart; --vertical "
         "compares heights and ways over ground apart from each other");
   }
+  append_traffic_hint(out, recording, request, figures.threshold_m);
   const auto pairs = analysis::pairs_in_conflict(findings.recorded.conflicts);
-  append_summary_line(out, "verdict", verdict(findings, pairs));
+  append_summary_line(
+      out, "verdict",
+      verdict(findings, pairs,
+              analysis::above_fl410_text(recording, figures.threshold_m, request.vertical)));
   append_closest(out, findings, distances);
   append_worst(out, findings, in_the_air_first(findings, pairs), distances);
+  append_note(out, analysis::chords_text(findings.chords));
+  append_note(out, near_limit_text(findings.recorded.conflicts, request, distances));
   append_low(out, findings.low, recording, request, distances, findings.with_standing.size());
   const std::string bars = findings.has_encounters && !figures.memory_bytes
                                ? bars_over_time(findings, figures.threshold_m)

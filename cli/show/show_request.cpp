@@ -26,6 +26,7 @@ void add_scene_options(Command& command, ShowRequest& request) {
                     "Files and folders to read (default, or -:\nstandard input)");
   add_input_options(command, request.moving);
   add_gap_options(command, request.max_gap_s, request.tolerance_m);
+  add_sector_option(command, request.moving.load);
   add_threshold_options(command, request.moving);
   add_low_option(command, request.moving);
 }

@@ -108,7 +108,7 @@ class IgcLog {
     find_empty_heights(text);
     AircraftGathering gathering({assembly_.options().heights, assembly_.options().grounded},
                                 assembly_);
-    if (auto error = gathering.begin("IGC log", Unit::kMetre, 0.0, false)) return error;
+    if (auto error = gathering.begin(std::string(kIgcLog), Unit::kMetre, 0.0, false)) return error;
     std::uint64_t number = 0;
     for (std::size_t offset = 0; offset < text.size();) {
       const Line line = line_at(text, offset, '\n');

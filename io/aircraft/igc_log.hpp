@@ -16,6 +16,9 @@
 
 namespace beespace::io {
 
+// What a recording that has nothing else is described as.
+inline constexpr std::string_view kIgcLog = "IGC log";
+
 bool is_igc_log(std::string_view text);
 
 // Into the source that `assembly` has begun; the bee is called `stem`. Errors have lines:

@@ -134,6 +134,22 @@ std::string_view bare(std::string_view unit) {
   return unit.front() == '[' ? unit.substr(1, unit.size() - 2) : unit;
 }
 
+// As DAIDALUS writes it.
+std::string_view usual_unit(const Column* column) {
+  if (column == nullptr || column->holds == Holds::kId) return "[none]";
+  if (column->holds == Holds::kEast || column->holds == Holds::kNorth) return "[nmi]";
+  if (column->holds == Holds::kClimb || column->holds == Holds::kVelocityUp) return "[fpm]";
+  if (!column->quantity) return "[deg]";
+  switch (*column->quantity) {
+    case Quantity::kLength:
+      return "[ft]";
+    case Quantity::kSpeed:
+      return "[knot]";
+    default:
+      return "[s]";
+  }
+}
+
 // The name of a column as the readers of tables know it, with its unit.
 Result<std::string> renamed(std::string_view name, std::string_view unit, std::size_t place) {
   const Column* column = column_of(name);
@@ -195,6 +211,37 @@ bool is_daidalus_encounter(std::string_view text) {
                         (has(names, Holds::kEast) && has(names, Holds::kNorth));
   return position && has(names, Holds::kTime) &&
          std::all_of(front->units.begin(), front->units.end(), is_unit);
+}
+
+std::optional<Error> missing_units_of_encounter(std::string_view text) {
+  const auto front = front_of(text);
+  if (!front || front->names.size() < 4 || front->units.size() != front->names.size()) {
+    return std::nullopt;
+  }
+  const auto& names = front->names;
+  const bool position = (has(names, Holds::kLatitude) && has(names, Holds::kLongitude)) ||
+                        (has(names, Holds::kEast) && has(names, Holds::kNorth));
+  // Other tables have commas between their names, where they have them between values.
+  const std::string_view line = line_at(text, text.find(names.front()), '\n').text;
+  const std::string_view row =
+      line_at(text, text.find(front->units.front(), line.size()), '\n').text;
+  const bool so_written =
+      line.find(',') == std::string_view::npos && row.find(',') != std::string_view::npos;
+  if (!position || !so_written || !has(names, Holds::kId) || !has(names, Holds::kTime) ||
+      std::any_of(front->units.begin(), front->units.end(), is_unit)) {
+    return std::nullopt;
+  }
+  std::string units;
+  for (const std::string_view name : names) {
+    const Column* const column = column_of(name);
+    units.append(units.empty() ? "" : " ").append(usual_unit(column));
+  }
+  return Error{
+      ErrorCode::kMissingColumn,
+      "this is a DAIDALUS encounter without its line of units, which says what its numbers "
+      "are in; add it below the names, if it is so, as by sed '1a " +
+          units + "' FILE > with-units.daa",
+      {}};
 }
 
 std::optional<Error> read_daidalus_encounter(std::string_view text, RecordingAssembly& assembly) {

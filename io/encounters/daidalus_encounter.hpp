@@ -20,6 +20,9 @@ namespace beespace::io {
 
 bool is_daidalus_encounter(std::string_view text);
 
+// What to do about one without the line of units; nothing where that is there, or it is none.
+std::optional<Error> missing_units_of_encounter(std::string_view text);
+
 // Into the source that `assembly` has begun. Errors have line and column.
 std::optional<Error> read_daidalus_encounter(std::string_view text, RecordingAssembly& assembly);
 

@@ -48,6 +48,9 @@ struct RecordedBee {
   // Since when, and until when, it has records without a place, if it has any.
   std::optional<double> unplaced_from_s = {};
   std::optional<double> unplaced_until_s = {};
+  // Of a cut of a sector: when it has such records, or none of a position at all, before its first
+  // fix and after its last one; of several at one time one.
+  std::vector<double> beside_s = {};
   // From a fix to the next one, where there are two records without a place between them, or more.
   std::vector<TimeSpan> lost = {};
   // What it is called beside its id: the flight, or several, one after the other; or nothing.
@@ -121,6 +124,9 @@ struct Recording {
   // When the input itself was written, where it says so beside the times of its positions: its
   // present moment. Of several inputs the latest.
   std::optional<double> written_s = {};
+  // It is asked about as a cut of a sector: before its first fix and after its last one a bee is
+  // outside, and nothing is asked about it.
+  bool sector = false;
   bool of_aircraft = false;  // its format or its columns say so
   bool of_animals = false;   // some of it is, by what wrote it
   bool of_drones = false;    // all of it is what autopilots logged

@@ -176,6 +176,20 @@ void RecordingAssembly::written_at(double time_s) {
 void RecordingAssembly::unplaced(std::string_view id, double time_s) {
   std::set<double>& times_s = unplaced_[std::string(id)];
   times_s.insert(times_s.end(), time_s);  // nearly always the last one
+  positionless(id, time_s);
+}
+
+void RecordingAssembly::positionless(std::string_view id, double time_s) {
+  if (options_.sector) positionless_[std::string(id)].insert(time_s);
+}
+
+void RecordingAssembly::settle_beside(RecordedBee& bee) const {
+  const auto known = positionless_.find(bee.id);
+  if (known == positionless_.end() || bee.fixes.empty()) return;
+  for (const double time_s : known->second) {
+    const bool within = time_s >= bee.fixes.front().time_s && time_s <= bee.fixes.back().time_s;
+    if (!within) bee.beside_s.push_back(time_s);
+  }
 }
 
 bool RecordingAssembly::is_lost_between(const std::string& id, const TimeSpan& fixes) const {
@@ -205,6 +219,7 @@ void RecordingAssembly::settle_unplaced(RecordedBee& bee) {
     bee.lost.insert(bee.lost.end(), lost->second.begin(), lost->second.end());
     std::sort(bee.lost.begin(), bee.lost.end(),
               [](const TimeSpan& a, const TimeSpan& b) { return a.begins_s < b.begins_s; });
+    bee.lost.erase(std::unique(bee.lost.begin(), bee.lost.end()), bee.lost.end());
   }
 }
 

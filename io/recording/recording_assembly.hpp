@@ -224,6 +224,9 @@ class RecordingAssembly {
   void heard_of(const LeftOutReason& reason, std::string_view id);
   // It was there, at no known place.
   void unplaced(std::string_view id, double time_s);
+  // The same of one that tells of no position at all, as many messages of aircraft do: that counts
+  // for the ends of cuts of a sector only.
+  void positionless(std::string_view id, double time_s);
   // Of fixes that are handed out as they come: whether there are two such records or more between
   // these two, so far; and those between which there are.
   [[nodiscard]] bool is_lost_between(const std::string& id, const TimeSpan& fixes) const;
@@ -259,12 +262,14 @@ class RecordingAssembly {
   void leave_out_stale_places();
   void leave_out_frozen_places();
   void find_doubtful_tracks();
+  void leave_out_spikes(const std::unordered_set<std::string>& shared);
   void settle_heard();
   void claim(std::string_view id, const Fix& fix, GroundClaim claims);
   void settle_claim(const std::string& id, const GroundClaims::Run& run);
   // Of aircraft that take off from the ground, or land there, when they did.
   void settle_ground(RecordedBee& bee) const;
   void settle_unplaced(RecordedBee& bee);
+  void settle_beside(RecordedBee& bee) const;
   static void settle_label(RecordedBee& bee);
   [[nodiscard]] MissingRecords missing() const;
   [[nodiscard]] std::optional<Error> doubtful_heights() const;
@@ -289,6 +294,7 @@ class RecordingAssembly {
   GroundClaims claims_;
   std::unordered_map<std::string, std::vector<GroundClaims::Run>> grounded_;  // or perhaps, by id
   std::unordered_map<std::string, std::set<double>> unplaced_;                // times by id
+  std::unordered_map<std::string, std::set<double>> positionless_;            // the same, and more
   std::unordered_map<std::string, std::vector<TimeSpan>> lost_;  // by id, of those handed out
   std::unordered_set<std::string> told_by_others_;               // by id
   std::unordered_set<std::string> on_surface_;                   // by id

@@ -46,6 +46,7 @@ void RecordingAssembly::find_doubtful_tracks() {
   for (const SharedTrack& track : tracks_.jumping(recording_.frame)) {
     if (!shared.contains(track.id)) jump(track);
   }
+  if (recording_.missing.jumping > 0) leave_out_spikes(shared);
 }
 
 // Once all is read.
@@ -302,6 +303,13 @@ std::optional<Error> RecordingAssembly::own_grounds() const {
 }
 
 Result<Recording> RecordingAssembly::finish() {
+  if (options_.sector && is_show()) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "a show is a plan, and its drones are in it from its beginning to its end; leave "
+                 "--sector out",
+                 {sources_.empty() ? "" : sources_.front()}};
+  }
+  recording_.sector = options_.sector;
   settle_heard();
   claims_.finish([this](const auto&... of) { settle_claim(of...); });
   if (auto error = doubled_hours_.unclear()) return *std::move(error);
@@ -357,6 +365,7 @@ Result<Recording> RecordingAssembly::finish() {
     settle_ground(bee);
     bee.on_surface = on_surface_.contains(bee.id);
     settle_unplaced(bee);
+    settle_beside(bee);
     settle_label(bee);
   }
   if (std::any_of(recording_.bees.begin(), recording_.bees.end(),

@@ -1,8 +1,9 @@
 // Places that are none, and are left out once all is read: zeros, and what is said again after a
-// bee was lost.
+// bee was lost, and where a bee only jumps to.
 #include "io/bytes/number_text.hpp"
 #include "io/problems/unplaced.hpp"
 #include "io/recording/frozen_places.hpp"
+#include "io/recording/jumped_stretches.hpp"
 #include "io/recording/moment_text.hpp"
 #include "io/recording/recording_assembly.hpp"
 #include "io/recording/stale_places.hpp"
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -99,6 +101,27 @@ void RecordingAssembly::leave_out_frozen_places() {
         const FrozenPlaces& places = found.at(id);
         const bool at_end = places.end == FrozenEnd::kMeasured && fix.time_s > places.end_since_s;
         leave_out(at_end ? kFrozenToTheEnd : kFrozenPlace, id);
+        unplaced(id, fix.time_s);
+      });
+}
+
+// Once it is known who jumps; of an id that two share none of both places is wrong.
+void RecordingAssembly::leave_out_spikes(const std::unordered_set<std::string>& shared) {
+  const Frame frame = recording_.frame;
+  for (std::size_t i = 0; i < tracks_.size(); ++i) {
+    const RecordedBee& bee = tracks_.recorded(i);
+    if (shared.contains(bee.id)) continue;
+    for (const JumpedStretch& stretch : jumped_stretches(bee, frame)) {
+      if (!is_spike(bee, stretch)) continue;
+      lose(bee.id, {bee.fixes[stretch.before].time_s, bee.fixes[stretch.behind].time_s});
+    }
+  }
+  tracks_.leave_out(
+      [&shared, frame](const RecordedBee& bee) {
+        return shared.contains(bee.id) ? std::vector<bool>() : fixes_in_spikes(bee, frame);
+      },
+      [this](const std::string& id, const Fix& fix) {
+        leave_out(kSpike, id);
         unplaced(id, fix.time_s);
       });
 }

@@ -34,6 +34,8 @@ struct RecordingOptions : ColumnOptions {
   double least_likelihood = 0.6;
   // Of shows, keep the time in which a drone stands on the ground; aircraft on the ground, too.
   bool grounded = false;
+  // Of recordings: a cut of a sector, which traffic enters and leaves (see Recording::sector).
+  bool sector = false;
   // It is compared with another one, which the same is said about: the unit of times may be that of
   // the other, where these have theirs.
   bool one_of_several = false;

@@ -5,6 +5,7 @@
 #include "io/recording/left_out_files.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -56,6 +57,15 @@ std::string_view name_in_folder(std::string_view path) {
   return path.substr(path.rfind('/') + 1);
 }
 
+// Messages of aircraft as receivers send them, which are often kept in a .log.
+bool is_message_log(const std::string& path) {
+  if (!has_ending(path, {".log"})) return false;
+  std::array<char, 4> head = {};
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), head.size());
+  return std::string_view(head.data(), static_cast<std::size_t>(file.gcount())) == "MSG,";
+}
+
 // What a folder has, by kind.
 struct Listed {
   std::vector<std::string> tables = {};
@@ -72,6 +82,7 @@ struct Listed {
 
   std::vector<std::string>& of(std::string_view name, const std::string& path) {
     if (is_folder(path)) return folders;
+    if (is_message_log(path)) return tables;
     if (is_table_name(name)) return has_ending(name, {".txt"}) ? texts : tables;
     if (has_ending(name, {".skyc", ".vviz"})) return shows;
     if (has_ending(name, {".json", ".ndjson", ".jsonl"})) return documents;
@@ -221,7 +232,7 @@ std::optional<Error> first_foreign(const std::vector<std::string>& others) {
 }
 
 Error nothing_to_read(Listed found, const std::string& folder) {
-  constexpr int kDepth = 3;
+  constexpr int kDepth = 6;  // year, month, day, traces and a part of these, as readsb has them
   if (is_bag_folder(found, folder)) {
     return {ErrorCode::kUnsupportedFormat, "this is " + words_of_bag_folder(), {folder}};
   }
@@ -230,8 +241,8 @@ Error nothing_to_read(Listed found, const std::string& folder) {
     if (auto error = first_foreign(found.others)) return *std::move(error);
   }
   std::string message =
-      "there is no .csv, .tsv or .txt file in this folder, nor any .skyc, .json, .ndjson, .tlog, "
-      ".ulg or .bin";
+      "there is no .csv, .tsv or .txt file in this folder, nor any .igc, .so6, .skyc, .json, "
+      ".ndjson, .tlog, .ulg or .bin";
   if (!found.others.empty()) {
     message += ", but " + found.others.front() +
                (found.others.size() == 1 ? ""

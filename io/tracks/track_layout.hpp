@@ -161,6 +161,12 @@ inline bool is_named_after_file(const TrackLayout& layout) {
   return layout.ids_within_file || (!layout.table.choice.id && layout.time);
 }
 
+// Whether an empty id is no mistake: of Flightradar24 a file is of one flight, which has a callsign
+// or none.
+inline bool is_named_by_file_where_empty(const TrackLayout& layout) {
+  return layout.ids_within_file || layout.joined_place.has_value();
+}
+
 // The values of a report, in the order in which they are read.
 struct TrackSlot {
   static constexpr std::size_t kId = 0;

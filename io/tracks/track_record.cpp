@@ -87,7 +87,7 @@ std::optional<Error> TrackRecordReader::read_id(TrackRecord& record) {
     record.left_out = layout_.without_id;
     return std::nullopt;
   }
-  if (layout_.ids_within_file && field.text.empty()) return std::nullopt;
+  if (is_named_by_file_where_empty(layout_) && field.text.empty()) return std::nullopt;
   if (field.text.empty()) {
     return at_column(ErrorCode::kMalformedRecord,
                      "the id is empty; fill it in" + std::string(kOrLeaveOut), *choice.id);
@@ -380,8 +380,9 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   record.flies_on_ground = record.left_out == nullptr && layout_.on_ground &&
                            says_yes(fields_[TrackSlot::kOnGround].text);
   if (record.left_out == &kOnGround) read_claim(record);
-  record.is_timed = record.left_out != nullptr && has_no_place(*record.left_out) && layout_.time &&
-                    !read_time(record);
+  record.is_timed = record.left_out != nullptr &&
+                    (has_no_place(*record.left_out) || record.left_out == &kNoPosition) &&
+                    layout_.time && !read_time(record);
   if (record.left_out != nullptr) return std::nullopt;
   if (auto problem = read_time(record)) return problem;
   record.is_timed = layout_.time.has_value();

@@ -248,6 +248,7 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     if (!layout.sets.empty() && !record.id.empty()) {
       record.id = assembly.name_within_set(record.id, record.set);
     }
+    if (layout.joined_place && record.id.empty()) record.id = stem;
     if (layout.ids_are_addresses) record.id = assembly.name_of_address(record.id);
     if (layout.ids_within_file && !(problem && record.id.empty())) {
       name_within_file(stem, assembly.has_several(), record, file_id);
@@ -271,7 +272,11 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       // Who is nowhere else is known nowhere.
       const bool counts = !record.left_out->harmless;
       if (has_no_place(*record.left_out) && !counts) assembly.heard_of(kNeverPlaced, record.id);
-      if (record.is_timed) assembly.unplaced(record.id, record.time_s);
+      if (record.is_timed && record.left_out == &kNoPosition) {
+        assembly.positionless(record.id, record.time_s);
+      } else if (record.is_timed) {
+        assembly.unplaced(record.id, record.time_s);
+      }
       continue;
     }
     if (std::exchange(before.joined, false)) {

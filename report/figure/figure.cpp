@@ -188,8 +188,9 @@ Listing closest_conflicts(const RecordingFacts& facts) {
                                     : ", possible");
   }
   if (facts.conflicts.empty() && facts.closest) {
-    listing.heading =
-        facts.closest_left_out ? "Closest encounter, left out" : "Closest encounter, not too close";
+    listing.heading = facts.closest_left_out  ? "Closest encounter, left out"
+                      : facts.unknown.empty() ? "Closest encounter, not too close"
+                                              : "Closest encounter in the known time";
     add(*facts.closest, facts.closest_apart, "");
   }
   return listing;

@@ -356,11 +356,12 @@ TEST_F(ReplayOutOfCore, WhereBeesAreNotKnownIsNoAllClearEither) {
     if (t < 30) earth += "b" + at + std::to_string(8.001 + 1e-5 * t) + ",47.005\n";
   }
   unknown(earth, "1 of which appears or vanishes on its way");
-  // Against stated rates: b climbs 3,000 m in a second, as it would not by its own climb rate.
+  // Against stated rates: b climbs 3,000 m in a second, as it would not by its own climb rate, and
+  // stays there.
   std::string rates = "id,time_s,lon,lat,height_m,ve,vn,vu\n";
   for (int t = 0; t < 40; ++t) {
     const std::string at = "," + std::to_string(t) + ",";
-    rates += "a" + at + "8,47,100,0,0,0\nb" + at + "8.1,47," + (t == 20 ? "3100" : "100") +
+    rates += "a" + at + "8,47,100,0,0,0\nb" + at + "8.1,47," + (t >= 20 ? "3100" : "100") +
              ",0.1,0.1,0.1\n";
   }
   unknown(rates, "1 bee jumps");

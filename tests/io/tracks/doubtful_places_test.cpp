@@ -230,6 +230,23 @@ TEST(JumpsOfTracks, AreSaidAndNotKnown) {
   EXPECT_TRUE(recording_of(record(with_place("8.61,47,100"))).missing.none());
 }
 
+// The record there is no place; without a way back both are.
+TEST(JumpsOfTracks, ToAndFroWithinAMinuteAreLeftOutAndLost) {
+  const auto read = recording_of(record(with_place("8.9,47,100")));
+  EXPECT_EQ(times_of(read.bees[1]), (std::vector<double>{0, 1, 2, 4, 5, 6, 7}));
+  EXPECT_EQ(read.bees[1].lost, (std::vector<TimeSpan>{{2.0, 4.0}}));
+  EXPECT_EQ(read.missing.count, 1u);
+  EXPECT_TRUE(has_note(read, "1 record to which its bee jumps, and back from there"));
+  std::string text = kDegrees;
+  for (int t = 0; t < 8; ++t) {
+    text += "b," + std::to_string(t) + (t < 3 ? ",8.6" : ",8.9") + ",47,100\n";
+  }
+  const auto away = recording_of(record(text));
+  EXPECT_EQ(away.bees[0].fixes.size(), 8u);
+  EXPECT_EQ(away.missing.jumping, 1u);
+  EXPECT_EQ(away.missing.count, 0u);
+}
+
 TEST(JumpsOfTracks, BeginAtTheGreatestSpeed) {
   const double most_m = Jumps::kMostSpeed_mps * (1.0 + Jumps::kTimesDiffer_s);
   const auto jumps = [](double by_m, const Velocity* velocity) {

@@ -1,0 +1,52 @@
+#include "analysis/recorded/above_fl410.hpp"
+
+#include "io/bytes/number_text.hpp"
+#include "io/units/units.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace beespace::analysis {
+namespace {
+
+constexpr double kFl410_ft = 41'000.0;
+// Who is no farther from a level counts as on it (Doc 4444, 8.5.5.2.2.1: 200 ft where RVSM is).
+constexpr double kOnLevel_ft = 200.0;
+constexpr double kMinimumAbove_ft = 2'000.0;
+// Who asks for less than this asks for no minimum of air traffic control, but how close a near miss
+// is.
+constexpr double kLeastMinimum_NM = 2.5;
+constexpr double kLeastMinimum_ft = 500.0;
+
+bool is_above(double height_m) {
+  return io::from_metric(height_m, io::Unit::kFoot) > kFl410_ft + kOnLevel_ft;
+}
+
+bool flies_above(const io::RecordedBee& bee) {
+  return std::any_of(bee.fixes.begin(), bee.fixes.end(),
+                     [](const Fix& fix) { return is_above(fix.position.z); });
+}
+
+}  // namespace
+
+std::string above_fl410_text(const io::Recording& recording, double threshold_m,
+                             const std::optional<io::StatedLength>& vertical) {
+  if (!vertical || recording.frame != io::Frame::kWgs84 || recording.flat) return {};
+  const double vertical_ft = io::from_metric(vertical->metric, io::Unit::kFoot);
+  if (!(vertical_ft < kMinimumAbove_ft) || !(vertical_ft >= kLeastMinimum_ft) ||
+      io::from_metric(threshold_m, io::Unit::kNauticalMile) < kLeastMinimum_NM) {
+    return {};
+  }
+  const auto above = static_cast<std::uint64_t>(
+      std::count_if(recording.bees.begin(), recording.bees.end(), flies_above));
+  // Of recordings that are larger than memory the ends of each are known, and how high all are.
+  if (above == 0 && !(recording.reach && is_above(recording.reach->greatest.z))) return {};
+  const std::string who =
+      above == 0 ? "some aircraft fly"
+                 : io::counted(above, "aircraft", "aircraft") + (above == 1 ? " flies" : " fly");
+  return who + " above FL410, where ICAO Doc 4444 asks for 2000 ft in height: ask --threshold " +
+         io::exact(io::from_metric(threshold_m, io::Unit::kNauticalMile)) +
+         "NM --vertical 2000ft for these, too";
+}
+
+}  // namespace beespace::analysis

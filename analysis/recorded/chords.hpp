@@ -1,0 +1,33 @@
+// How far the straight line between two fixes may be from what was flown where a bee turns, as
+// gliders that circle do, whose logs tell no velocities: as far as the arc that turns as much from
+// fix to fix as the track does there. A conflict that is nearer to the threshold than that is
+// possible, not certain.
+#pragma once
+
+#include "io/recording/recording.hpp"
+
+#include <beespace/conflict.hpp>
+#include <beespace/find_conflicts.hpp>
+#include <beespace/track.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace beespace::analysis {
+
+struct Chords {
+  double most_off_m = 0.0;   // of those at whose closest a straight line may be off
+  std::size_t possible = 0;  // conflicts
+};
+
+// Of aircraft without velocities, whose conflicts these are, without a vertical threshold;
+// otherwise nothing is done.
+Chords doubt_chords(const io::Recording& recording, const std::vector<Track>& tracks,
+                    const ConflictOptions& options, std::vector<Conflict>& conflicts);
+
+// "300 conflicts are possible, not certain: where the two turn, straight lines between fixes may be
+// off by up to 19.3 m"; nothing where none is.
+std::string chords_text(const Chords& chords);
+
+}  // namespace beespace::analysis

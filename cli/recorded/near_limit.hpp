@@ -1,0 +1,19 @@
+// Conflicts that are hardly any: of two that keep nearly the whole vertical minimum, as those on
+// adjacent flight levels whose heights go in steps, or waver.
+#pragma once
+
+#include "cli/input/moving_output.hpp"
+
+#include <beespace/conflict.hpp>
+
+#include <string>
+#include <vector>
+
+namespace beespace::cli {
+
+// "all 7 conflicts are within 50 ft of the vertical limit: --threshold 5NM --vertical 900ft would
+// leave 0", where most are; otherwise nothing.
+std::string near_limit_text(const std::vector<Conflict>& conflicts, const MovingRequest& request,
+                            const Distances& distances);
+
+}  // namespace beespace::cli

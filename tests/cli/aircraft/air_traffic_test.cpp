@@ -1,0 +1,361 @@
+// What who knows air traffic expects of recordings of it: spikes of heights, aircraft that enter
+// and leave a sector, fixes a minute apart in cruise, levels that are kept, and minima above FL410.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/expectations.hpp"
+#include "tests/cli/run/temporary_folder.hpp"
+
+namespace beespace::cli_test {
+namespace {
+
+const Arguments kEnroute = {"replay", "--separation", "enroute", "--fail-on-risk"};
+
+std::string moment(int seconds) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "2026-11-23 14:%02d:%02d+00:00", seconds / 60,
+                seconds % 60);
+  return text.data();
+}
+
+// As traffic writes them.
+const std::string kHeader =
+    "timestamp,icao24,callsign,latitude,longitude,altitude,groundspeed,track,vertical_rate\n";
+
+// One that flies eastwards, at a moment.
+std::string row(int seconds, const std::string& id, double latitude, double altitude_ft,
+                int climb_ft_min = 0) {
+  constexpr double kDegreesPerSecond = 0.003;  // 228 m/s at 47 degrees
+  return moment(seconds) + "," + id + "," + id + "," + std::to_string(latitude) + "," +
+         std::to_string(8.0 + kDegreesPerSecond * seconds) + "," + std::to_string(altitude_ft) +
+         ",442,90," + std::to_string(climb_ft_min) + "\n";
+}
+
+// ---- Spikes -------------------------------------------------------------------------------------
+
+// Two 3 NM beside each other, 10,000 ft apart; one row of the lower one is far above.
+std::string with_spike(double spike_ft) {
+  std::string text = kHeader;
+  for (int t = 0; t < 40; ++t) {
+    text += row(t, "4b1814", 47.0, t == 20 ? spike_ft : 10'000.0);
+    text += row(t, "3c6444", 47.05, 20'000.0);
+  }
+  return text;
+}
+
+TEST(SpikesOfHeights, MakeNoConflictsAndAreNotKnown) {
+  const Finished finished = run(kEnroute, with_spike(30'000.0));
+  EXPECT_EQ(finished.exit_code, 1) << finished.err;
+  EXPECT_EQ(rows_of(finished.out).size(), 0U) << finished.out;
+  expect_parts(finished.err,
+               {"no conflict in the known time", "1 bee jumps", "1 record was left out",
+                "1 record to which its bee jumps, and back from there"});
+  const std::string bees =
+      run(kEnroute + Arguments{"--report", "bees", "--json"}, with_spike(30'000.0)).out;
+  expect_parts(bees, {R"("unknown_s": 2,)"});
+  // A real one at that height is found: what is left out is the spike alone.
+  EXPECT_EQ(run(kEnroute, with_spike(10'000.0)).exit_code, 0);
+}
+
+TEST(SpikesOfHeights, AreNotInPictures) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("t.csv", with_spike(99'000.0));
+  const std::string picture = folder.path("t.svg");
+  run({"plot", file, "--separation", "enroute", "-o", picture});
+  const std::string svg = folder.read("t.svg");
+  EXPECT_EQ(svg.find("100,000"), std::string::npos);
+  EXPECT_EQ(svg.find("possible"), std::string::npos);
+}
+
+// As aerobatic aircraft do, and fighters: 20,000 ft/min and more.
+TEST(SpikesOfHeights, DivesAndClimbsAreNone) {
+  std::string text = kHeader;
+  for (int t = 0; t < 60; ++t) {
+    const int phase = t % 20;
+    const bool down = phase < 10;
+    const double height_ft = 12'000.0 - 350.0 * (down ? phase : 20 - phase);
+    text += row(t, "4b1814", 47.0, height_ft, down ? -21'000 : 21'000);
+    text += row(t, "3c6444", 47.5, 30'000.0);
+  }
+  const Finished finished = run(kEnroute, text);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+}
+
+// Once and for all: it is not known which of both is wrong, and on the way there it is nowhere.
+TEST(SpikesOfHeights, NorDoesAJumpWithoutAWayBackMakeAConflictOnItsWay) {
+  std::string text = kHeader;
+  for (int t = 0; t < 40; ++t) {
+    text += row(t, "4b1814", 47.0, t >= 20 ? 30'000.0 : 10'000.0);
+    text += row(t, "3c6444", 47.05, 20'000.0);
+  }
+  const Finished finished = run(kEnroute, text);
+  EXPECT_EQ(finished.exit_code, 1) << finished.err;
+  EXPECT_EQ(rows_of(finished.out).size(), 0U) << finished.out;
+  expect_parts(finished.err, {"no conflict in the known time", "1 bee jumps"});
+}
+
+// ---- A cut of a sector --------------------------------------------------------------------------
+
+// Three far from each other, each there for a part of the time; the third with a silence of half a
+// minute, perhaps.
+std::string sector(bool silence) {
+  std::string text = kHeader;
+  for (int t = 0; t < 200; t += 2) {
+    if (t < 120) text += row(t, "4b1814", 47.0, 30'000.0);
+    if (t >= 60) text += row(t, "3c6444", 47.5, 30'000.0);
+    const bool silent = silence && t > 100 && t < 130;
+    if (t >= 40 && t < 160 && !silent) text += row(t, "39bd24", 48.0, 30'000.0);
+  }
+  return text;
+}
+
+TEST(CutOfASector, IsNotAskedAboutOutsideWhereThatIsSaid) {
+  const Finished asked = run(kEnroute, sector(false));
+  EXPECT_EQ(asked.exit_code, 1) << asked.err;
+  expect_parts(asked.err, {"no conflict in the known time; 3 bees known for a part"});
+  const Finished finished = run(kEnroute + Arguments{"--sector"}, sector(false));
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_parts(finished.err,
+               {"keeps its distance; 3 bees are outside the sector before the first or after the "
+                "last fix (--sector)",
+                "outside, and not asked about (--sector)"});
+  EXPECT_EQ(finished.err.find('?'), std::string::npos) << "over time";
+  const Finished json =
+      run(kEnroute + Arguments{"--sector", "--json", "--report", "bees"}, sector(false));
+  expect_parts(json.out, {R"("sector": true)", R"("bees_partly_known": 3)", R"("unknown_s": 0)"});
+}
+
+TEST(CutOfASector, SilencesWithinAreUnknownAllTheSame) {
+  const Finished finished = run(kEnroute + Arguments{"--sector"}, sector(true));
+  EXPECT_EQ(finished.exit_code, 1) << finished.err;
+  expect_parts(finished.err, {"no conflict in the known time; 1 bee unknown for 30 s in all"});
+}
+
+// The last place again, as traffic fills it; but an aircraft that is there for long without one is.
+TEST(CutOfASector, RecordsWithoutAPlaceAtItsEndsAreOutsideToo) {
+  const auto with_silence = [](int seconds) {
+    std::string text = sector(false);
+    for (int t = 120; t < 120 + seconds; t += 2) {
+      text += moment(t) + ",4b1814,4b1814,,,30000,442,90,0\n";
+    }
+    return text;
+  };
+  EXPECT_EQ(run(kEnroute, with_silence(6)).exit_code, 1);
+  const Finished finished = run(kEnroute + Arguments{"--sector"}, with_silence(6));
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  const Finished long_one = run(kEnroute + Arguments{"--sector"}, with_silence(60));
+  EXPECT_EQ(long_one.exit_code, 1) << long_one.err;
+  expect_parts(long_one.err, {"no conflict in the known time; 30 records were left out"});
+}
+
+TEST(CutOfASector, AppliesToPicturesAndPagesAndNotToMoments) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("t.csv", sector(false));
+  const Arguments plot = {"plot",           file, "--separation",      "enroute",
+                          "--fail-on-risk", "-o", folder.path("t.svg")};
+  EXPECT_EQ(run(plot).exit_code, 1);
+  EXPECT_EQ(run(plot + Arguments{"--sector"}).exit_code, 0);
+  EXPECT_EQ(folder.read("t.svg").find("known for a part"), std::string::npos);
+  const Arguments report = {"report",         file, "--separation",       "enroute",
+                            "--fail-on-risk", "-o", folder.path("t.html")};
+  EXPECT_EQ(run(report + Arguments{"--sector"}).exit_code, 0);
+  expect_parts(run({"plot", "--sector", "--threshold", "5"}, "x,y\n1,2\n3,4\n").err,
+               {"leave --sector out"});
+}
+
+// ---- A fix a minute in cruise -------------------------------------------------------------------
+
+// As Flightradar24 gives them: every 7 s in the climb, then about every minute.
+std::string flight(double latitude, bool regular, const std::string& callsign = "SWR123") {
+  std::string text = "Timestamp,UTC,Callsign,Position,Altitude,Speed,Direction\n";
+  int t = 0;
+  for (int i = 0; i < 100; ++i) {
+    text += std::to_string(1795442400 + t) + ",2026-11-23T14:00:00Z," + callsign + ",\"" +
+            std::to_string(latitude) + "," + std::to_string(8.0 + 0.003 * t) + "\"," +
+            std::to_string(i < 60 ? 10'000 + 400 * i : 34'000) + ",442,90\n";
+    t += i < 60 ? 7 : regular ? 63 : 45 + 10 * (i % 3);
+  }
+  return text;
+}
+
+TEST(FixesOfAMinute, TheGapThatJoinsThemIsInTheVerdict) {
+  for (const bool regular : {true, false}) {
+    const TemporaryFolder folder;
+    folder.file("a.csv", flight(47.0, regular));
+    folder.file("b.csv", flight(47.05, regular, "DLH4AB"));
+    const Finished finished = run(kEnroute + Arguments{folder.path("")});
+    EXPECT_EQ(finished.exit_code, 1) << finished.err;
+    const std::string max_gap = regular ? "70" : "75";
+    expect_parts(finished.err,
+                 {"(--max-gap " + max_gap + " joins their fixes in cruise by straight lines)",
+                  ": --max-gap " + max_gap + " joins such fixes by straight lines"});
+    const Finished joined = run(kEnroute + Arguments{"--max-gap", max_gap, folder.path("")});
+    expect_parts(joined.err, {"does not keep its distance: 1 conflict of 1 pair"});
+  }
+}
+
+TEST(FixesOfAMinute, AFlightWithoutACallsignHasTheNameOfItsFile) {
+  const TemporaryFolder folder;
+  folder.file("a.csv", flight(47.0, true));
+  folder.file("noname_3312ab7f.csv", flight(47.05, true, ""));
+  const Finished finished = run(kEnroute + Arguments{"--max-gap", "70", folder.path("")});
+  expect_parts(finished.out, {"SWR123\tnoname_3312ab7f"});
+}
+
+// ---- Vertical minima ----------------------------------------------------------------------------
+
+// Two that fly for a while so far apart in height.
+std::string apart(double low_ft, double high_ft, double latitude = 47.02) {
+  std::string text = kHeader;
+  for (int t = 0; t < 60; ++t) {
+    text += row(t, "4b1814", 47.0, low_ft);
+    text += row(t, "3c6444", latitude, high_ft);
+  }
+  return text;
+}
+
+TEST(VerticalMinima, WhoHardlyFallsShortIsSaidWithWhatWouldLeaveThemOut) {
+  expect_parts(run(kEnroute, apart(30'000, 30'975)).err,
+               {"the only conflict is within 50 ft of the vertical limit: --threshold 5NM "
+                "--vertical 900ft would leave 0"});
+  EXPECT_EQ(run(kEnroute, apart(30'000, 30'925)).err.find("would leave"), std::string::npos);
+}
+
+// A conflict that begins by heights while they fly apart: closest at the limit, and worse later.
+TEST(VerticalMinima, OfAConflictThatBeginsAtTheLimitTheLeastHeightIsSaidToo) {
+  std::string text = kHeader;
+  for (int t = 0; t < 60; ++t) {
+    text += row(t, "4b1814", 47.0, 30'000);
+    text += row(t, "3c6444", 47.02 + 0.0005 * t, 31'200 - 10 * t, -600);
+  }
+  expect_parts(run(kEnroute, text).err, {"least height apart 610 ft"});
+}
+
+TEST(VerticalMinima, AboveFl410NoVerdictIsWithoutANote) {
+  const Finished finished = run(kEnroute, apart(43'000, 44'000));
+  EXPECT_EQ(finished.exit_code, 0);
+  expect_parts(finished.err,
+               {"keeps its distance; 2 aircraft fly above FL410, where ICAO Doc 4444 asks for 2000 "
+                "ft in height: ask --threshold 5NM --vertical 2000ft for these, too"});
+  const Arguments predict = {"predict", "--separation", "enroute"};
+  expect_parts(run(predict, apart(43'000, 44'000)).err, {"2 aircraft fly above FL410"});
+  EXPECT_EQ(run(kEnroute, apart(40'000, 41'000)).err.find("FL410"), std::string::npos);
+  EXPECT_EQ(run({"replay", "--threshold", "5NM", "--vertical", "2000ft"}, apart(43'000, 44'000))
+                .err.find("FL410"),
+            std::string::npos);
+}
+
+TEST(VerticalMinima, ADistanceAloneIsSaidToBeOfTheStraightLine) {
+  const Finished finished = run({"replay", "--threshold", "5NM"}, apart(30'000, 31'000));
+  expect_parts(finished.err, {"--vertical 1000ft leaves out who is kept apart by height"});
+  EXPECT_EQ(run(kEnroute, apart(30'000, 31'000)).err.find("straight line"), std::string::npos);
+}
+
+// ---- Questions and recipes ----------------------------------------------------------------------
+
+TEST(RecipesOfAirTraffic, GlidersAreAskedAboutInMetres) {
+  const std::string log =
+      "AXXX001\nHFDTE200726\nB1130004700000N00800000EA0150001550\n"
+      "B1130044700010N00800000EA0150001550\n";
+  const Finished asked = run({"replay"}, log);
+  EXPECT_EQ(asked.exit_code, 2);
+  expect_parts(asked.err, {"these are gliders", "--threshold 50"});
+  EXPECT_EQ(run({"replay", "--threshold", "20"}, log).exit_code, 0);
+}
+
+TEST(RecipesOfAirTraffic, AMissingClimbRateIsNamed) {
+  const std::string document =
+      R"({"now": 1795442600.0, "aircraft": [
+        {"hex": "4b1617", "lat": 47.0, "lon": 7.0, "alt_baro": 35000, "gs": 450, "track": 90,
+         "seen_pos": 0.1, "seen": 0.1},
+        {"hex": "3c6444", "lat": 47.5, "lon": 7.0, "alt_baro": 35000, "gs": 450, "track": 90,
+         "baro_rate": 0, "seen_pos": 0.1, "seen": 0.1}]})";
+  const Finished finished = run({"predict", "--separation", "enroute"}, document);
+  expect_parts(finished.err, {"1 checked for now only",
+                              "speed and direction are there, but no "
+                              "climb rate (baro_rate or geom_rate"});
+  EXPECT_EQ(finished.err.find("neither a velocity"), std::string::npos);
+}
+
+TEST(RecipesOfAirTraffic, FoldersAreFoundFromTheRootOfAHistory) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path("2026/11/23/traces/17"));
+  folder.file("2026/11/23/traces/17/trace_full_4b1617.json", "{}");
+  expect_parts(run(kEnroute + Arguments{folder.path("")}).err, {"name ", "2026/11/23/traces/17"});
+}
+
+TEST(RecipesOfAirTraffic, MessagesInAFolderAreRead) {
+  const TemporaryFolder folder;
+  std::string text;
+  for (int t = 0; t < 4; ++t) {
+    const std::string time = "2024/06/05,10:00:0" + std::to_string(t) + ".000";
+    text += "MSG,3,1,1,3944EF,1," + time + "," + time + ",,35000,,,47.0,8.5,,,0,0,0,0\n";
+    text += "MSG,3,1,1,4008F6,1," + time + "," + time + ",,35000,,,47.5,8.5,,,0,0,0,0\n";
+  }
+  folder.file("a.log", text);
+  const Finished finished = run(kEnroute + Arguments{folder.path("")});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_parts(finished.err, {"bees       2"});
+}
+
+TEST(RecipesOfAirTraffic, AnEncounterWithoutItsUnitsIsSaidToLackThem) {
+  const std::string rows =
+      "Ownship, 47.0, 7.0, 35000.0, 90.0, 450.0, 0.0, 0.0\n"
+      "AC1, 47.5, 7.9, 35000.0, 180.0, 440.0, 0.0, 0.0\n";
+  const Finished finished = run(kEnroute, "NAME lat lon alt trk gs vs time\n" + rows);
+  expect_parts(finished.err, {"DAIDALUS encounter without its line of units",
+                              "sed '1a [none] [deg] [deg] [ft] [deg] [knot] [fpm] [s]'"});
+  EXPECT_EQ(run(kEnroute,
+                "NAME lat lon alt trk gs vs time\n[none] [deg] [deg] [ft] [deg] [knot] "
+                "[fpm] [s]\n" +
+                    rows)
+                .err.find("error"),
+            std::string::npos);
+}
+
+// ---- Gliders that circle ------------------------------------------------------------------------
+
+// One that circles within 80 m of a place, a fix every 4 s, as an IGC log; `phase` in turns.
+std::string circling(const std::string& id, double phase) {
+  constexpr double kTurn = 6.283185307179586;
+  constexpr double kRadius_m = 80.0;
+  constexpr double kPeriod_s = 20.0;
+  std::string text = "AXXX" + id + "\nHFDTE200726\n";
+  for (int t = 0; t < 120; t += 4) {
+    const double angle = kTurn * (t / kPeriod_s + phase);
+    const double north_minutes = kRadius_m * std::sin(angle) / 1852.0;
+    const double east_minutes = kRadius_m * std::cos(angle) / (1852.0 * 0.682);
+    std::array<char, 80> line{};
+    std::snprintf(line.data(), line.size(), "B11%02d%02d47%05.0fN008%05.0fEA0150001550\n",
+                  30 + t / 60, t % 60, 1000.0 * (30.0 + north_minutes),
+                  1000.0 * (30.0 + east_minutes));
+    text += line.data();
+  }
+  return text;
+}
+
+TEST(GlidersThatCircle, AreInConflictPerhapsWhereOnlyStraightLinesAre) {
+  const TemporaryFolder folder;
+  folder.file("a.igc", circling("001", 0.0));
+  folder.file("b.igc", circling("002", 0.5));
+  const Finished finished =
+      run({"replay", "--threshold", "150", "--fail-on-risk", folder.path("")});
+  EXPECT_EQ(finished.exit_code, 1) << finished.err;
+  expect_parts(finished.err, {"may not keep its distance",
+                              "possible, not certain: where the two "
+                              "turn, straight lines between fixes may "
+                              "be off by up to"});
+  EXPECT_EQ(finished.out.find("yes"), std::string::npos) << "certain";
+  const Finished surely = run({"replay", "--threshold", "200", folder.path("")});
+  expect_parts(surely.err, {"does not keep its distance"});
+  EXPECT_EQ(surely.err.find("not certain"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace beespace::cli_test
