@@ -148,11 +148,14 @@ void append_closest(std::string& out, const analysis::Findings& findings,
       conflicts.empty() && analysis::both_stand(findings.recording, *findings.closest);
   if (both_stand) text += ", both on the ground";
   const auto& low = findings.low.left_out;
-  if (std::find(low.begin(), low.end(), *findings.closest) != low.end()) text += ", left out";
+  const bool left_out = std::find(low.begin(), low.end(), *findings.closest) != low.end();
+  if (left_out) text += ", left out";
   const auto& standing = findings.with_standing;
   const bool one_stands =
       std::find(standing.begin(), standing.end(), *findings.closest) != standing.end();
-  if (!one_stands && !both_stand) return append_summary_line(out, "closest", text);
+  if (!one_stands && !both_stand && !(left_out && findings.closest_in_the_air)) {
+    return append_summary_line(out, "closest", text);
+  }
   if (one_stands) text += ", " + std::string(kWithStanding);
   if (findings.closest_in_the_air) {
     append_summary_line(

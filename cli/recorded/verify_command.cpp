@@ -109,12 +109,35 @@ bool asks_of_curves(const AskedLimits& limits) {
   });
 }
 
+// Of NED tables z counts downward: no limit of height would ever be exceeded.
+Status check_upward(const io::Recording& recording) {
+  double lowest_m = std::numeric_limits<double>::infinity();
+  double highest_m = -lowest_m;
+  for (const io::RecordedBee& bee : recording.bees) {
+    for (const Fix& fix : bee.fixes) {
+      lowest_m = std::min(lowest_m, fix.position.z);
+      highest_m = std::max(highest_m, fix.position.z);
+    }
+  }
+  // What an estimator says of who stands at the origin wavers by less.
+  constexpr double kWavers_m = 1.0;
+  if (!(lowest_m < -2.0 * kWavers_m && highest_m < kWavers_m)) return std::monostate{};
+  return Error{ErrorCode::kInvalidArgument,
+               "no z is above " + io::exact(kWavers_m) + " m, and the least is " +
+                   io::exact(std::ceil(lowest_m * 10.0) / 10.0) +
+                   " m: if z counts downward, as in NED, --max-height would hold whatever is "
+                   "flown; turn the sign of that column, and of its velocity, in the table",
+               {}};
+}
+
 // What autopilots log counts above the sea, and a limit of height is meant above the ground: one
 // below which no drone ever is was meant so.
 Status check_height_limit(const io::Recording& recording, std::optional<double> most_m) {
   const bool above_sea = recording.heights == io::HeightDatum::kMeanSeaLevel ||
                          recording.heights == io::HeightDatum::kEllipsoid;
-  if (!most_m || !recording.of_drones || !above_sea) return std::monostate{};
+  if (!most_m) return std::monostate{};
+  if (recording.frame == io::Frame::kMetres && !recording.show) return check_upward(recording);
+  if (!recording.of_drones || !above_sea) return std::monostate{};
   double lowest_m = std::numeric_limits<double>::infinity();
   for (const io::RecordedBee& bee : recording.bees) {
     for (const Fix& fix : bee.fixes) lowest_m = std::min(lowest_m, fix.position.z);

@@ -122,6 +122,7 @@ class JsonLines final : public LineReader {
       if (error && !chosen_) {
         // What this object lacks or has too much of is no matter of the next one.
         names_.clear();
+        said_.clear();
         slots_.clear();
         return error;
       }
@@ -133,6 +134,7 @@ class JsonLines final : public LineReader {
       if (names_.size() == kMostKeys) break;
       if (std::find(names_.begin(), names_.end(), key) != names_.end()) continue;
       names_.emplace_back(key);
+      said_.emplace_back();
       slots_.push_back(TrackSlot::kNothing);
     }
   }
@@ -144,12 +146,14 @@ class JsonLines final : public LineReader {
     table.columns = names_.size();
     table.names = names_;
     std::string record;
-    for (const std::string& name : names_) {
+    for (std::size_t i = 0; i < names_.size(); ++i) {
       JsonElement value;
-      const bool here = object.get(name, value);
-      table.contents.push_back(here ? content_of(value) : ColumnContent::kUnknown);
-      if (!record.empty() || &name != &names_.front()) record += kUnitSeparator;
-      if (here) record += field_text(value);
+      const bool says = object.get(names_[i], value) && !value.is_null();
+      // One without it, as a message of another kind, takes back nothing of what others have said.
+      if (says) said_[i] = {content_of(value), field_text(value)};
+      table.contents.push_back(said_[i].content);
+      if (i > 0) record += kUnitSeparator;
+      record += said_[i].text;
     }
     if (auto problem = place_within(object, record, table)) return problem;
     auto ros = names_columns_of_ros(options_)
@@ -404,7 +408,12 @@ class JsonLines final : public LineReader {
   RecordingOptions options_;
   JsonLine line_;
   std::string last_id_;
-  std::vector<std::string> names_;   // the keys, in the order in which they came first
+  std::vector<std::string> names_;  // the keys, in the order in which they came first
+  struct Said {
+    ColumnContent content = ColumnContent::kUnknown;
+    std::string text = {};
+  };
+  std::vector<Said> said_;           // by key: what it held when the layout was last chosen
   std::vector<std::uint8_t> slots_;  // by key: which value it is
   TrackLayout layout_;
   bool chosen_ = false;

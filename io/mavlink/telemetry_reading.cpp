@@ -59,6 +59,7 @@ class TelemetryReading {
     for (Heard& heard : heard_) heard.is_taken = takes(heard);
     time_places();
     find_landed();
+    leave_out_early();
     say_choice();
     for (const Heard& heard : heard_) {
       if (!heard.is_taken) continue;
@@ -268,7 +269,13 @@ class TelemetryReading {
       return leave_out(!other ? kNoSatellites : global_ ? kOtherFrame : kNotLocal, id);
     }
     if (is_handed_on(heard)) return leave_out(kHandedOn, handed_on_id(heard));
-    if (!heard.at.known) return leave_out(kNoSatellites, id);
+    if (!heard.at.known) {
+      if (!components_[heard.system]) {
+        ++early_[heard.system];
+        return false;
+      }
+      return leave_out(kNoSatellites, id);
+    }
     if (heard.is_lost) return leave_out(kGuessedPlace, id);
     auto& component = components_[heard.system];
     if (!component) component = heard.component;
@@ -323,6 +330,23 @@ class TelemetryReading {
       const std::vector<bool> landed =
           reports->on_ground(places, global_ ? Frame::kWgs84 : Frame::kMetres);
       for (std::size_t i = 0; i < of_system.size(); ++i) of_system[i]->landed = landed[i];
+    }
+  }
+
+  // What drones told before they knew a place, as from when they were switched on: where they were
+  // is told by the first place that they knew, if they stand on the ground there.
+  void leave_out_early() {
+    std::array<const Heard*, kSystems> first{};
+    for (const Heard& heard : heard_) {
+      if (!heard.is_taken || heard.at.by == PlaceBy::kOfAnother) continue;
+      if (first[heard.system] == nullptr) first[heard.system] = &heard;
+    }
+    for (std::size_t system = 0; system < kSystems; ++system) {
+      const bool stands = first[system] != nullptr && first[system]->landed.value_or(false);
+      const std::string id = before_ + std::to_string(system);
+      for (std::uint64_t i = 0; i < early_[system]; ++i) {
+        assembly_.leave_out(stands ? kNotYetOnGround : kNoSatellites, id);
+      }
     }
   }
 
@@ -410,6 +434,7 @@ class TelemetryReading {
   std::array<std::optional<PlaceBy>, kSystems> taken_ = {};
   std::array<std::uint64_t, kSystems> frames_of_ = {};
   std::array<std::optional<std::uint8_t>, kSystems> components_ = {};  // who speaks for it
+  std::array<std::uint64_t, kSystems> early_ = {};  // messages before it knew a place
   std::array<std::optional<std::string>, kSystems> own_names_ = {};
   std::unordered_map<std::uint32_t, Point> places_;  // by address: the last
   std::map<std::string, std::uint64_t> remote_;      // how many records of whom

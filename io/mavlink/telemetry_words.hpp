@@ -11,6 +11,11 @@ namespace beespace::io {
 
 inline constexpr LeftOutReason kNoSatellites = {
     "of drones that know no position yet (0, 0, or no fix with a height)"};
+inline constexpr LeftOutReason kNotYetOnGround = {
+    "of drones that know no position yet (0, 0, or no fix with a height), and stand on the ground "
+    "once they do",
+    {},
+    true};
 inline constexpr LeftOutReason kOtherComponent = {
     "of another component of the same system", {}, true};
 // Of systems that are vehicles by their heartbeat, or may be.

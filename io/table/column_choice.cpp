@@ -241,9 +241,11 @@ Result<ColumnChoice> choose_by_header(const Header& header) {
   const bool geographic = header.has(Role::kLongitude) && header.has(Role::kLatitude);
   const bool metres = header.has(Role::kX) && header.has(Role::kY);
   // Tables of animals have the same place in both, and so have those of traffic, which projects it
-  // (compute_xy), and those with x, y, z of the Earth.
+  // (compute_xy), and those with x, y, z of the Earth; the x, y of QGroundControl count from where
+  // each vehicle was switched on.
   const TableSource* const source = header.source();
-  const bool both = (source != nullptr && (source->of_animals || source->name == kTraffic)) ||
+  const bool both = (source != nullptr && (source->of_animals || source->name == kTraffic ||
+                                           source->name == kQGroundControl)) ||
                     (metres && are_of_the_earth(header));
   if (geographic && metres && frame == Frame::kAuto && !both) {
     return missing_column(

@@ -11,6 +11,17 @@
 #include <vector>
 
 namespace beespace::io {
+namespace {
+
+// Whether it is "device_id" beside "time_utc_usec", as PX4's vehicle_gps_position has it: that of
+// a chip, the same in all drones.
+bool is_of_a_chip(const std::string& name, const std::vector<std::string>& names) {
+  return plain_name(name) == "device_id" &&
+         std::any_of(names.begin(), names.end(),
+                     [](const std::string& other) { return plain_name(other) == "time_utc_usec"; });
+}
+
+}  // namespace
 
 Header::Header(const ColumnSchema& schema, const ColumnOptions& options, const TableLayout& table,
                const ColumnsByRole& overrides)
@@ -34,6 +45,7 @@ Header::Header(const ColumnSchema& schema, const ColumnOptions& options, const T
 // By its name, and by the source that it is of.
 ColumnMeaning Header::meaning_of(std::size_t column) const {
   if (is_of_a_quaternion(column)) return {};
+  if (is_of_a_chip(table_.names[column], table_.names)) return {};
   ColumnMeaning meaning = read_column_name(schema_, table_.names[column]);
   if (meaning.role == Role::kNone && is_flight_level(column)) {
     meaning.role = Role::kHeight;

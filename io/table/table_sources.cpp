@@ -167,7 +167,7 @@ std::span<const TableSource> known_sources() {
                    false,
                    false,
                    true},
-       TableSource{"QGroundControl",
+       TableSource{kQGroundControl,
                    "",
                    {{"timestamp"},
                     {"altituderelative"},

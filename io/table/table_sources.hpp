@@ -46,6 +46,7 @@ struct TableSource {
 
 inline constexpr std::string_view kFlightradar24 = "Flightradar24";
 inline constexpr std::string_view kTraffic = "traffic";
+inline constexpr std::string_view kQGroundControl = "QGroundControl";
 
 // The source whose documented header this is: all its columns are there, and none that it never
 // has. In any case.

@@ -161,7 +161,8 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
   // No counter of microseconds has fractions.
   const bool fractions = by_size == Unit::kSecond && have_fractions(times);
   const bool milliseconds = by_size == Unit::kMillisecond && are_surely_milliseconds(times);
-  const bool tells = dated || of_ros || fractions || by_size == Unit::kNanosecond || milliseconds ||
+  const bool tells = meaning.since_1970 || dated || of_ros || fractions ||
+                     by_size == Unit::kNanosecond || milliseconds ||
                      !words_of_aviation(table.names).empty();
   if (time.unit == Unit::kUnstated && tells) {
     time.unit = by_size;

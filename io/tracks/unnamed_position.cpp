@@ -68,8 +68,8 @@ std::optional<Error> nameless_position(std::string_view text, const Header& head
     return missing_column(
         column_text(table, *joined) +
         " seems to hold latitude and longitude in one; make two columns of it, as by "
-        "sed 's/\"//g; 1s/Position/latitude,longitude/' FILE.csv > split.csv, and say "
-        "--units aviation");
+        "sed 's/\"//g; 1s/" +
+        table.names[*joined] + "/latitude,longitude/' FILE > split.csv, and read that");
   }
   if (auto problem = nested_problem(table)) return problem;
   if (auto problem = lights_problem(table)) return problem;

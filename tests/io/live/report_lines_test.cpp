@@ -160,6 +160,20 @@ TEST(ReportLines, KeysMayComeLater) {
   EXPECT_EQ(report.velocity, (Velocity{4, 5, 6}));
 }
 
+// A message of another kind is an error of its line alone, whatever keys it brings.
+TEST(ReportLines, ObjectsOfAnotherKindDoNotEndWhatIsBelieved) {
+  for (const char* const time : {R"("2026-11-28T12:00:00.5Z")", "1795867200.5"}) {
+    ReportLines lines;
+    const std::string report =
+        std::string(R"({"id": "a", "time": )") + time + R"(, "lon": 8, "lat": 47, "alt": 500})";
+    EXPECT_TRUE(says_something(lines.take(report)));
+    EXPECT_FALSE(lines.take(R"({"error": "timeout"})").has_value());
+    EXPECT_FALSE(lines.take(R"({"type": "heartbeat", "uptime": 12})").has_value());
+    EXPECT_TRUE(says_something(lines.take(report))) << time;
+    EXPECT_FALSE(lines.ended());
+  }
+}
+
 // As of columns: what the object says of its place counts, however it says so.
 TEST(ReportLines, ObjectsThatSayThatTheirPlaceIsNoneAreLeftOut) {
   const std::string place = R"({"id": "a", "time_s": 1, "x": 2, "y": 3, "z": 4, )";

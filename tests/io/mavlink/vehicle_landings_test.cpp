@@ -76,6 +76,18 @@ TEST(VehicleLandings, WhoSaysThatItHasLandedIsNotInTheAir) {
   EXPECT_TRUE(recording_of(load(flight(by_state(1, 2)), grounded)).bees[0].landed.empty());
 }
 
+// As each does from when it is switched on until it has satellites.
+TEST(VehicleLandings, WhoStandsWhereItsPlaceIsFirstKnownWasNowhereElseBefore) {
+  const std::string early =
+      logged(kNoon - 2'000'000, frame_v2(1, 33, global_payload(0, 0, 0, 0, 0, 0))) +
+      logged(kNoon - 1'000'000, frame_v2(1, 33, global_payload(0, 0, 0, 0, 0, 0)));
+  const auto stands = recording_of(load(early + flight(by_state(1, 2))));
+  EXPECT_TRUE(stands.missing.none());
+  EXPECT_TRUE(has_note(stands, "2 records of drones that know no position yet"));
+  EXPECT_TRUE(has_note(stands, "stand on the ground once they do"));
+  EXPECT_EQ(recording_of(load(early + flight(by_state(2, 2)))).missing.count, 2u);
+}
+
 TEST(VehicleLandings, RoversAndBoatsStayOnTheSurface) {
   for (const auto& [type, stays] :
        {std::pair{10, true}, {11, true}, {12, false}, {2, false}, {0, false}}) {
