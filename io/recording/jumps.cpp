@@ -26,11 +26,12 @@ std::optional<double> own_speed(const Velocity* velocity) {
   return speed_mps > 0.0 ? std::optional(speed_mps) : std::nullopt;
 }
 
-// Of all steps of a track, or as many as tell it; of few ones nothing is usual.
+constexpr std::size_t kFewestSteps = 20;  // of fewer ones nothing is usual
+
+// Of all steps of a track, or as many as tell it.
 double usual_speed_mps(const std::vector<Fix>& fixes, Frame frame) {
-  constexpr std::size_t kFewest = 20;
   constexpr std::size_t kEnough = 1'000;
-  if (fixes.size() <= kFewest) return Jumps::kMostSpeed_mps;
+  if (fixes.size() <= kFewestSteps) return Jumps::kMostSpeed_mps;
   const std::size_t every = 1 + (fixes.size() - 2) / kEnough;
   NearlyAll speeds_mps;
   for (std::size_t i = 1; i < fixes.size(); i += every) {
@@ -53,6 +54,11 @@ Jumps::Jumps(const std::vector<Fix>& fixes, const std::vector<Velocity>& velocit
 bool Jumps::take(const Fix& fix, const Velocity* velocity, Frame frame) {
   const bool jumps = jumps_to(fix, velocity, frame);
   if (!is_whole_ && last_ && velocity_) own_.take(*last_, &*velocity_, fix, velocity, frame);
+  if (!is_whole_ && !jumps && last_ && fix.time_s > last_->time_s) {
+    const double way_m = flat_distance_m(last_->position, fix.position, frame);
+    usual_mps_ = std::max(usual_mps_, way_m / (fix.time_s - last_->time_s));
+    ++steps_;
+  }
   last_ = fix;
   velocity_ = velocity == nullptr ? std::nullopt : std::optional(*velocity);
   return jumps;
@@ -61,8 +67,9 @@ bool Jumps::take(const Fix& fix, const Velocity* velocity, Frame frame) {
 double Jumps::most_speed_mps(const Velocity* before, const Velocity* now) const {
   const auto own_before_mps = own_speed(before);
   const auto own_mps = own_speed(now);
-  const double fastest_mps =
-      own_before_mps && own_mps ? std::max(*own_before_mps, *own_mps) : usual_mps_;
+  const bool tells = own_before_mps && own_mps;
+  if (!tells && !is_whole_ && steps_ < kFewestSteps) return kMostSpeed_mps;
+  const double fastest_mps = tells ? std::max(*own_before_mps, *own_mps) : usual_mps_;
   return std::min(kMostSpeed_mps, kTimesOwnSpeed * fastest_mps + kBesideOwnSpeed_mps);
 }
 

@@ -2,8 +2,9 @@
 // one of the two places is wrong, or its time is.
 //
 // Nothing that flies below space is faster than kMostSpeed_mps. Who tells a speed flies at
-// kTimesOwnSpeed times that, and kBesideOwnSpeed_mps, at most; of who tells none, all of whose
-// track is known, that is the speed that nearly all of its steps keep. Times may be rounded, or be
+// kTimesOwnSpeed times that, and kBesideOwnSpeed_mps, at most; of who tells none that
+// is the speed that nearly all steps of its track keep, or where these are not known yet, the
+// fastest of those before that was no jump. Times may be rounded, or be
 // those of arrival, by kTimesDiffer_s. On the Earth it goes about as its velocities say
 // (stated_rates.hpp), and what is slow goes as they say elsewhere in its track (own_motion.hpp).
 #pragma once
@@ -14,6 +15,7 @@
 #include <beespace/mover.hpp>
 #include <beespace/track.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -41,8 +43,10 @@ class Jumps {
   [[nodiscard]] double most_speed_mps(const Velocity* before, const Velocity* now) const;
 
   OwnMotion own_;
-  double usual_mps_ = kMostSpeed_mps;  // of nearly all steps, where these are known
-  bool is_whole_ = false;              // all is in there
+  // Of who tells no speed: of nearly all steps of a whole track, or the fastest one before.
+  double usual_mps_ = 0.0;
+  std::size_t steps_ = 0;
+  bool is_whole_ = false;  // all is in there
   std::optional<Fix> last_ = {};
   std::optional<Velocity> velocity_ = {};  // of the last one
 };

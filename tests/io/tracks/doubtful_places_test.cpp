@@ -283,6 +283,22 @@ TEST(JumpsOfTracks, OfWholeTracksBeginAtTimesTheUsualSpeed) {
   EXPECT_FALSE(jumps(19, 300.0)) << "of so few nothing is usual";
 }
 
+TEST(JumpsOfTracks, ThatGoOnBeginAtTimesTheFastestStepBefore) {
+  // It taxis, takes off and cruises.
+  Jumps aircraft;
+  double at_m = 0.0;
+  for (int second = 0; second < 300; ++second) {
+    at_m += second < 200 ? 5.0 : second < 230 ? 75.0 : 250.0;
+    EXPECT_FALSE(aircraft.take({static_cast<double>(second), {at_m, 0, 0}}, nullptr)) << second;
+  }
+  Jumps drone;
+  for (int tenth = 0; tenth < 40; ++tenth) {
+    const double aside_m = tenth == 30 ? 300.0 : 0.0;
+    const Fix fix{tenth / 10.0, {0.2 * tenth + aside_m, 0, 0}};
+    EXPECT_EQ(drone.take(fix, nullptr), tenth == 30 || tenth == 31) << tenth;
+  }
+}
+
 TEST(JumpsOfTracks, SatellitesDoNot) {
   Jumps track;
   EXPECT_FALSE(track.take({0.0, {7'000'000, 0, 0}}, nullptr));
