@@ -15,12 +15,17 @@ constexpr AxisUnit kMillimetre{1e-3, "mm"};
 constexpr double kSmall_m = 0.1;  // what is shorter is told in millimetres
 constexpr double kLongInMillimetres_m = 10.0;
 
+// By a rounding of instants since 1970.
+bool is_just_under(double metres, double limit_m) {
+  constexpr double kNothing = 1e-7;  // of the limit
+  return metres < limit_m && metres > limit_m - kNothing * limit_m;
+}
+
 // With as many more decimals as it takes to be below a limit that it is below.
 std::string in_unit(double metres, double limit_m, const AxisUnit& unit, int decimals) {
   constexpr int kMostDecimals = 9;
   const double value = metres / unit.metres;
-  constexpr double kNothing = 1e-7;  // of the limit: a rounding of instants since 1970
-  if (metres < limit_m && metres > limit_m - kNothing * limit_m) {
+  if (is_just_under(metres, limit_m)) {
     return "just under " + decimal_label(limit_m / unit.metres, decimals) + " " + unit.name;
   }
   if (metres < limit_m) {
@@ -31,6 +36,15 @@ std::string in_unit(double metres, double limit_m, const AxisUnit& unit, int dec
     while (decimals < kMostDecimals && !(rounded(decimals) < limit_m / unit.metres)) ++decimals;
   }
   return decimal_label(value, decimals) + " " + unit.name;
+}
+
+// Of millimetres: what is less than one has two digits that say something.
+int small_decimals(double metres) {
+  int decimals = 1;
+  for (double least_mm = 1.0; decimals < 5 && metres / kMillimetre.metres < least_mm; ++decimals) {
+    least_mm /= 10.0;
+  }
+  return metres > 0.0 ? decimals : 1;
 }
 
 bool is_known(const std::optional<Apart>& apart) {
@@ -73,10 +87,16 @@ std::string height_words(const SwarmFacts& swarm, double metres) {
                  value == std::round(value) ? 0 : io::decimals_around(limit_m / kFoot.metres));
 }
 
-std::string apart_words(const SwarmFacts& swarm, double metres, const std::optional<Apart>& apart) {
-  if (!swarm.vertical_m || !is_known(apart)) return distance_words(swarm, metres);
-  return distance_words(swarm, apart->horizontal_m) + " across, " +
-         height_words(swarm, apart->height_m) + " in height";
+std::string apart_words(const SwarmFacts& swarm, double metres, const std::optional<Apart>& apart,
+                        bool keep_apart) {
+  const auto told = [keep_apart](double length_m, double limit_m) {
+    return keep_apart && is_just_under(length_m, limit_m) ? limit_m : length_m;
+  };
+  if (!swarm.vertical_m || !is_known(apart)) {
+    return distance_words(swarm, told(metres, swarm.threshold_m));
+  }
+  return distance_words(swarm, told(apart->horizontal_m, swarm.threshold_m)) + " across, " +
+         height_words(swarm, told(apart->height_m, *swarm.vertical_m)) + " in height";
 }
 
 std::string listed_apart(const SwarmFacts& swarm, double metres,
@@ -84,7 +104,7 @@ std::string listed_apart(const SwarmFacts& swarm, double metres,
   if (!swarm.vertical_m || !is_known(apart)) {
     if (swarm.aviation) return distance_words(swarm, metres);
     const bool small = distance_unit(swarm).metres == kMillimetre.metres;
-    return small ? in_unit(metres, swarm.threshold_m, kMillimetre, 1)
+    return small ? in_unit(metres, swarm.threshold_m, kMillimetre, small_decimals(metres))
                  : listed_length_below(swarm.threshold_m, metres);
   }
   if (swarm.aviation) {

@@ -28,8 +28,10 @@ AxisUnit axis_unit(const SwarmFacts& swarm, double length_m);
 std::string distance_words(const SwarmFacts& swarm, double metres);
 std::string height_words(const SwarmFacts& swarm, double metres);
 
-// "57.3 m"; with a vertical threshold "3.19 NM across, 800 ft in height", where that is known.
-std::string apart_words(const SwarmFacts& swarm, double metres, const std::optional<Apart>& apart);
+// "57.3 m"; with a vertical threshold "3.19 NM across, 800 ft in height", where that is known. Of
+// two that keep apart what rounding has made a little less than a limit is the limit.
+std::string apart_words(const SwarmFacts& swarm, double metres, const std::optional<Apart>& apart,
+                        bool keep_apart = false);
 // Behind them, where one of the two is a drone of a show that stands.
 inline constexpr const char* kWithOneOnTheGround = ", with one on the ground";
 // The same for lists: with more digits; "3.19 NM, 800 ft".

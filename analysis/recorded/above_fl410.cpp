@@ -9,17 +9,17 @@
 namespace beespace::analysis {
 namespace {
 
-constexpr double kFl410_ft = 41'000.0;
+constexpr double kFl410Feet = 41'000.0;
 // Who is no farther from a level counts as on it (Doc 4444, 8.5.5.2.2.1: 200 ft where RVSM is).
-constexpr double kOnLevel_ft = 200.0;
-constexpr double kMinimumAbove_ft = 2'000.0;
+constexpr double kOnLevelFeet = 200.0;
+constexpr double kMinimumAboveFeet = 2'000.0;
 // Who asks for less than this asks for no minimum of air traffic control, but how close a near miss
 // is.
-constexpr double kLeastMinimum_NM = 2.5;
-constexpr double kLeastMinimum_ft = 500.0;
+constexpr double kLeastMinimumMiles = 2.5;
+constexpr double kLeastMinimumFeet = 500.0;
 
 bool is_above(double height_m) {
-  return io::from_metric(height_m, io::Unit::kFoot) > kFl410_ft + kOnLevel_ft;
+  return io::from_metric(height_m, io::Unit::kFoot) > kFl410Feet + kOnLevelFeet;
 }
 
 bool flies_above(const io::RecordedBee& bee) {
@@ -33,8 +33,8 @@ std::string above_fl410_text(const io::Recording& recording, double threshold_m,
                              const std::optional<io::StatedLength>& vertical) {
   if (!vertical || recording.frame != io::Frame::kWgs84 || recording.flat) return {};
   const double vertical_ft = io::from_metric(vertical->metric, io::Unit::kFoot);
-  if (!(vertical_ft < kMinimumAbove_ft) || !(vertical_ft >= kLeastMinimum_ft) ||
-      io::from_metric(threshold_m, io::Unit::kNauticalMile) < kLeastMinimum_NM) {
+  if (!(vertical_ft < kMinimumAboveFeet) || !(vertical_ft >= kLeastMinimumFeet) ||
+      io::from_metric(threshold_m, io::Unit::kNauticalMile) < kLeastMinimumMiles) {
     return {};
   }
   const auto above = static_cast<std::uint64_t>(

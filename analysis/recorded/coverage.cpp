@@ -189,11 +189,13 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
         height_m <= kLoggedTolerance_m && rests(end, beside, recording.frame, kMostAtRest_mps);
     // Who is seen from above leaves the picture; a robot, or who is on the Earth, stops or goes on.
     const bool moves = !rests(end, beside, recording.frame, kMostParked_mps);
-    const bool may_leave =
-        recording.flat && !surroundings.in_the_midst(end, beside, max_gap_s, recording.frame);
+    // The collar of an animal that rests may fail, too.
+    const bool is_wild = recording.of_animals && recording.frame == io::Frame::kWgs84;
+    const bool may_leave = recording.flat && !is_wild &&
+                           !surroundings.in_the_midst(end, beside, max_gap_s, recording.frame);
     const bool must_move = !recording.flat || recording.frame == io::Frame::kWgs84;
-    const bool lost = (in_a_plane || recording.flat) && seconds > max_gap_s && !may_leave &&
-                      (moves || !must_move);
+    const bool lost = (in_a_plane || recording.flat || is_wild) && seconds > max_gap_s &&
+                      !may_leave && (moves || !must_move || is_wild);
     if (!recording.show && !lost && !(flies && !stands && seconds > known_s)) {
       if (end != beside && seconds < interval_s) of.seconds = before_s;
       return;
@@ -380,7 +382,7 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& lon
     ++bee;
   }
   coverage.longest_outside = longest_of(std::move(hidden));
-  coverage.in_a_plane = is_in_a_plane(recording) || recording.flat;
+  coverage.in_a_plane = is_in_a_plane(recording) || recording.flat || recording.of_animals;
   coverage.sector = recording.sector;
   coverage.instants_only = is_of_instants(recording);
   coverage.alone = recorded_alone(recording);

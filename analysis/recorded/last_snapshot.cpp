@@ -142,6 +142,39 @@ void bring_forward(LastState& state, double by_s) {
   state.height_m = flushed(state.height_m + state.climb_mps * by_s);
 }
 
+// Where it is after so long at its track and height: round the Earth, where a straight line would
+// lead away from it. As BlueSky flies, on a sphere, along a rhumb line.
+Fix flown_on(const Fix& fix, const Velocity& velocity, double by_s) {
+  constexpr double kEarth_m = 6'371'000.0;
+  constexpr double kDegree = 0.017453292519943295;
+  constexpr double kMostNorth = 89.9 * kDegree;  // beyond it a track says little
+  constexpr double kLevel = 1e-9;                // of latitude: along a parallel
+  const double from = fix.position.y * kDegree;
+  const double to = std::clamp(from + velocity.y * by_s / kEarth_m, -kMostNorth, kMostNorth);
+  const auto stretched = [](double latitude) { return std::asinh(std::tan(latitude)); };
+  const double stretch = std::abs(to - from) > kLevel
+                             ? (stretched(to) - stretched(from)) / (to - from)
+                             : 1.0 / std::cos(from);
+  const double east = fix.position.x + velocity.x * by_s / kEarth_m * stretch / kDegree;
+  return {fix.time_s + by_s,
+          {std::remainder(east, 360.0), to / kDegree, fix.position.z + velocity.z * by_s}};
+}
+
+// Of one that flies on as it was created, at any time.
+Result<LastState> state_flown_on(const io::Recording& recording, const io::RecordedBee& bee,
+                                 Geometry geometry, double by_s) {
+  const std::size_t index = bee.fixes.size() - 1;
+  const Velocity& velocity = bee.velocities[index];
+  const StatedHeight stated = stated_height(recording, bee, index);
+  auto state = given_state(flown_on(bee.fixes[index], velocity, by_s), velocity, recording.frame,
+                           geometry, stated);
+  // Of one in metres the place has it, climbed.
+  if (state && geometry == Geometry::kGroundAndStatedHeight && stated.unit != io::Unit::kMetre) {
+    state->height_m = flushed(state->height_m + state->climb_mps * by_s);
+  }
+  return state;
+}
+
 // Whether the input has a place for them, known or not: then no column was forgotten.
 bool has_velocities(const io::Recording& recording) {
   return std::any_of(recording.bees.begin(), recording.bees.end(),
@@ -230,7 +263,10 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
       ++snapshot.stale;
       continue;
     }
-    auto state = wanted == Wanted::kPlaces && age == 0.0
+    const bool on_the_earth = recording.frame == io::Frame::kWgs84;
+    const bool flown = age > 0.0 && on_the_earth && flies_on(recording, bee);
+    auto state = flown ? state_flown_on(recording, bee, geometry, age)
+                 : wanted == Wanted::kPlaces && age == 0.0
                      ? given_state(bee.fixes.back(), Velocity{}, recording.frame, geometry,
                                    stated_height(recording, bee, bee.fixes.size() - 1))
                      : last_state(recording, bee, geometry, max_age_s);
@@ -250,7 +286,7 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
     }
     if (!state) return of_bee(std::move(state).error(), bee);
     if (age > 0.0) {
-      bring_forward(*state, age);
+      if (!flown) bring_forward(*state, age);
       ++snapshot.brought_forward;
       snapshot.oldest_s = std::max(snapshot.oldest_s, age);
     }

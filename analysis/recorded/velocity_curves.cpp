@@ -112,13 +112,29 @@ class Following {
  private:
   [[nodiscard]] bool cylinders() const { return options_.vertical_m.has_value(); }
 
+  // Where it tells how it goes over ground and not how it climbs, its heights do.
+  [[nodiscard]] std::optional<Velocity> velocity_at(std::size_t bee, std::size_t i) const {
+    const io::RecordedBee& of = recording_.bees[bee];
+    if (i >= of.velocities.size()) return std::nullopt;
+    Velocity velocity = of.velocities[i];
+    if (!std::isnan(velocity.z) || std::isnan(velocity.x) || std::isnan(velocity.y)) {
+      return velocity;
+    }
+    const Fix& before = of.fixes[i > 0 ? i - 1 : i];
+    const Fix& behind = of.fixes[std::min(i + 1, of.fixes.size() - 1)];
+    if (!(before.time_s < behind.time_s)) return velocity;
+    velocity.z = flushed((behind.position.z - before.position.z) / (behind.time_s - before.time_s));
+    return velocity;
+  }
+
   // Calls take(piece) for all pieces between fixes that are not too far apart in time.
   template <class Take>
   std::optional<Error> visit(std::size_t bee, const Take& take) {
     const std::vector<Fix>& fixes = recording_.bees[bee].fixes;
     Piece piece;
     for (std::size_t i = 0; i < fixes.size(); ++i) {
-      auto at = in_metres(recording_, bee, i, geometry_);
+      auto at = in_metres(fixes[i].position, velocity_at(bee, i), recording_.frame, geometry_,
+                          stated_height(recording_, recording_.bees[bee], i));
       if (!at) return of_bee(std::move(at).error(), recording_.bees[bee]);
       piece.begins_s = std::exchange(piece.ends_s, fixes[i].time_s);
       piece.from = std::exchange(piece.to, *at);

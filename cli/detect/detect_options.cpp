@@ -161,7 +161,7 @@ Status settle(DetectRequest& request) {
       !status) {
     return status;
   }
-  take_heights_of(request.separation, request.load.heights);
+  take_heights_of(request.separation, request.vertical, request.load.heights);
   request.load.units.spoken_of = spoken_of_aviation(request.separation, request.threshold);
   PairOptions& search = request.search;
   search.threshold_m = request.threshold ? request.threshold->metric : kDefaultThreshold_m;

@@ -176,7 +176,7 @@ Status settle(MovingRequest& request, const char* command) {
       !settled) {
     return settled;
   }
-  take_heights_of(request.separation, request.load.heights);
+  take_heights_of(request.separation, request.vertical, request.load.heights);
   request.load.units.spoken_of = spoken_of_aviation(request.separation, request.threshold);
   if (request.threshold) request.threshold_m = request.threshold->metric;
   if (request.vertical) request.vertical_m = request.vertical->metric;

@@ -63,8 +63,13 @@ std::string spoken_of_aviation(const UsualSeparation* usual,
   return threshold && threshold->unit == io::Unit::kNauticalMile ? "--threshold in NM" : "";
 }
 
-void take_heights_of(const UsualSeparation* usual, io::HeightSource& heights) {
-  if (usual == nullptr || !usual->by_pressure || heights != io::HeightSource::kAuto) return;
+void take_heights_of(const UsualSeparation* usual, const std::optional<io::StatedLength>& vertical,
+                     io::HeightSource& heights) {
+  const bool by_pressure = usual != nullptr
+                               ? usual->by_pressure
+                               : vertical && (vertical->unit == io::Unit::kFoot ||
+                                              vertical->unit == io::Unit::kFlightLevel);
+  if (!by_pressure || heights != io::HeightSource::kAuto) return;
   heights = io::HeightSource::kRatherPressure;
 }
 

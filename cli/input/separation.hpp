@@ -41,9 +41,10 @@ Status settle_separation(const char* command, const UsualSeparation* usual,
 std::string spoken_of_aviation(const UsualSeparation* usual,
                                const std::optional<io::StatedLength>& threshold);
 
-// Heights by pressure, where the input has them, for minima that are of these, unless heights are
-// chosen.
-void take_heights_of(const UsualSeparation* usual, io::HeightSource& heights);
+// Heights by pressure, where the input has them, for minima that are of these and for a vertical
+// threshold in feet, as aircraft keep apart by them; unless heights are chosen.
+void take_heights_of(const UsualSeparation* usual, const std::optional<io::StatedLength>& vertical,
+                     io::HeightSource& heights);
 
 // Whether distances are told in nautical miles and feet too: where the thresholds or the heights of
 // the input are, or --units says so.

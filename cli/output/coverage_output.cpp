@@ -73,6 +73,11 @@ void append_coverage(std::string& out, const analysis::Coverage& coverage,
     for (const Gap& gap : coverage.longest_outside) {
       append_summary_line(out, "", printable(analysis::gap_text(gap, recording)));
     }
+    if (recording.of_aircraft && coverage.bees_cut_off > 0) {
+      append_summary_line(out, "",
+                          "of a cut of a sector, which aircraft enter and leave: --sector asks for "
+                          "nothing before the first and after the last fix");
+    }
   }
   if (const std::string alone = printable(analysis::alone_text(coverage, recording));
       !alone.empty()) {

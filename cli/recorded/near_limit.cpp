@@ -11,8 +11,8 @@ namespace beespace::cli {
 namespace {
 
 // Of minima of 1000 ft and more; of others a share.
-constexpr double kNear_ft = 50.0;
-constexpr double kLeastLimit_ft = 1'000.0;
+constexpr double kNearFeet = 50.0;
+constexpr double kLeastLimitFeet = 1'000.0;
 constexpr double kNearShare = 0.02;
 constexpr double kLowerLimit = 0.9;  // of what was asked
 
@@ -29,8 +29,8 @@ std::string near_limit_text(const std::vector<Conflict>& conflicts, const Moving
   if (conflicts.empty() || !request.vertical || !distances.least_height) return {};
   const double limit = request.vertical->value;
   const io::Unit unit = request.vertical->unit;
-  const bool levels = unit == io::Unit::kFoot && limit >= kLeastLimit_ft;
-  const double near = levels ? kNear_ft : with_few_digits(kNearShare * limit);
+  const bool levels = unit == io::Unit::kFoot && limit >= kLeastLimitFeet;
+  const double near = levels ? kNearFeet : with_few_digits(kNearShare * limit);
   MovingRequest lower = request;
   lower.separation = nullptr;
   lower.vertical->value = with_few_digits(kLowerLimit * limit);

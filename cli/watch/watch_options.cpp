@@ -205,7 +205,7 @@ Status settle(const Command& command, Asked& asked) {
       !settled) {
     return settled;
   }
-  take_heights_of(request.separation, request.lines.heights);
+  take_heights_of(request.separation, request.vertical, request.lines.heights);
   request.lines.units.spoken_of = spoken_of_aviation(request.separation, request.threshold);
   if (request.threshold) swarm.threshold_m = request.threshold->metric;
   if (request.vertical) swarm.vertical_m = request.vertical->metric;

@@ -7,11 +7,17 @@
 #include "io/problems/excerpt.hpp"
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/unplaced.hpp"
+#include "io/recording/flat_distance.hpp"
 #include "io/table/table_layout.hpp"
 #include "io/units/iso_time.hpp"
 
+#include <beespace/track.hpp>
+
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -105,7 +111,7 @@ class IgcLog {
   IgcLog(const std::string& stem, RecordingAssembly& assembly) : stem_(stem), assembly_(assembly) {}
 
   std::optional<Error> read(std::string_view text) {
-    find_empty_heights(text);
+    look_through(text);
     AircraftGathering gathering({assembly_.options().heights, assembly_.options().grounded},
                                 assembly_);
     if (auto error = gathering.begin(std::string(kIgcLog), Unit::kMetre, 0.0, false)) return error;
@@ -123,8 +129,10 @@ class IgcLog {
   }
 
  private:
-  // A recorder without one of the two writes 0 throughout.
-  void find_empty_heights(std::string_view text) {
+  // A recorder without one of the two heights writes 0 throughout. And nothing says that a glider
+  // stands on the ground but that its log begins, or ends, with it at one place for minutes.
+  void look_through(std::string_view text) {
+    std::vector<Fix> fixes;
     for (std::size_t offset = 0; offset < text.size();) {
       const Line line = line_at(text, offset, '\n');
       offset = line.next;
@@ -133,7 +141,32 @@ class IgcLog {
       if (!fixed) continue;
       any_pressure_ = any_pressure_ || fixed->report.pressure_height != 0.0;
       any_ellipsoid_ = any_ellipsoid_ || fixed->report.ellipsoid_height != 0.0;
+      const AircraftReport& at = fixed->report;
+      const double height_m = at.ellipsoid_height != 0.0 ? at.ellipsoid_height : at.pressure_height;
+      fixes.push_back({fixed->clock_s, {at.longitude_deg, at.latitude_deg, height_m}});
     }
+    stands_until_ = standing(fixes.begin(), fixes.end());
+    stands_from_ = fixes.size() - standing(fixes.rbegin(), fixes.rend());
+  }
+
+  // How many of the fixes that come first are at one place, for minutes: what hovers in the wind
+  // does so for less, or not so exactly.
+  template <typename Fixes>
+  static std::size_t standing(Fixes first, Fixes end) {
+    constexpr double kWithin_m = 15.0;
+    constexpr double kWithinHeight_m = 10.0;
+    constexpr double kStands_s = 120.0;
+    auto last = first;
+    while (last != end &&
+           flat_distance_m({first->position.x, first->position.y, 0.0},
+                           {last->position.x, last->position.y, 0.0}, Frame::kWgs84) <= kWithin_m &&
+           std::abs(last->position.z - first->position.z) <= kWithinHeight_m) {
+      ++last;
+    }
+    if (last == first) return 0;
+    const double lasts_s = std::abs(std::prev(last)->time_s - first->time_s);
+    const bool stands = std::min(lasts_s, kDay_s - lasts_s) >= kStands_s;
+    return stands ? static_cast<std::size_t>(last - first) : 0;
   }
 
   std::optional<Error> take(std::string_view line, std::uint64_t number,
@@ -168,6 +201,8 @@ class IgcLog {
     report.id = stem_;
     report.label = label_;
     report.time_s = *midnight_s_ + fixed->clock_s;
+    const std::size_t number_of_fix = fixes_++;
+    report.on_ground = number_of_fix < stands_until_ || number_of_fix >= stands_from_;
     report.may_hover = true;  // paragliders and balloons; and no speed is told
     if (!any_pressure_) report.pressure_height = AircraftReport::kUnknown;
     if (!any_ellipsoid_) report.ellipsoid_height = AircraftReport::kUnknown;
@@ -207,6 +242,9 @@ class IgcLog {
   std::optional<double> last_s_;
   bool any_pressure_ = false;
   bool any_ellipsoid_ = false;
+  std::size_t fixes_ = 0;         // so far
+  std::size_t stands_until_ = 0;  // of the fixes, by number
+  std::size_t stands_from_ = 0;
 };
 
 }  // namespace

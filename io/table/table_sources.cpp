@@ -246,6 +246,16 @@ std::span<const TableSource> known_sources() {
             perhaps("msl_altitude_m", Role::kHeight, Unit::kMetre, HeightDatum::kMeanSeaLevel)},
            true,
            true},
+       TableSource{"Druid",
+                   "",
+                   {{"uuid"},
+                    {"collecting_time", Role::kTime},
+                    {"transmitting_time"},
+                    {"longitude"},
+                    {"latitude"},
+                    perhaps("altitude", Role::kHeight, Unit::kMetre)},
+                   true,
+                   true},
        TableSource{"Wildlife Computers",
                    "",
                    {{"deployid", Role::kId},
@@ -319,7 +329,7 @@ constexpr std::string_view kOtherQuantities =
     "yaw conf rollrate pitchrate yawrate climbrate groundspeed airspeed vx vy vz varx vary "
     "varxy covxy "
     "nbs "
-    "ptt step dx dy dz dt dist r2n burst pkey satcount red green blue rx ry rz";
+    "frame ptt step dx dy dz dt dist r2n burst pkey satcount red green blue rx ry rz";
 
 // What ids are unique within: whole names. Movebank's individuals and tags are so within a study.
 constexpr std::string_view kSets =

@@ -102,7 +102,8 @@ std::optional<FixQuality> find_fix_quality(std::string_view text, const TableLay
     if (names_fix_status(split_words(table.names[i]))) {
       return FixQuality{i, kLeastQuality, Unclear::kAsked};
     }
-    if (name == "fix" || name == "gps_fix" || name == "valid" || ends("fix_quality")) {
+    if (name == "fix" || name == "gps_fix" || name == "valid" || name == "validity" ||
+        ends("fix_quality")) {
       return FixQuality{i, kLeastQuality};
     }
   }

@@ -182,7 +182,7 @@ void draw_closest(const RecordingFacts& facts, const View& view, Drawing& drawin
                                                    : ": ";
     // A few paths have their names at their ends.
     if (facts.tracks.size() > kMostNamedPaths) words += names_of(closest, facts) + ", ";
-    words += apart_words(facts.swarm, closest.closest_m, apart);
+    words += apart_words(facts.swarm, closest.closest_m, apart, keeps_apart);
     if (facts.closest_stands && !in_the_air) words += kWithOneOnTheGround;
   }
   draw_ring(view.panel.box, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}, words, drawing);

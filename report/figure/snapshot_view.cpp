@@ -156,7 +156,8 @@ void draw_closest(const SnapshotFacts& facts, const View& view, Drawing& drawing
   draw_ring(view.panel.box, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)},
             view.from == View::From::kAbove
                 ? (facts.at_risk.empty() ? "closest, not too close: " : "closest: ") +
-                      apart_words(facts.swarm, facts.closest->distance_m, facts.closest_apart)
+                      apart_words(facts.swarm, facts.closest->distance_m, facts.closest_apart,
+                                  facts.at_risk.empty())
                 : std::string(),
             drawing);
 }

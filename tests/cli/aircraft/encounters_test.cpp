@@ -80,6 +80,12 @@ TEST(Encounters, AircraftOfAScenarioFlyOnAsTheyWereCreated) {
                 "1 created before now was let fly on as created, for up to 250.00 s; conflicts "
                 "before now are not looked for",
                 "conflicts  1, of 2 bees\n"});
+  // For long, round the Earth: a straight line would have led 37 km above it.
+  const Finished long_after = run({"predict", "--separation", "enroute", "--fail-on-risk"},
+                                  "00:00:00.00>CRE KLM10,B744,50.0,0.0,90,FL350,0.78\n"
+                                  "00:50:00.00>CRE BAW20,B744,50.0,10.22645,270,FL350,0.78\n");
+  EXPECT_EQ(long_after.exit_code, 1) << long_after.err;
+  expect_parts(long_after.err, {"for up to 3,000.00 s", "conflicts  1, of 2 bees\n"});
   // Of one that is told how to fly it is not known where it is by then.
   const Finished turned = run({"predict", "--separation", "enroute", "--fail-on-risk"},
                               later + "00:00:10.00>DLH4AB HDG 180\n");

@@ -9,15 +9,27 @@ export function conflictColumns(
   duration_s: number,
   columns: number,
 ): number[] {
-  const changes = new Array<number>(columns + 1).fill(0);
   const columnOf = (time: number): number =>
     Math.min(columns - 1, Math.max(0, Math.floor(((time + shift_s) / duration_s) * columns)));
-  for (let i = 0; i < begins_s.length; ++i) {
-    changes[columnOf(begins_s[i])]++;
-    changes[columnOf(ends_s[i]) + 1]--;
+  const begins = Float64Array.from(begins_s).sort();
+  const ends = Float64Array.from(ends_s).sort();
+  const most = new Array<number>(columns).fill(0);
+  // Those that go on in a column, and begin in it before others end: never more than there are at one moment.
+  let [now, ended, column] = [0, 0, 0];
+  const endUntil = (time: number, behind: number): void => {
+    while (ended < ends.length && ends[ended] < time) {
+      const last = columnOf(ends[ended++]);
+      for (; column < last; ) most[++column] = now;
+      --now;
+    }
+    for (; column < behind; ) most[++column] = now;
+  };
+  for (const time of begins) {
+    endUntil(time, columnOf(time));
+    most[column] = Math.max(most[column], ++now);
   }
-  let now = 0;
-  return changes.slice(0, columns).map((change) => (now += change));
+  endUntil(Infinity, columns - 1);
+  return most;
 }
 
 /** Where a distance is in a plot: at its floor 0, at its top 1. */

@@ -58,6 +58,9 @@ test('the sample of a moment is the one before it', () => {
 test('columns of the time line count the bees in conflict', () => {
   assert.deepEqual(conflictColumns(Float64Array.of(0, 5), Float64Array.of(5.5, 10), 0, 10, 5), [1, 1, 2, 1, 1]);
   assert.deepEqual(conflictColumns(Float64Array.of(0), Float64Array.of(1), 8, 10, 5), [0, 0, 0, 0, 1]);
+  // One after the other within a column, and the last two at once.
+  assert.deepEqual(conflictColumns(Float64Array.of(0, 1, 2, 2), Float64Array.of(0.5, 1.5, 3, 2.5), 0, 10, 2), [2, 0]);
+  assert.deepEqual(conflictColumns(Float64Array.of(0, 2, 4), Float64Array.of(1, 3, 8), 0, 10, 1), [1]);
 });
 
 test('the plot shows the threshold whatever the distances are', () => {
