@@ -1,5 +1,5 @@
-// Aircraft that a scenario creates, one after the other, from there on: straight lines, as nothing
-// else is said of them.
+// Aircraft that a scenario creates, one after the other, from there on: along their
+// tracks, as nothing else is said of them.
 #pragma once
 
 #include "analysis/recorded/last_snapshot.hpp"
@@ -14,8 +14,10 @@ namespace beespace::analysis {
 
 // Of each mover of the snapshot, from its creation until the end of the horizon, in seconds from
 // the time of the snapshot. Nothing where no time before it was passed over, or where one is moved
-// or not known on the way, so that it did not fly straight on.
+// or not known on the way, so that it did not fly on as created. `geometry` is that of the
+// snapshot.
 std::optional<std::vector<Track>> created_flights(const io::Recording& recording,
-                                                  const Snapshot& snapshot, double horizon_s);
+                                                  const Snapshot& snapshot, Geometry geometry,
+                                                  double horizon_s);
 
 }  // namespace beespace::analysis

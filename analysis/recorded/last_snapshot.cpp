@@ -144,7 +144,7 @@ void bring_forward(LastState& state, double by_s) {
 
 // Where it is after so long at its track and height: round the Earth, where a straight line would
 // lead away from it. As BlueSky flies, on a sphere, along a rhumb line.
-Fix flown_on(const Fix& fix, const Velocity& velocity, double by_s) {
+Fix moved_on(const Fix& fix, const Velocity& velocity, double by_s) {
   constexpr double kEarth_m = 6'371'000.0;
   constexpr double kDegree = 0.017453292519943295;
   constexpr double kMostNorth = 89.9 * kDegree;  // beyond it a track says little
@@ -166,7 +166,7 @@ Result<LastState> state_flown_on(const io::Recording& recording, const io::Recor
   const std::size_t index = bee.fixes.size() - 1;
   const Velocity& velocity = bee.velocities[index];
   const StatedHeight stated = stated_height(recording, bee, index);
-  auto state = given_state(flown_on(bee.fixes[index], velocity, by_s), velocity, recording.frame,
+  auto state = given_state(moved_on(bee.fixes[index], velocity, by_s), velocity, recording.frame,
                            geometry, stated);
   // Of one in metres the place has it, climbed.
   if (state && geometry == Geometry::kGroundAndStatedHeight && stated.unit != io::Unit::kMetre) {
@@ -220,6 +220,17 @@ std::optional<double> passed_over_since(const io::Recording& recording, double n
 
 }  // namespace
 
+bool flies_round_the_earth(const io::Recording& recording, const io::RecordedBee& bee) {
+  return recording.frame == io::Frame::kWgs84 && flies_on(recording, bee);
+}
+
+Result<FlownOn> flown_on(const io::Recording& recording, const io::RecordedBee& bee,
+                         Geometry geometry, double by_s) {
+  const auto state = state_flown_on(recording, bee, geometry, by_s);
+  if (!state) return state.error();
+  return FlownOn{state->mover.position, state->height_m};
+}
+
 MoversView Snapshot::view() const {
   if (heights_m.empty()) return movers;
   const MoversView positions(movers);
@@ -263,8 +274,7 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
       ++snapshot.stale;
       continue;
     }
-    const bool on_the_earth = recording.frame == io::Frame::kWgs84;
-    const bool flown = age > 0.0 && on_the_earth && flies_on(recording, bee);
+    const bool flown = age > 0.0 && flies_round_the_earth(recording, bee);
     auto state = flown ? state_flown_on(recording, bee, geometry, age)
                  : wanted == Wanted::kPlaces && age == 0.0
                      ? given_state(bee.fixes.back(), Velocity{}, recording.frame, geometry,

@@ -69,6 +69,17 @@ struct Snapshot {
   [[nodiscard]] Snapshot present() const;
 };
 
+// Whether the input says how it flies on from where it was created, on the Earth.
+bool flies_round_the_earth(const io::Recording& recording, const io::RecordedBee& bee);
+
+// Where such a one is so long after, at its track and height; with its height, apart as above.
+struct FlownOn {
+  Point position = {};
+  double height_m = 0.0;
+};
+Result<FlownOn> flown_on(const io::Recording& recording, const io::RecordedBee& bee,
+                         Geometry geometry, double by_s);
+
 // Whether velocities matter of bees that need not be brought there.
 enum class Wanted : std::uint8_t {
   kMotion,

@@ -112,12 +112,14 @@ class Following {
  private:
   [[nodiscard]] bool cylinders() const { return options_.vertical_m.has_value(); }
 
-  // Where it tells how it goes over ground and not how it climbs, its heights do.
+  // Where an aircraft tells how it goes over ground and not how it climbs, its heights do. (The
+  // speeds of animals are those of a moment, and say little of the minutes between two fixes.)
   [[nodiscard]] std::optional<Velocity> velocity_at(std::size_t bee, std::size_t i) const {
     const io::RecordedBee& of = recording_.bees[bee];
     if (i >= of.velocities.size()) return std::nullopt;
     Velocity velocity = of.velocities[i];
-    if (!std::isnan(velocity.z) || std::isnan(velocity.x) || std::isnan(velocity.y)) {
+    if (!recording_.of_aircraft || !std::isnan(velocity.z) || std::isnan(velocity.x) ||
+        std::isnan(velocity.y)) {
       return velocity;
     }
     const Fix& before = of.fixes[i > 0 ? i - 1 : i];

@@ -330,7 +330,7 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
       .threads = moving.threads,
       .max_results = moving.max_results,
       .height_unit_m = height_unit_m(geometry, recording->height_unit)};
-  const auto flights = analysis::created_flights(*recording, *snapshot, horizon_s);
+  const auto flights = analysis::created_flights(*recording, *snapshot, geometry, horizon_s);
   auto conflicts = flights ? conflicts_of(*flights, options) : conflicts_of(*snapshot, options);
   const std::optional<double> looked_since_s =
       flights ? std::exchange(snapshot->passed_over_since_s, std::nullopt) : std::nullopt;

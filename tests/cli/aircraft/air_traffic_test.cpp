@@ -357,5 +357,50 @@ TEST(GlidersThatCircle, AreInConflictPerhapsWhereOnlyStraightLinesAre) {
   EXPECT_EQ(surely.err.find("not certain"), std::string::npos);
 }
 
+// ---- Heights by pressure, climbs by heights
+// ------------------------------------------------------
+
+// 1900 ft apart by pressure, and 2050 ft in the warm air.
+TEST(LimitsInFeet, AreOfHeightsByPressure) {
+  std::string text =
+      "timestamp,icao24,callsign,latitude,longitude,altitude,geoaltitude,groundspeed,track,"
+      "vertical_rate\n";
+  for (int t = 0; t < 20; ++t) {
+    for (const bool upper : {false, true}) {
+      text += moment(t) + (upper ? ",4b1814,SWR1," : ",3c6444,DLH2,") +
+              (upper ? "47.02," : "47.0,") + std::to_string(8.0 + 0.003 * t) +
+              (upper ? ",43900,46050" : ",42000,44000") + ",442,90,0\n";
+    }
+  }
+  const Arguments replay = {"replay", "--threshold", "5NM", "--vertical", "2000ft", "--csv"};
+  const Finished by_pressure = run(replay, text);
+  EXPECT_EQ(rows_of(by_pressure.out, ',').size(), 2U) << by_pressure.err;
+  expect_parts(by_pressure.err, {"pressure altitude"});
+  const Finished geometric = run(replay + Arguments{"--heights", "geometric"}, text);
+  EXPECT_EQ(rows_of(geometric.out, ',').size(), 1U) << geometric.err;
+}
+
+// Half a turn in a minute, told at its ends alone: straight on they keep 6 NM apart.
+TEST(FixesOfAMinute, WithoutAClimbRateAreFollowedByTheirCourses) {
+  std::string text = "Timestamp,UTC,Callsign,Position,Altitude,Speed,Direction\n";
+  const auto fix = [&text](int seconds, const std::string& who, double latitude, double longitude,
+                           int course) {
+    text += std::to_string(1'795'867'200 + seconds) + "," + "2026-11-28T12:00:00Z," + who + ",\"" +
+            std::to_string(latitude) + "," + std::to_string(longitude) + "\",33000,450," +
+            std::to_string(course) + "\n";
+  };
+  for (int minute = 0; minute < 8; ++minute) {
+    // 7.5 NM a minute: east, and back to the west 4 NM farther north.
+    const bool back = minute > 3;
+    const double along = back ? 7.0 - minute : minute;
+    fix(60 * minute, "TURN1", back ? 50.0667 : 50.0, 0.1945 * along, back ? 270 : 90);
+    fix(60 * minute, "PASS2", 50.0333 + 0.125 * (minute - 3.5), 0.1945 * 3 + 0.131, 0);
+  }
+  const Finished finished = run(kEnroute, text);
+  EXPECT_EQ(finished.exit_code, 1) << finished.err;
+  expect_parts(finished.err, {"may not keep its distance", "along curves"});
+  EXPECT_EQ(run(kEnroute + Arguments{"--straight"}, text).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace beespace::cli_test

@@ -33,6 +33,23 @@ void expect_closest(const Finished& finished, const std::string& first, const st
 
 // Movebank's times are UTC, its ids the individuals; outliers, records without a place and tags on
 // no animal are counted.
+// A collar that fails while its animal rests is known nowhere from then on: it does not land.
+TEST(Animals, WhoseTrackEndsAtRestAreNotKnownFromThenOn) {
+  std::string text = "timestamp,individual-local-identifier,location-long,location-lat\n";
+  for (int hour = 0; hour < 48; ++hour) {
+    const std::string time = (hour < 24 ? "2024-06-01 " : "2024-06-02 ") +
+                             std::string(hour % 24 < 10 ? "0" : "") + std::to_string(hour % 24) +
+                             ":00:00.000";
+    if (hour < 20) text += time + ",deer1,13.4,48.9\n";
+    text += time + ",deer2,13.5," + std::to_string(48.9 + 0.001 * hour) + "\n";
+    text += time + ",deer3,13.6," + std::to_string(48.9 - 0.001 * hour) + "\n";
+  }
+  const Finished finished =
+      run({"replay", "--threshold", "50", "--time-zone", "UTC", "--fail-on-risk"}, text);
+  EXPECT_EQ(finished.exit_code, 1) << finished.err;
+  expect_parts(finished.err, {"no conflict in the known time", "vanishes on its way: deer1"});
+}
+
 TEST(Animals, MovebankIsReadAsItComes) {
   const Finished finished = run({"replay", table("movebank.csv"), "--threshold", "100", "--csv"});
   EXPECT_EQ(finished.exit_code, 0) << finished.err;

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -59,6 +62,35 @@ TEST(IgcLog, HeightsThatAreZeroThroughoutAreNone) {
       "B1200044730300N00730000EA0150000000\n";
   expect_error(igc(text), {ErrorCode::kNoPoints, "flights/anna.igc",
                            "2 records without a height above the ellipsoid are left out"});
+}
+
+// A fix a minute, of which the first ones and the last ones are at one place.
+std::string parked(int minutes, int moves_thousandths) {
+  std::string text = "AXXXABC\nHFDTE010724\n";
+  for (int minute = 0; minute < 2 * minutes + 20; ++minute) {
+    const int flown = std::min(std::max(minute - minutes, 0), 20);
+    const bool stands = flown == 0 || flown == 20;
+    const int thousandths = flown * 500 + (minute % 2) * (stands ? moves_thousandths : 0);
+    std::array<char, 60> line{};
+    std::snprintf(line.data(), line.size(), "B12%02d00473%04dN00730000EA%05d%05d\n", minute,
+                  thousandths % 10'000, stands ? 500 : 1500, stands ? 560 : 1560);
+    text += line.data();
+  }
+  return text;
+}
+
+// What stands for minutes where its log begins, or ends, is on the ground; nothing else tells it.
+TEST(IgcLog, WhoStandsForMinutesAtItsEndsIsOnTheGround) {
+  const auto recording = recording_of(igc(parked(4, 5)));
+  EXPECT_EQ(recording.bees.at(0).fixes.size(), 19u);
+  EXPECT_TRUE(recording.missing.none());
+  EXPECT_TRUE(has_note(recording, "9 records of aircraft on the ground"));
+  RecordingOptions grounded;
+  grounded.grounded = true;
+  EXPECT_EQ(recording_of(igc(parked(4, 5), grounded)).bees.at(0).fixes.size(), 28u);
+  // Two minutes at least, within 15 m.
+  EXPECT_EQ(recording_of(igc(parked(1, 5))).bees.at(0).fixes.size(), 22u);
+  EXPECT_EQ(recording_of(igc(parked(4, 20))).bees.at(0).fixes.size(), 28u);
 }
 
 TEST(IgcLog, WhatIsWrongIsTold) {
