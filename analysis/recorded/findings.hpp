@@ -43,6 +43,8 @@ struct Findings {
   bool velocities_passed_over = false;  // there are some, and they would have to be looked at
 
   Chords chords = {};
+  // Of pairs without a conflict: closer than the minimum that holds above FL410.
+  std::vector<Conflict> above_fl410 = {};
   // Nothing where it was not looked at.
   std::optional<KeptByHeight> kept_by_height = {};
 
@@ -56,7 +58,7 @@ struct Findings {
   // Whether this is no all-clear: there is a conflict, one may be hidden, or nothing was compared.
   [[nodiscard]] bool is_risky() const {
     return !recorded.conflicts.empty() || coverage.may_hide_conflicts() || !has_encounters ||
-           velocities_open() || heights_open();
+           velocities_open() || heights_open() || !above_fl410.empty();
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/geometry/scale_doubt.hpp"
+#include "analysis/recorded/above_fl410.hpp"
 #include "analysis/recorded/all_conflicts.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
@@ -93,6 +94,17 @@ Status check_every(const ReplayRequest& request, const std::vector<Track>& track
                                   " rows for this recording; look less often");
 }
 
+// Without those of pairs that are in conflict anyway.
+std::vector<Conflict> of_other_pairs(std::vector<Conflict> some,
+                                     const std::vector<Conflict>& conflicts) {
+  std::erase_if(some, [&conflicts](const Conflict& one) {
+    return std::any_of(conflicts.begin(), conflicts.end(), [&one](const Conflict& conflict) {
+      return conflict.first == one.first && conflict.second == one.second;
+    });
+  });
+  return some;
+}
+
 }  // namespace
 
 Result<ExitCode> run_replay(const ReplayRequest& request) {
@@ -160,6 +172,9 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   findings.closest_in_the_air = found->closest_in_the_air;
   findings.curves = &found->curves;
   findings.chords = found->chords;
+  auto above = analysis::closer_above_fl410(*recording, *tracks, moving.vertical, options);
+  if (!above) return in_words_of_the_command(above.error(), moving);
+  findings.above_fl410 = of_other_pairs(*std::move(above), found->recorded.conflicts);
   auto kept = analysis::kept_by_height(*recording, options, request.tolerance_m,
                                        found->recorded.conflicts, findings.low.left_out);
   if (!kept) return in_words_of_the_command(kept.error(), moving);

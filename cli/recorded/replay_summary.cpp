@@ -81,7 +81,11 @@ std::string verdict(const analysis::Findings& findings,
   const std::string but = (open.empty() ? "" : "; " + open) +
                           (sector.empty() ? "" : "; " + sector) +
                           (beside.empty() ? "" : "; " + beside);
-  if (pairs.empty() && open.empty()) return bold("keeps its distance") + but;
+  if (pairs.empty() && open.empty()) {
+    return bold(findings.above_fl410.empty() ? "keeps its distance"
+                                             : "no conflict by that vertical limit") +
+           but;
+  }
   if (pairs.empty()) {
     return bold(known_words(findings)) + but;
   }
@@ -332,10 +336,13 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
   }
   append_traffic_hint(out, recording, request, figures.threshold_m);
   const auto pairs = analysis::pairs_in_conflict(findings.recorded.conflicts);
-  append_summary_line(
-      out, "verdict",
-      verdict(findings, pairs,
-              analysis::above_fl410_text(recording, figures.threshold_m, request.vertical)));
+  std::string above = analysis::above_fl410_text(recording, figures.threshold_m, request.vertical);
+  if (const auto closer = analysis::pairs_in_conflict(findings.above_fl410); !closer.empty()) {
+    above += "; " +
+             red(plural(closer.size(), "pair", "pairs") + " without a conflict come closer") +
+             ": " + encounter_text(closer.front().closest, recording, distances);
+  }
+  append_summary_line(out, "verdict", verdict(findings, pairs, above));
   append_closest(out, findings, distances);
   append_worst(out, findings, in_the_air_first(findings, pairs), distances);
   append_note(out, analysis::chords_text(findings.chords));

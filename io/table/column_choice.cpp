@@ -142,6 +142,10 @@ Result<std::optional<std::size_t>> find_third(const Header& header, bool geograp
     const std::string& name = table.names[column];
     if (names_other_quantity(name) || names_set(name) || names_session(name)) continue;
     if (names_scene(name)) continue;
+    // Of a picture beside the time; where no time is read, the table may be a recording.
+    if (header.schema().reads(Role::kTime) &&
+        is_one_of("frame frame_id frame_idx", plain_name(name)))
+      continue;
     if (counts_from_takeoff(name)) return doubtful(column);
     if (names_zone(name)) continue;  // whether all are of one is asked of records
     const bool nameless = table.names[column].empty() && column + 1 == table.columns;
