@@ -1,6 +1,7 @@
 #include "report/map/map_words.hpp"
 
-#include "report/map/map_time.hpp"
+#include "io/bytes/number_text.hpp"
+#include "report/calendar_words.hpp"
 #include "report/number_label.hpp"
 #include "report/separation_words.hpp"
 #include "report/xml_text.hpp"
@@ -11,6 +12,12 @@
 
 namespace beespace::report {
 namespace {
+
+// As its recording tells times: of a show, the seconds since it began, and no day of 1970.
+std::string instant_words(double time_s, const io::Calendar& calendar) {
+  const std::string date = date_time_label(time_s, calendar);
+  return date.empty() ? io::grouped(time_s, 2) + " s" : date;
+}
 
 std::string closest_of(std::uint64_t all, std::uint64_t kept, const char* what) {
   if (kept >= all) return {};
@@ -72,7 +79,7 @@ std::string pair_words(const SnapshotFacts& facts, std::size_t pair) {
 std::string conflict_words(const RecordingFacts& facts, std::size_t conflict) {
   const Conflict& c = facts.conflicts[conflict];
   return separation_words(facts.swarm, c.closest_m, facts.conflicts_apart, conflict) + " at " +
-         map_instant(c.closest_s) + (c.certain ? "" : "; possible, not certain");
+         instant_words(c.closest_s, facts.calendar) + (c.certain ? "" : "; possible, not certain");
 }
 
 std::string kept_words(const SnapshotFacts& facts) {

@@ -106,8 +106,8 @@ TEST(MapWords, SayHowCloseAndWhetherItIsCertain) {
   RecordingFacts facts;
   facts.swarm.threshold_m = 100.0;
   facts.conflicts = {{0, 1, 0.0, 1.0, 2.0, 99.9996, true}, {0, 1, 0.0, 1.0, 2.0, 100.0, false}};
-  EXPECT_EQ(conflict_words(facts, 0), "99.9996 m apart at 1970-01-01T00:00:01Z");
-  EXPECT_EQ(conflict_words(facts, 1), "100 m apart at 1970-01-01T00:00:01Z; possible, not certain");
+  EXPECT_EQ(conflict_words(facts, 0), "99.9996 m apart at 1.00 s");
+  EXPECT_EQ(conflict_words(facts, 1), "100 m apart at 1.00 s; possible, not certain");
 }
 
 TEST(MapWords, TellAcrossAndInHeightWhereBothHaveALimit) {
@@ -117,8 +117,8 @@ TEST(MapWords, TellAcrossAndInHeightWhereBothHaveALimit) {
   facts.swarm.aviation = true;
   facts.conflicts = {{0, 1, 0.0, 1.0, 2.0, 5'000.0, true}, {0, 1, 0.0, 1.0, 2.0, 5'000.0, true}};
   facts.conflicts_apart = {{4'630.0, 243.84}, {std::nan(""), std::nan("")}};
-  EXPECT_EQ(conflict_words(facts, 0), "2.50 NM across, 800 ft in height at 1970-01-01T00:00:01Z");
-  EXPECT_EQ(conflict_words(facts, 1), "2.70 NM apart at 1970-01-01T00:00:01Z");
+  EXPECT_EQ(conflict_words(facts, 0), "2.50 NM across, 800 ft in height at 1.00 s");
+  EXPECT_EQ(conflict_words(facts, 1), "2.70 NM apart at 1.00 s");
 }
 
 TEST(MapWords, SayWhatHeightsAreCountedFrom) {

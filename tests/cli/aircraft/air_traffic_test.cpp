@@ -237,12 +237,21 @@ TEST(VerticalMinima, OfAConflictThatBeginsAtTheLimitTheLeastHeightIsSaidToo) {
   expect_parts(run(kEnroute, text).err, {"least height apart 610 ft"});
 }
 
-TEST(VerticalMinima, AboveFl410NoVerdictIsWithoutANote) {
-  const Finished finished = run(kEnroute, apart(43'000, 44'000));
-  EXPECT_EQ(finished.exit_code, 0);
-  expect_parts(finished.err,
-               {"keeps its distance; 2 aircraft fly above FL410, where ICAO Doc 4444 asks for 2000 "
-                "ft in height: ask --threshold 5NM --vertical 2000ft for these, too"});
+TEST(VerticalMinima, AboveFl410WhoIsCloserThanHoldsThereIsNoAllClear) {
+  const std::string says =
+      "2 aircraft fly above FL410, where ICAO Doc 4444 asks for 2000 ft in height: ask --threshold "
+      "5NM --vertical 2000ft for these, too";
+  const Finished closer = run(kEnroute, apart(43'000, 44'000));
+  EXPECT_EQ(closer.exit_code, 1);
+  EXPECT_EQ(rows_of(closer.out).size(), 1U) << "no conflict by what was asked";
+  expect_parts(closer.err, {"no conflict by that vertical limit; " + says,
+                            "1 pair without a conflict come closer"});
+  // One of the two is enough; by 2000 ft they keep apart.
+  EXPECT_EQ(run(kEnroute, apart(40'500, 42'000)).exit_code, 1);
+  const Finished apart_there = run(kEnroute, apart(43'000, 45'000));
+  EXPECT_EQ(apart_there.exit_code, 0);
+  expect_parts(apart_there.err, {"keeps its distance; " + says});
+  EXPECT_EQ(run(kEnroute, apart(30'000, 31'000)).exit_code, 0);
   const Arguments predict = {"predict", "--separation", "enroute"};
   expect_parts(run(predict, apart(43'000, 44'000)).err, {"2 aircraft fly above FL410"});
   EXPECT_EQ(run(kEnroute, apart(40'000, 41'000)).err.find("FL410"), std::string::npos);
