@@ -35,12 +35,12 @@ std::string date_time_label(double time_s, const io::Calendar& calendar) {
 
 std::string short_moment_label(double time_s, const io::Calendar& calendar, bool with_day) {
   if (!calendar.tells()) return {};
-  const double shown_s = calendar.shown_s(time_s);
+  const double shown_s = std::round(calendar.shown_s(time_s));
   const std::string day = date_label(shown_s);
   if (day.empty()) return {};
   const double midnight = std::floor(shown_s / kSecondsADay) * kSecondsADay;
   std::string text = with_day && knows_days(calendar) ? day.substr(5) + " " : std::string();
-  text += clock_label(std::floor(shown_s - midnight), 1.0);
+  text += clock_label(shown_s - midnight, 1.0);
   return text += offset_behind(time_s, calendar);
 }
 

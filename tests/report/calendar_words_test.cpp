@@ -43,7 +43,10 @@ std::vector<std::string> labels_of(const std::vector<Tick>& ticks) {
 
 TEST(CalendarWords, InUtcWhereNothingElseIsSaid) {
   EXPECT_EQ(date_time_label(kMay1_s + 1.5, utc()), "2024-05-01T00:00:01.5Z");
-  EXPECT_EQ(short_moment_label(kMay1_s + 1.5, utc(), true), "05-01 00:00:01");
+  EXPECT_EQ(short_moment_label(kMay1_s + 1.4, utc(), true), "05-01 00:00:01");
+  // A rounding of instants since 1970 below, which is no second earlier.
+  EXPECT_EQ(short_moment_label(kMay1_s + 1.9999999, utc(), true), "05-01 00:00:02");
+  EXPECT_EQ(short_moment_label(kMay1_s - 1e-6, utc(), true), "05-01 00:00:00");
   EXPECT_EQ(date_time_label(1.5, {}), "");
   EXPECT_EQ(short_moment_label(1.5, {}, true), "");
   EXPECT_EQ(date_time_label(kMay1_s, in("UTC")), "2024-05-01T00:00:00Z");
