@@ -12,9 +12,9 @@ namespace beespace::report {
 // "2024-05-01 12:03:30.25", or "12:03:30.25". Nothing where times are seconds, or beyond all dates.
 std::string date_time_label(double time_s, const io::Calendar& calendar);
 
-// To the nearest second, without what all times of a recording have in common: "12:03:30", or with the
-// offset of a zone that was named "14:03:30+02:00"; with month and day, where the days are known,
-// "05-24 07:01:57". Nothing as above.
+// To the nearest second, without what all times of a recording have in common: "12:03:30", or with
+// the offset of a zone that was named "14:03:30+02:00"; with month and day, where the days are
+// known, "05-24 07:01:57". Nothing as above.
 std::string short_moment_label(double time_s, const io::Calendar& calendar, bool with_day);
 
 }  // namespace beespace::report

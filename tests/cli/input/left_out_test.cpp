@@ -45,7 +45,8 @@ class LeftOutRecords : public testing::Test {
 };
 
 TEST_F(LeftOutRecords, ReplaySaysWhichBeesAreKnownNowhere) {
-  const Finished finished = run(ask("replay", {"--vertical", "1000ft", "--fail-on-risk"}));
+  const Finished finished =
+      run(ask("replay", {"--vertical", "1000ft", "--heights", "geometric", "--fail-on-risk"}));
   EXPECT_EQ(finished.exit_code, 1);
   expect_parts(finished.err,
                {"verdict    no conflict in the known time; 1 bee is known nowhere, 2 records were "
