@@ -90,9 +90,8 @@ TEST(WatchTaken, AnAircraftWithoutPositionsIsKnownNowhere) {
         readsb("bbbbbb", now, R"(-117.0, "alt_baro": 3000)");  // no height of the kind asked for
     lines += readsb("cccccc", now, R"(-116.0, "alt_geom": 3000)");
   }
-  const Arguments watch{"watch",  "--threshold", "5NM",       "--vertical",
-                        "1000ft", "--heights",   "geometric", "--fail-on-risk"};
-  Finished finished = run(watch, lines);
+  const Arguments watch{"watch", "--threshold", "5NM", "--vertical", "1000ft", "--fail-on-risk"};
+  Finished finished = run(watch + Arguments{"--heights", "geometric"}, lines);
   EXPECT_EQ(finished.exit_code, kRisk);
   expect_parts(finished.err,
                {"verdict    no conflict among what was taken; 1 bee is known nowhere\n"});
