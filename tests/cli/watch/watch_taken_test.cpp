@@ -96,8 +96,9 @@ TEST(WatchTaken, AnAircraftWithoutPositionsIsKnownNowhere) {
   expect_parts(finished.err,
                {"verdict    no conflict among what was taken; 1 bee is known nowhere\n"});
   // It is known once it has reported.
-  finished = run(watch, lines + readsb("bbbbbb", 1003, R"(-115.0, "alt_geom": 3000)") +
-                            readsb("bbbbbb", 1004, R"(-115.0, "alt_geom": 3000)"));
+  finished = run(watch + Arguments{"--heights", "geometric"},
+                 lines + readsb("bbbbbb", 1003, R"(-115.0, "alt_geom": 3000)") +
+                     readsb("bbbbbb", 1004, R"(-115.0, "alt_geom": 3000)"));
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
 
   const auto message = [](const std::string& kind, const std::string& hex, int second,
