@@ -70,6 +70,7 @@ Result<std::vector<Conflict>> closer_above_fl410(const io::Recording& recording,
     return closer;
   }
   ConflictOptions wider = options;
+  wider.max_results = ConflictOptions{}.max_results;  // most are none of those that are asked for
   wider.vertical_m =
       *options.vertical_m * kMinimumAboveFeet / io::from_metric(vertical->metric, io::Unit::kFoot);
   const auto found = find_conflicts(tracks, wider);

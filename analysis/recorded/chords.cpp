@@ -89,8 +89,7 @@ std::string chords_text(const Chords& chords) {
   if (chords.possible == 0) return {};
   return io::counted(chords.possible, "conflict is", "conflicts are") +
          " possible, not certain: where the two turn, straight lines between fixes may be off by "
-         "up "
-         "to " +
+         "up to " +
          io::length(chords.most_off_m);
 }
 

@@ -1,5 +1,5 @@
-// Aircraft that a scenario creates, one after the other, from there on: along their
-// tracks, as nothing else is said of them.
+// Aircraft that a scenario creates, one after the other, from there on: along their tracks,
+// as nothing else is said of them.
 #pragma once
 
 #include "analysis/recorded/last_snapshot.hpp"

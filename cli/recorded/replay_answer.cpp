@@ -89,6 +89,9 @@ void write_findings(io::JsonWriter& json, const analysis::Findings& findings,
     write_row(json, row.columns, row.rows.front());
   };
   write("closest", findings.closest);
+  if (!findings.above_fl410.empty()) {
+    json.member("closer_above_fl410_count", findings.above_fl410.size());
+  }
   const auto& in_the_air = findings.closest_in_the_air;
   if (findings.with_standing.empty() && !in_the_air) return;
   json.member("with_standing_count", findings.with_standing.size());

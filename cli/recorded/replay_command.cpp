@@ -94,13 +94,14 @@ Status check_every(const ReplayRequest& request, const std::vector<Track>& track
                                   " rows for this recording; look less often");
 }
 
-// Without those of pairs that are in conflict anyway.
+// Without those of pairs that are in conflict anyway; both are in the order of the pairs.
 std::vector<Conflict> of_other_pairs(std::vector<Conflict> some,
                                      const std::vector<Conflict>& conflicts) {
-  std::erase_if(some, [&conflicts](const Conflict& one) {
-    return std::any_of(conflicts.begin(), conflicts.end(), [&one](const Conflict& conflict) {
-      return conflict.first == one.first && conflict.second == one.second;
-    });
+  const auto by_pair = [](const Conflict& a, const Conflict& b) {
+    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+  };
+  std::erase_if(some, [&](const Conflict& one) {
+    return std::binary_search(conflicts.begin(), conflicts.end(), one, by_pair);
   });
   return some;
 }

@@ -26,11 +26,10 @@ bool is_flight_log_name(std::string_view name);
 std::string_view foreign_show(std::string_view name);
 
 // What there is to read in the folder, by name: its tables; where there is none, its show (.skyc),
-// its .json and .ndjson files, otherwise its .tlog files, or its .ulg
-// and .bin files. Hidden files are left
-// out, and so is what holds no places (README.txt), and what idtracker.ai writes beside its
-// trajectories.csv, or readsb beside its aircraft.json. Errors: kCannotOpen, kNoPoints when there
-// is nothing, kUnsupportedFormat for several shows.
+// its .json and .ndjson files, otherwise its .tlog files, or its .ulg and .bin files. Hidden files
+// are left out, and so is what holds no places (README.txt), and what idtracker.ai writes beside
+// its trajectories.csv, or readsb beside its aircraft.json. Errors: kCannotOpen, kNoPoints when
+// there is nothing, kUnsupportedFormat for several shows.
 Result<std::vector<std::string>> recordings_in(const std::string& folder);
 
 // What of a folder is not read beside what is, but for what is harmless (see left_out_files.hpp).

@@ -246,6 +246,8 @@ TEST(VerticalMinima, AboveFl410WhoIsCloserThanHoldsThereIsNoAllClear) {
   EXPECT_EQ(rows_of(closer.out).size(), 0U) << "no conflict by what was asked";
   expect_parts(closer.err, {"no conflict by that vertical limit; " + says,
                             "1 pair without a conflict come closer"});
+  expect_parts(run(kEnroute + Arguments{"--json"}, apart(43'000, 44'000)).out,
+               {R"("closer_above_fl410_count": 1)"});
   // One of the two is enough; by 2000 ft they keep apart.
   EXPECT_EQ(run(kEnroute, apart(40'500, 42'000)).exit_code, 1);
   const Finished apart_there = run(kEnroute, apart(43'000, 45'000));
