@@ -2,29 +2,16 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace beespace::analysis {
 namespace {
 
 constexpr double kExact_s = 1e-6;
 
-// The pieces that reach into that time.
-BezierPath part_within(const BezierPath& path, const TimeSpan& during) {
-  BezierPath part{path.begins_s, path.begin, {}};
-  for (const BezierPiece& piece : path.pieces) {
-    if (piece.ends_s < during.begins_s) {
-      part.begins_s = piece.ends_s;
-      part.begin = piece.end;
-    } else {
-      part.pieces.push_back(piece);
-      if (piece.ends_s > during.ends_s) break;
-    }
-  }
-  return part;
-}
-
-// Of two paths.
+// Of two paths, piece by piece.
 class CloserSearch {
  public:
   CloserSearch(const BezierPath& first, const BezierPath& second, double threshold_m)
@@ -32,24 +19,21 @@ class CloserSearch {
 
   Status add_to(std::vector<Conflict>& found, const TimeSpan& both) {
     const std::vector<double> ends_s = piece_ends(both);
-    if (ends_s.size() == 1) {
-      if (Status looked = look(found, {ends_s[0], ends_s[0]}); !looked) return looked;
-    }
-    for (std::size_t i = 0; i + 1 < ends_s.size(); ++i) {
-      if (Status looked = look(found, {ends_s[i], ends_s[i + 1]}); !looked) return looked;
+    for (std::size_t i = 0; i < std::max<std::size_t>(1, ends_s.size() - 1); ++i) {
+      const TimeSpan window{ends_s[i], ends_s[std::min(i + 1, ends_s.size() - 1)]};
+      if (Status looked = look(found, window); !looked) return looked;
     }
     return std::monostate{};
   }
 
  private:
-  // When a piece of either begins or ends.
+  // When a piece of either begins or ends, within that time.
   [[nodiscard]] std::vector<double> piece_ends(const TimeSpan& both) const {
     std::vector<double> ends_s = {both.begins_s, both.ends_s};
     for (const BezierPath* path : {&first_, &second_}) {
-      for (const BezierPiece& piece : path->pieces) {
-        if (piece.ends_s > both.begins_s && piece.ends_s < both.ends_s) {
-          ends_s.push_back(piece.ends_s);
-        }
+      for (auto piece = piece_at(*path, both.begins_s); piece != path->pieces.end(); ++piece) {
+        if (piece->ends_s >= both.ends_s) break;
+        ends_s.push_back(piece->ends_s);
       }
     }
     std::sort(ends_s.begin(), ends_s.end());
@@ -57,8 +41,24 @@ class CloserSearch {
     return ends_s;
   }
 
+  // The first that is not over at that time.
+  static std::vector<BezierPiece>::const_iterator piece_at(const BezierPath& path, double time_s) {
+    return std::partition_point(path.pieces.begin(), path.pieces.end(),
+                                [&](const BezierPiece& piece) { return piece.ends_s < time_s; });
+  }
+
+  // The piece in which that window lies, as a path.
+  static BezierPath part_of(const BezierPath& path, const TimeSpan& window) {
+    const auto piece = piece_at(path, window.ends_s);
+    if (piece == path.pieces.end()) return path;  // without any
+    if (piece == path.pieces.begin()) return {path.begins_s, path.begin, {*piece}};
+    const BezierPiece& before = *std::prev(piece);
+    return {before.ends_s, before.end, {*piece}};
+  }
+
   // In one piece of both.
   Status look(std::vector<Conflict>& all, const TimeSpan& window) {
+    pieces_ = {part_of(first_, window), part_of(second_, window)};
     const auto found = closest(window);
     if (!found) return found.error();
     if (!*found || !(*found)->closer) return std::monostate{};
@@ -107,12 +107,14 @@ class CloserSearch {
   }
 
   [[nodiscard]] Result<std::optional<PathEncounter>> closest(const TimeSpan& window) const {
-    return closest_as_written(first_, second_, window, threshold_m_);
+    return closest_as_written(pieces_.first, pieces_.second, window, threshold_m_);
   }
 
   const BezierPath& first_;
   const BezierPath& second_;
   double threshold_m_;
+  // Those of the window that is looked at.
+  std::pair<BezierPath, BezierPath> pieces_;
 };
 
 }  // namespace
@@ -127,9 +129,7 @@ Result<std::vector<Conflict>> along_curves(const Conflict& conflict, const Fligh
                           std::min({path_end_s(whole), path_end_s(other_whole), conflict.ends_s})};
       if (both.begins_s > both.ends_s) continue;
       together = true;
-      const BezierPath one = part_within(whole, both);
-      const BezierPath other = part_within(other_whole, both);
-      const Status added = CloserSearch(one, other, threshold_m).add_to(found, both);
+      const Status added = CloserSearch(whole, other_whole, threshold_m).add_to(found, both);
       if (!added) return added.error();
     }
   }
