@@ -38,6 +38,7 @@ struct HeightWords {
   bool by_pressure = false;  // of the standard atmosphere, as flight levels are
   bool above_sea = false;    // mean sea level, not the ellipsoid
   bool unstated = false;     // what they are counted from is not said
+  bool above_home = false;   // the place of take-off
 };
 
 struct SwarmFacts {

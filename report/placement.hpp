@@ -14,6 +14,7 @@ struct Placement {
   bool y_to_the_right = false;     // of x, seen from above; otherwise to its left
   std::string words = {};          // who says so, and what is to be said of it
   bool height_known = true;        // otherwise that of the origin is 0, and heights count from it
+  bool above_sea = false;          // that of the origin counts from mean sea level
 };
 
 // From metres as given to metres east and north of the origin along the ground, and heights.

@@ -106,6 +106,20 @@ bool is_settled(const ConflictOptions& options) {
   return options.inclusive || options.vertical_m;
 }
 
+// As along_curves(), but how close the two come as the search has it where that is certain: along
+// straight lines it is exact.
+Result<std::vector<Conflict>> settle(const Conflict& conflict, const Flight& first,
+                                     const Flight& second, double threshold_m) {
+  auto settled = along_curves(conflict, first, second, threshold_m);
+  if (!settled || !conflict.certain) return settled;
+  for (Conflict& one : *settled) {
+    if (one.begins_s > conflict.closest_s || one.ends_s < conflict.closest_s) continue;
+    one.closest_s = conflict.closest_s;
+    one.closest_m = conflict.closest_m;
+  }
+  return settled;
+}
+
 std::tuple<PointId, PointId, double> order_of(const Conflict& conflict) {
   return {conflict.first, conflict.second, conflict.begins_s};
 }
@@ -126,7 +140,7 @@ Result<std::vector<Conflict>> conflicts_of(PointId bee, const io::Recording& rec
     std::vector<Conflict> settled = {conflict};
     const auto& path = recording.bees[bee].path;
     if (path && !is_settled(options)) {
-      auto along = along_curves(conflict, Flight{*path}, Flight{still}, options.threshold_m);
+      auto along = settle(conflict, Flight{*path}, Flight{still}, options.threshold_m);
       if (!along) return of_bee(std::move(along).error(), recording.bees[bee]);
       settled = *std::move(along);
     }
@@ -223,8 +237,8 @@ Result<std::vector<Conflict>> settled_conflicts(const io::Recording& recording,
   const std::vector<Flight> flights = flights_of(recording, false, options.max_gap_s);
   std::vector<Conflict> all;
   for (const Conflict& conflict : conflicts) {
-    const auto settled = along_curves(conflict, flights[conflict.first], flights[conflict.second],
-                                      options.threshold_m);
+    const auto settled =
+        settle(conflict, flights[conflict.first], flights[conflict.second], options.threshold_m);
     if (!settled) return of_bee(settled.error(), recording.bees[conflict.first]);
     all.insert(all.end(), settled->begin(), settled->end());
   }

@@ -5,7 +5,8 @@ namespace beespace::analysis {
 report::HeightWords height_words(io::Unit unit, io::HeightDatum datum) {
   return {unit == io::Unit::kFoot || unit == io::Unit::kFlightLevel,
           datum == io::HeightDatum::kPressure, datum == io::HeightDatum::kMeanSeaLevel,
-          datum == io::HeightDatum::kUnstated || datum == io::HeightDatum::kHome};
+          datum == io::HeightDatum::kUnstated || datum == io::HeightDatum::kHome,
+          datum == io::HeightDatum::kHome};
 }
 
 bool speaks_of_feet(const report::HeightWords& heights, io::Unit threshold,

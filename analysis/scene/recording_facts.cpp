@@ -272,6 +272,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
                        place.height_m ? ", as the show says, whose heights are above mean sea level"
                                       : ", as the show says, which gives no height: heights are "
                                         "those above the place of take-off",
+                       place.height_m.has_value(),
                        place.height_m.has_value()};
   }
   swarm.names = names_of(recording);

@@ -283,9 +283,15 @@ std::string encounter_text(const Conflict& conflict, const io::Recording& record
 }
 
 void append_low(std::string& out, const analysis::LowConflicts& low, const io::Recording& recording,
-                const MovingRequest& request, const Distances& distances, std::size_t standing) {
+                const MovingRequest& request, const Distances& distances,
+                const std::vector<Conflict>& standing) {
   if (!request.ignore_below_m) {
-    if (standing == 0) return;
+    // Closer than this the places of a grid are not.
+    constexpr double kOfGrid = 0.25;
+    const bool of_grid = std::none_of(standing.begin(), standing.end(), [&](const Conflict& one) {
+      return one.closest_m < kOfGrid * distances.threshold_m;
+    });
+    if (standing.empty() || !of_grid) return;
     return append_summary_line(out, "",
                                "--ignore-below " + io::exact(distances.threshold_m) +
                                    " leaves out conflicts of two that are both lower than that "

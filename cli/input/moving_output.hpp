@@ -84,9 +84,11 @@ std::string encounter_text(const Conflict& conflict, const io::Recording& record
                            const Distances& distances, Told told = Told::kDistance);
 
 // The line about conflicts that --ignore-below leaves out, where the option is given; where it is
-// not, and `standing` conflicts are with drones on the ground, what to type.
+// not, and `standing` are conflicts with drones on the ground, what to type: but for one so close
+// that no grid of places of take-off explains it.
 void append_low(std::string& out, const analysis::LowConflicts& low, const io::Recording& recording,
-                const MovingRequest& request, const Distances& distances, std::size_t standing);
+                const MovingRequest& request, const Distances& distances,
+                const std::vector<Conflict>& standing);
 // Members in JSON, where the option is given.
 void write_low(io::JsonWriter& json, const analysis::LowConflicts& low,
                const MovingRequest& request);

@@ -4,6 +4,7 @@
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/landed_times.hpp"
 #include "analysis/text/bee_name.hpp"
+#include "analysis/text/unit_notes.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
@@ -46,12 +47,20 @@ std::string corner_text(const PathPeak& peak) {
   return ", where it turns at a point (within " + io::exact(kCornerDeviation_m) + " m of its path)";
 }
 
+// What heights are counted from, where that is not the ground.
+std::string counted_from(PathLimit limit, const io::Recording& recording) {
+  const bool of_sea = recording.heights == io::HeightDatum::kMeanSeaLevel ||
+                      recording.heights == io::HeightDatum::kEllipsoid;
+  if (limit != PathLimit::kHeight || !of_sea) return "";
+  return " " + std::string(analysis::datum_text(recording.heights));
+}
+
 std::string peak_text(PathLimit limit, const analysis::BeePeak& peak,
                       const io::Recording& recording) {
   const PathLimitWords& words = words_of(limit);
   return std::string(words.noun) + " " + io::grouped(shown_value(peak.peak, limit), 3) + " " +
-         words.unit + ", " + shown_bee(peak.bee, recording) + when(peak.peak.at_s, recording) +
-         corner_text(peak.peak);
+         words.unit + counted_from(limit, recording) + ", " + shown_bee(peak.bee, recording) +
+         when(peak.peak.at_s, recording) + corner_text(peak.peak);
 }
 
 void append_peaks(std::string& out, const PathFindings& findings) {
@@ -105,7 +114,7 @@ void append_breaches(std::string& out, const PathFindings& findings) {
   for (const PathLimitWords& words : kPathLimitWords) {
     append(breaches_of(findings, words.limit, std::nullopt),
            std::string(words.noun) + " of " + io::exact(findings.limits.limits[words.limit]) + " " +
-               words.unit);
+               words.unit + counted_from(words.limit, findings.recording));
   }
   const auto& accelerations = findings.verdict.accelerations;
   for (std::size_t i = 0; i < accelerations.size(); ++i) {
@@ -411,7 +420,7 @@ std::string verify_summary(const PathFindings& findings, const MovingRequest& re
   append_closest(out, findings, distances);
   append_peaks(out, findings);
   append_losses(out, findings, distances);
-  append_low(out, verdict.low, recording, request, distances, verdict.with_standing.size());
+  append_low(out, verdict.low, recording, request, distances, verdict.with_standing);
   if (findings.question.obstacles != nullptr) {
     const auto count = verdict.clearance_losses.size();
     append_summary_line(

@@ -180,7 +180,8 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
                                        found->recorded.conflicts, findings.low.left_out);
   if (!kept) return in_words_of_the_command(kept.error(), moving);
   findings.kept_by_height = *std::move(kept);
-  if (request.report == "bees" && (recording->show || recording->of_drones) && !moving.vertical) {
+  const bool of_drones = recording->show || recording->of_drones || recording->called_drones;
+  if (request.report == "bees" && of_drones && !moving.vertical) {
     auto each = analysis::closest_of_each_flying(*recording, *tracks, threshold_m, max_gap.seconds,
                                                  moving.threads);
     if (!each) return each.error();

@@ -9,7 +9,7 @@ std::string RecordedNoun::counted(std::uint64_t count) const {
 }
 
 RecordedNoun noun_of(const Recording& recording) {
-  if (recording.show || recording.of_drones) return {"drone", "drones"};
+  if (recording.show || recording.of_drones || recording.called_drones) return {"drone", "drones"};
   if (recording.of_aircraft) return {"aircraft", "aircraft"};
   if (recording.of_animals) return {"animal", "animals"};
   return {};

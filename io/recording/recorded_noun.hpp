@@ -17,7 +17,8 @@ struct RecordedNoun {
   [[nodiscard]] std::string counted(std::uint64_t count) const;
 };
 
-// By what wrote it: drones of shows and autopilots, aircraft, animals; or else bees.
+// By what wrote it: drones of shows, of autopilots and of columns called so, aircraft, animals; or
+// else bees.
 RecordedNoun noun_of(const Recording& recording);
 
 }  // namespace beespace::io

@@ -127,10 +127,11 @@ struct Recording {
   // It is asked about as a cut of a sector: before its first fix and after its last one a bee is
   // outside, and nothing is asked about it.
   bool sector = false;
-  bool of_aircraft = false;  // its format or its columns say so
-  bool of_animals = false;   // some of it is, by what wrote it
-  bool of_drones = false;    // all of it is what autopilots logged
-  bool y_is_down = false;    // all of it is counted as in a picture, from the corner above
+  bool of_aircraft = false;    // its format or its columns say so
+  bool of_animals = false;     // some of it is, by what wrote it
+  bool of_drones = false;      // all of it is what autopilots logged
+  bool called_drones = false;  // by the column of their ids, of all of it
+  bool y_is_down = false;      // all of it is counted as in a picture, from the corner above
   // It says how each flies from its last fix on, as a scenario of a simulator does: none is ever
   // out of reach.
   bool flies_on = false;

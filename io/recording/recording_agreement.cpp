@@ -76,6 +76,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
     recording_.of_aircraft = facts.of_aircraft;
     recording_.of_animals = facts.of_animals;
     recording_.of_drones = facts.of_drones;
+    recording_.called_drones = facts.called_drones;
     recording_.y_is_down = facts.y_is_down;
     recording_.flies_on = facts.flies_on;
     return agree_on_heights(facts.heights);
@@ -139,6 +140,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   recording_.of_aircraft = recording_.of_aircraft || facts.of_aircraft;
   recording_.of_animals = recording_.of_animals || facts.of_animals;
   recording_.of_drones = recording_.of_drones && facts.of_drones;
+  recording_.called_drones = recording_.called_drones && facts.called_drones;
   recording_.y_is_down = recording_.y_is_down && facts.y_is_down;
   recording_.flies_on = recording_.flies_on && facts.flies_on;
   if (auto error = agree_on_heights(facts.heights)) return error;

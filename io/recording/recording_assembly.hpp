@@ -60,6 +60,7 @@ struct SourceFacts {
   bool of_aircraft = false;                   // by its format, or what its columns are called
   bool of_animals = false;                    // what is known to write tables of animals wrote it
   bool of_drones = false;                     // what their autopilots logged
+  bool called_drones = false;                 // Recording::called_drones
   bool y_is_down = false;                     // Recording::y_is_down
   bool flies_on = false;                      // Recording::flies_on
   bool names_bees = false;                    // by an id: there may be several in it

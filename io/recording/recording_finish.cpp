@@ -6,6 +6,7 @@
 #include "io/problems/unplaced.hpp"
 #include "io/recording/doubled_drones.hpp"
 #include "io/recording/local_topics.hpp"
+#include "io/recording/missing_numbers.hpp"
 #include "io/recording/moment_text.hpp"
 #include "io/recording/recording_assembly.hpp"
 #include "io/recording/relayed_ids.hpp"
@@ -381,6 +382,9 @@ Result<Recording> RecordingAssembly::finish() {
   note_clocks();
   note_counts();
   if (auto same = same_tracks_note(recording_.bees)) note(*std::move(same));
+  if (is_show()) {
+    if (auto missing = missing_numbers_note(recording_.bees)) note(*std::move(missing));
+  }
   if (recording_.of_aircraft) {
     if (auto relayed = relayed_ids_note(recording_.bees)) note(*std::move(relayed));
   }

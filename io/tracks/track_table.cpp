@@ -1,10 +1,12 @@
 #include "io/tracks/track_table.hpp"
 
+#include "io/bytes/characters.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/problems/unplaced.hpp"
+#include "io/table/column_names.hpp"
 #include "io/table/column_overrides.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
@@ -141,6 +143,15 @@ void name_within_file(const std::string& file, bool several, TrackRecord& record
   }
 }
 
+// Whether a column of ids is called so.
+bool names_drones(const std::string& column) {
+  constexpr std::string_view kNames =
+      "drone drones drone_id drone_name drone_no drone_number droneid uav uav_id uav_name uavid "
+      "quad "
+      "quad_id";
+  return is_one_of(kNames, plain_name(column));
+}
+
 }  // namespace
 
 SourceFacts facts_of(const TrackLayout& layout, std::string description) {
@@ -161,6 +172,8 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   facts.begins_at_zero = layout.time && layout.time->begins_at_zero;
   facts.of_aircraft = tells_of_aircraft(layout);
   facts.of_animals = layout.of_animals;
+  facts.called_drones = choice.id && *choice.id < layout.table.names.size() &&
+                        names_drones(layout.table.names[*choice.id]);
   facts.y_is_down = layout.y_is_down;
   facts.names_bees = choice.id.has_value();
   if (layout.time && layout.time->form == TimeForm::kNumbers) facts.time_unit = layout.time->unit;

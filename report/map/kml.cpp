@@ -34,9 +34,8 @@ std::string element(std::string_view name, std::string_view text) {
 
 // Where it is not known how high the place is, heights are those above the ground.
 std::string_view altitude_mode(const SwarmFacts& swarm) {
-  return swarm.placed && !swarm.placed->height_known
-             ? "<altitudeMode>relativeToGround</altitudeMode>"
-             : "<altitudeMode>absolute</altitudeMode>";
+  return counts_from_unknown_ground(swarm) ? "<altitudeMode>relativeToGround</altitudeMode>"
+                                           : "<altitudeMode>absolute</altitudeMode>";
 }
 
 class Document {

@@ -43,16 +43,18 @@ std::string separation_words(const SwarmFacts& swarm, double metres,
 
 std::string height_reference(const SwarmFacts& swarm) {
   if (swarm.flat) return "The input has no heights: all are shown at height 0.";
-  if (swarm.placed && !swarm.placed->height_known) {
-    return "Heights are those above the place of take-off, of which the input does not say how "
-           "high it is: in KML they are above the ground, elsewhere as if it were at height 0. "
-           "--origin lon,lat,height,heading says how high it is.";
+  if (counts_from_unknown_ground(swarm)) {
+    std::string words =
+        "Heights are those above the place of take-off, of which the input does not say how "
+        "high it is: in KML they are above the ground, elsewhere as if it were at height 0.";
+    if (swarm.placed) words += " --origin lon,lat,height,heading says how high it is.";
+    return words;
   }
   if (swarm.heights.by_pressure) {
     return "Heights are those by pressure of the standard atmosphere, as the input has them: as "
            "heights over the ground they are wrong by as much as the weather differs from it.";
   }
-  if (swarm.heights.above_sea) {
+  if (swarm.heights.above_sea || (swarm.placed && swarm.placed->above_sea)) {
     return "Heights are metres above mean sea level, as the input has them. Globes that count from "
            "the WGS84 ellipsoid show them some tens of metres higher or lower.";
   }
@@ -61,6 +63,10 @@ std::string height_reference(const SwarmFacts& swarm) {
 }
 
 }  // namespace
+
+bool counts_from_unknown_ground(const SwarmFacts& swarm) {
+  return swarm.placed ? !swarm.placed->height_known : swarm.heights.above_home;
+}
 
 std::string pair_name(const Names& names, PointId first, PointId second) {
   return names.of(first) + " \u2013 " + names.of(second);

@@ -25,6 +25,9 @@ std::string conflict_words(const RecordingFacts& facts, std::size_t conflict);
 std::string kept_words(const SnapshotFacts& facts);
 std::string kept_words(const RecordingFacts& facts);
 
+// Whether heights count from a place of take-off of which it is not known how high it is.
+bool counts_from_unknown_ground(const SwarmFacts& swarm);
+
 // What heights are counted from, and the notes, one a line, none for those that are empty: HTML.
 std::string document_words(const SwarmFacts& swarm, const std::string& kept,
                            const std::vector<std::string>& notes);

@@ -130,6 +130,11 @@ TEST(MapWords, SayWhatHeightsAreCountedFrom) {
   EXPECT_NE(words({}).find("above the WGS84 ellipsoid"), std::string::npos);
   EXPECT_EQ(words({.above_sea = true}).find("Heights are metres above mean sea level"), 0u);
   EXPECT_EQ(words({.by_pressure = true}).find("Heights are those by pressure"), 0u);
+  EXPECT_NE(words({.unstated = true, .above_home = true}).find("in KML they are above the ground"),
+            std::string::npos);
+  SwarmFacts venue;
+  venue.placed = Placement{.origin = {19.0, 47.0, 105.0}, .words = {}, .above_sea = true};
+  EXPECT_EQ(document_words(venue, {}, {}).find("Heights are metres above mean sea level"), 0u);
 }
 
 SnapshotFacts beside(const std::vector<Obstacle>& obstacles, double heading_deg) {

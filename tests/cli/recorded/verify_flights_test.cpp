@@ -113,6 +113,22 @@ std::string grid() {
          R"(]}, "settings": {"validation": {"minDistance": 3}}})";
 }
 
+TEST(IgnoreBelow, IsNotOfferedWhereOneLandsNearlyOnAnother) {
+  const TemporaryFolder folder;
+  const std::string show = folder.file(
+      "show.json",
+      R"({"version": 1, "swarm": {"drones": [)" +
+          drone("a", 0, 0, "[0,[0,0,0],[]],[10,[0,0,10],[]],[20,[19,0,10],[]],[30,[19.4,0,0],[]]") +
+          "," +
+          drone("b", 20, 0,
+                "[0,[20,0,0],[]],[10,[20,0,10],[]],[12,[20,9,10],[]],[20,[20,0,0],[]]") +
+          R"(]}, "settings": {"validation": {"minDistance": 3}}})");
+  const Finished all = run({"verify", show});
+  EXPECT_EQ(all.exit_code, 1) << all.err;
+  expect_parts(all.err, {"0.600 m apart", "with a drone on the ground"});
+  EXPECT_EQ(all.err.find("--ignore-below"), std::string::npos) << all.err;
+}
+
 TEST(IgnoreBelow, LeavesOutWhoTakesOffBesideAnotherOnlyWhenAsked) {
   const TemporaryFolder folder;
   const std::string show = folder.file("show.json", grid());
