@@ -122,7 +122,7 @@ function countOf(head: Head): number {
 function headline(shown: Shown): HTMLElement {
   const { head } = shown.swarm;
   if (head.kind === 'recording' && head.risk.nothing_compared) {
-    return element('p', { class: 'headline' }, element('strong', {}, 'Nothing to compare'), ` of ${counted(countOf(head), nounOf(head))}: no two are there at the same time`);
+    return element('p', { class: 'headline' }, element('strong', {}, 'Nothing to compare'), `: of ${counted(countOf(head), nounOf(head))} no two are there at the same time`);
   }
   const count = head.kind === 'snapshot' ? head.risk.at_risk : head.risk.bees;
   const whole = head.risk.unknown === undefined;
