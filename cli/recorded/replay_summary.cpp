@@ -195,9 +195,10 @@ void append_worst(std::string& out, const analysis::Findings& findings,
 // Conflicts of which not all may be seen.
 void append_cut_conflicts(std::string& out, const analysis::Findings& findings) {
   const auto& conflicts = findings.recorded.conflicts;
+  if (conflicts.empty()) return;
   const std::vector<Gap> unknown = analysis::all_unknown_spans(
       findings.recording, findings.recorded.gaps, findings.coverage.max_gap);
-  if (conflicts.empty() || unknown.empty()) return;
+  if (unknown.empty()) return;
   const auto cut = std::count_if(conflicts.begin(), conflicts.end(), [&](const Conflict& conflict) {
     const auto around = analysis::unknown_around(conflict, unknown);
     return around.before || around.after;
