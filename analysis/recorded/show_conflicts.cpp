@@ -1,5 +1,6 @@
 #include "analysis/recorded/show_conflicts.hpp"
 
+#include "analysis/recorded/along_curves.hpp"
 #include "analysis/recorded/ends.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/flights.hpp"
@@ -100,28 +101,9 @@ BezierPath path_of(const Standing& standing) {
   return {standing.span.begins_s, standing.at, {{standing.span.ends_s, standing.at, {}, 0}}};
 }
 
-// Whether the search has decided it. What is nearer to the threshold than doubles tell decimals
-// apart is decided as it is written.
-bool is_settled(const Conflict& conflict, const ConflictOptions& options) {
-  constexpr double kAtTheThreshold = 1.0 - 1e-9;
-  if (options.inclusive || options.vertical_m) return true;
-  return conflict.certain && conflict.closest_m < kAtTheThreshold * options.threshold_m;
-}
-
-// Along the curves; false where the two are not closer than the threshold. Where it is asked for
-// more than that, it stays as it is.
-Result<bool> settle(Conflict& conflict, const Flight& first, const Flight& second,
-                    const ConflictOptions& options) {
-  if (is_settled(conflict, options)) return true;
-  const auto found =
-      closest_of(first, second, {conflict.begins_s, conflict.ends_s}, options.threshold_m);
-  if (!found) return found.error();
-  if (!*found) return true;
-  if (!(*found)->closer) return false;
-  conflict.closest_m = (*found)->closest_m;
-  conflict.closest_s = (*found)->closest_s;
-  conflict.certain = true;
-  return true;
+// Whether the curves have no more to say: where it is asked for more than being closer.
+bool is_settled(const ConflictOptions& options) {
+  return options.inclusive || options.vertical_m;
 }
 
 std::tuple<PointId, PointId, double> order_of(const Conflict& conflict) {
@@ -140,15 +122,19 @@ Result<std::vector<Conflict>> conflicts_of(PointId bee, const io::Recording& rec
   auto found = find_conflicts(std::vector<Track>{track, std::move(other)}, options);
   if (!found) return of_bee(std::move(found).error(), recording.bees[bee]);
   std::vector<Conflict> kept;
-  for (Conflict conflict : found->conflicts) {
-    if (const auto& path = recording.bees[bee].path) {
-      const auto is_one = settle(conflict, Flight{*path}, Flight{still}, options);
-      if (!is_one) return of_bee(is_one.error(), recording.bees[bee]);
-      if (!*is_one) continue;
+  for (const Conflict& conflict : found->conflicts) {
+    std::vector<Conflict> settled = {conflict};
+    const auto& path = recording.bees[bee].path;
+    if (path && !is_settled(options)) {
+      auto along = along_curves(conflict, Flight{*path}, Flight{still}, options.threshold_m);
+      if (!along) return of_bee(std::move(along).error(), recording.bees[bee]);
+      settled = *std::move(along);
     }
-    conflict.first = std::min(bee, standing.bee);
-    conflict.second = std::max(bee, standing.bee);
-    kept.push_back(conflict);
+    for (Conflict& one : settled) {
+      one.first = std::min(bee, standing.bee);
+      one.second = std::max(bee, standing.bee);
+      kept.push_back(one);
+    }
   }
   return kept;
 }
@@ -233,17 +219,14 @@ std::vector<Track> with_standing(std::vector<Track> tracks, const io::Recording&
 Result<std::vector<Conflict>> settled_conflicts(const io::Recording& recording,
                                                 const ConflictOptions& options,
                                                 std::vector<Conflict> conflicts) {
-  const auto settled = [&](const Conflict& conflict) { return is_settled(conflict, options); };
-  if (!recording.show || std::all_of(conflicts.begin(), conflicts.end(), settled)) {
-    return conflicts;
-  }
+  if (!recording.show || is_settled(options) || conflicts.empty()) return conflicts;
   const std::vector<Flight> flights = flights_of(recording, false, options.max_gap_s);
   std::vector<Conflict> all;
-  for (Conflict& conflict : conflicts) {
-    const auto is_one =
-        settle(conflict, flights[conflict.first], flights[conflict.second], options);
-    if (!is_one) return of_bee(is_one.error(), recording.bees[conflict.first]);
-    if (*is_one) all.push_back(conflict);
+  for (const Conflict& conflict : conflicts) {
+    const auto settled = along_curves(conflict, flights[conflict.first], flights[conflict.second],
+                                      options.threshold_m);
+    if (!settled) return of_bee(settled.error(), recording.bees[conflict.first]);
+    all.insert(all.end(), settled->begin(), settled->end());
   }
   return all;
 }

@@ -41,8 +41,8 @@ Result<std::vector<Conflict>> conflicts_with_standing(const io::Recording& recor
 // Gives drones that never take off tracks of their own, to be drawn.
 void stand_in_tracks(const io::Recording& recording, std::vector<Track>& tracks);
 
-// Decides along the curves, and in the decimals that are written, of which conflicts of a show it
-// is not certain that they are some; leaves out those that are none.
+// Decides along the curves of a show, and in the decimals that are written, when two are closer:
+// of a conflict of straight lines within some tolerance that is one conflict, several, or none.
 Result<std::vector<Conflict>> settled_conflicts(const io::Recording& recording,
                                                 const ConflictOptions& options,
                                                 std::vector<Conflict> conflicts);

@@ -2,6 +2,7 @@
 
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/recorded/all_conflicts.hpp"
+#include "analysis/recorded/along_curves.hpp"
 #include "analysis/recorded/earth_flights.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/flights.hpp"
@@ -105,10 +106,11 @@ class PathVerification {
     verdict_.gaps = std::move(found->gaps);
     verdict_.losses = *standing;
     verdict_.with_standing = *standing;
-    for (Conflict conflict : found->conflicts) {
-      const auto closer = settle(conflict, {conflict.begins_s, conflict.ends_s});
-      if (!closer) return closer.error();
-      if (*closer) verdict_.losses.push_back(conflict);
+    for (const Conflict& conflict : found->conflicts) {
+      auto losses = along_curves(conflict, flights_[conflict.first], flights_[conflict.second],
+                                 question_.threshold_m);
+      if (!losses) return of_bee(std::move(losses).error(), recording_.bees[conflict.first]);
+      verdict_.losses.insert(verdict_.losses.end(), losses->begin(), losses->end());
     }
     std::stable_sort(verdict_.losses.begin(), verdict_.losses.end(),
                      [](const Conflict& a, const Conflict& b) {
@@ -119,8 +121,7 @@ class PathVerification {
         find_closest_encounter(*tracks, question_.max_gap_s, {question_.threads, question_.stop});
     if (!closest) return closest.error();
     if (*closest) {
-      const auto settled = settle(**closest, kAlways);
-      if (!settled) return settled.error();
+      if (auto error = find_closeness(**closest)) return error;
       verdict_.closest = *closest;
     }
     take_closer(without(verdict_.losses, verdict_.with_standing));
@@ -138,16 +139,16 @@ class PathVerification {
     }
   }
 
-  // How close the two come along their curves; returns whether that is too close.
-  Result<bool> settle(Conflict& conflict, const TimeSpan& during) const {
-    const auto found = closest_of(flights_[conflict.first], flights_[conflict.second], during,
+  // How close the two come along their curves.
+  std::optional<Error> find_closeness(Conflict& conflict) const {
+    const auto found = closest_of(flights_[conflict.first], flights_[conflict.second], kAlways,
                                   question_.threshold_m);
     if (!found) return of_bee(found.error(), recording_.bees[conflict.first]);
     // Straight lines that were followed exactly say the same.
-    if (!*found) return conflict.certain;
+    if (!*found) return std::nullopt;
     conflict.closest_m = (*found)->closest_m;
     conflict.closest_s = (*found)->closest_s;
-    return (*found)->closer;
+    return std::nullopt;
   }
 
   void take_check(PointId bee, const PathCheck& checked) {

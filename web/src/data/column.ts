@@ -92,7 +92,10 @@ export async function readColumn(place: ColumnPlace): Promise<Column> {
 export async function readMeasures(place: ColumnPlace): Promise<Float64Array> {
   const { raw, scale, offset } = await readColumn(place);
   if (raw instanceof Float64Array && scale === 1 && offset === 0) return raw;
-  return Float64Array.from(raw, (number) => offset + scale * number);
+  // Not by Float64Array.from, which takes ten times as long.
+  const out = new Float64Array(raw.length);
+  for (let i = 0; i < out.length; ++i) out[i] = offset + scale * raw[i];
+  return out;
 }
 
 /** A column of bees, counts or places in lists. */

@@ -6,10 +6,15 @@ import { element } from '../text/element';
 import { crowdMaterial, lineMaterial, riskMaterial, shapeMaterial } from './materials';
 import { Painter } from './painter';
 
+/** Of a line. */
+const kEnds = 2;
+
 /** Numbers of the kind that will be drawn: other kinds are other programs. */
 function bare(names: string[], size: number, Kind: typeof Uint16Array | typeof Float32Array = Float32Array): BufferGeometry {
   const geometry = new BufferGeometry();
-  for (const name of names) geometry.setAttribute(name, new BufferAttribute(name === 'near' ? new Uint16Array(2) : new Kind(2 * size), size));
+  for (const name of names) geometry.setAttribute(name, new BufferAttribute(name === 'near' ? new Uint16Array(kEnds) : new Kind(kEnds * size), size));
+  // What has no end is not drawn.
+  geometry.setDrawRange(0, kEnds);
   return geometry;
 }
 

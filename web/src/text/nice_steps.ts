@@ -7,6 +7,12 @@ export function niceBelow(most: number): number {
   return ten;
 }
 
+/** The smallest step of at least this. */
+export function niceAbove(least: number): number {
+  const ten = 10 ** Math.floor(Math.log10(least));
+  return ([1, 2, 5].find((digit) => digit * ten >= least * (1 - 1e-12)) ?? 10) * ten;
+}
+
 /** Multiples of a nice step within the range, about as many as wanted. */
 export function niceTicks(least: number, most: number, wanted: number): number[] {
   if (!(most > least) || !Number.isFinite(most - least)) return [];

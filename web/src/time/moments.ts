@@ -1,6 +1,6 @@
 // Moments to write below a chart over time: round ones, as clocks and calendars have them.
 import { clockTime, steadyStretches, tellsClock, type Calendar } from '../text/calendar';
-import { niceTicks } from '../text/nice_steps';
+import { niceAbove, niceTicks } from '../text/nice_steps';
 import { decimalsFor, formatSeconds } from '../text/numbers';
 
 export interface Moment {
@@ -17,6 +17,11 @@ export function clockStep(atLeast_s: number): number {
   if (step_s !== undefined) return step_s;
   const ten_s = kDay_s * 10 ** Math.floor(Math.log10(atLeast_s / kDay_s));
   return ten_s * ([1, 2, 5].find((days) => days * ten_s >= atLeast_s) ?? 10);
+}
+
+/** The same, and parts of a second below one. */
+export function shortStep(atLeast_s: number): number {
+  return atLeast_s < 1 ? niceAbove(atLeast_s) : clockStep(atLeast_s);
 }
 
 /** About as many as wanted, ascending; seconds of a recording's own zero are counted by tens, and those of a clock as it shows them. */

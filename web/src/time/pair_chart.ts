@@ -3,9 +3,9 @@ import type { ApartNow } from '../data/pair_ways';
 import type { Recording } from '../data/recording';
 import { axisUnits, lengthUnit, type AxisUnit } from '../text/apart';
 import { drawing } from '../text/element';
-import { niceBelow, niceTicks } from '../text/nice_steps';
+import { niceTicks } from '../text/nice_steps';
 import { formatStep } from '../text/numbers';
-import { clockStep } from './moments';
+import { shortStep } from './moments';
 import type { TimeChart } from './time_chart';
 
 const kWidth = 360;
@@ -69,8 +69,7 @@ export function pairChart(swarm: Recording, place: number, name: string): TimeCh
 function momentsAround(middle_s: number, span: [number, number], xOf: (time_s: number) => number, y: number): SVGElement[] {
   // The closest moment is one of them, however its time was rounded.
   const [from, to] = [Math.min(0, span[0] - middle_s), Math.max(0, span[1] - middle_s)];
-  const stepFrom = (atLeast_s: number): number => (atLeast_s >= 1 ? clockStep(atLeast_s) : 2 * niceBelow(atLeast_s));
-  for (let step_s = stepFrom((to - from) / 8); ; step_s = stepFrom(1.01 * step_s)) {
+  for (let step_s = shortStep((to - from) / 8); ; step_s = shortStep(1.01 * step_s)) {
     const steps = Array.from({ length: Math.max(0, Math.floor(to / step_s) - Math.ceil(from / step_s)) + 1 }, (_, i) => i + Math.ceil(from / step_s));
     const moments = steps.map((step) => {
       const text = step === 0 ? 'closest' : `${step > 0 ? '+' : '\u2212'}${formatStep(Math.abs(step) * step_s)}`;

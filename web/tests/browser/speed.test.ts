@@ -21,6 +21,23 @@ pageTest('the swarm is seen before its panels are made', 'million', {}, async ({
   assert.ok(drawn < ready);
 });
 
+const kNoteLinks = `
+  globalThis.linked = [];
+  const { linkProgram } = WebGL2RenderingContext.prototype;
+  WebGL2RenderingContext.prototype.linkProgram = function (program) {
+    if (performance.getEntriesByName('beespace: first frame').length === 0) globalThis.linked.push(this.canvas.width);
+    linkProgram.call(this, program);
+  };`;
+
+for (const name of ['hundred-thousand', 'recording']) {
+  pageTest('the graphics card makes the programs of the first frame before the swarm is there', name, { before: kNoteLinks }, async ({ page }) => {
+    const widths = await page.evaluate(() => (globalThis as unknown as { linked: number[] }).linked);
+    assert.ok(widths.length >= 4, `${widths.length} programs`);
+    // A canvas of one pixel is not the one that is seen.
+    assert.deepEqual(widths.filter((width) => width !== 1), []);
+  });
+}
+
 pageTest('it turns', 'hundred-thousand', {}, async ({ page }, tell) => {
   await settled(page);
   const before = await projected(page, 3);
