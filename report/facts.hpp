@@ -121,6 +121,14 @@ struct AtRisk {
   TimeSpan span;
 };
 
+// All conflicts of two together.
+struct PairInConflict {
+  PointId first = 0;
+  PointId second = 0;
+  std::uint64_t conflicts = 0;
+  double time_s = 0.0;  // in conflict, in all
+};
+
 // How far apart the closest two are at a moment; with a vertical threshold, the two that are
 // nearest to a conflict: by how far apart they are as shares of both thresholds, the greater one.
 struct Separation {
@@ -167,6 +175,8 @@ struct RecordingFacts {
   std::vector<Gap> unknown_spans = {};
   std::string unknown = {};              // who is unknown for how long, or left out; empty: none
   bool hidden = false;                   // whether conflicts may be hidden by that
+  std::uint64_t nowhere_count = 0;       // beside `tracks`: who is known at no time
+  bool nothing_compared = false;         // no two are there at the same time
   std::vector<AtRisk> at_risk = {};      // ascending by bee, then time; of a bee none overlap
   std::vector<Conflict> conflicts = {};  // the closest first; all, or as many as can be shown
   std::uint64_t conflict_count = 0;      // of all
@@ -176,6 +186,7 @@ struct RecordingFacts {
   std::string low_text = {};             // "72 conflicts of two lower than 3 m above where ..."
   std::vector<Conflict> with_standing = {};  // of all: with a drone that stands on the ground
   std::uint64_t pair_count = 0;              // in conflict
+  std::vector<PairInConflict> pairs = {};    // all of these, ascending
   std::optional<Conflict> closest = {};  // of the conflicts; where there is none, of all encounters
   bool closest_left_out = false;         // it is one of those that are low
   bool closest_stands = false;           // one of these two is a drone that stands on the ground:

@@ -119,6 +119,7 @@ std::string short_label(double value) {
 
 std::string length_label(double metres) {
   const double size = std::abs(metres);
+  if (size > 0.0 && size < 1e-6) return "under 0.001 mm";
   if (size > 0.0 && size < 0.1) return short_label(metres * 1e3) + " mm";
   if (size < 10'000.0) return short_label(metres) + " m";
   return short_label(metres / 1e3) + " km";
@@ -139,6 +140,12 @@ std::optional<Unit> small_unit(double limit_m, double metres) {
   return std::nullopt;
 }
 
+// Beside metres that says nothing.
+bool is_next_to_nothing(double limit_m, double metres) {
+  return limit_m >= 1.0 && metres > 0.0 && metres < 1e-3;
+}
+constexpr const char* kNextToNothing = "under 1 mm";
+
 std::string in_small_unit(double limit_m, double metres, const Unit& unit) {
   return told_below(limit_m, metres, short_label(metres / unit.metres) + ' ' + unit.name, unit);
 }
@@ -146,6 +153,7 @@ std::string in_small_unit(double limit_m, double metres, const Unit& unit) {
 }  // namespace
 
 std::string length_label_below(double limit_m, double metres) {
+  if (is_next_to_nothing(limit_m, metres)) return kNextToNothing;
   if (const auto small = small_unit(limit_m, metres)) return in_small_unit(limit_m, metres, *small);
   const Unit unit = metres < 0.1        ? Unit{1e-3, "mm"}
                     : metres < 10'000.0 ? Unit{1.0, "m"}
@@ -154,6 +162,7 @@ std::string length_label_below(double limit_m, double metres) {
 }
 
 std::string listed_length_below(double limit_m, double metres) {
+  if (is_next_to_nothing(limit_m, metres)) return kNextToNothing;
   if (const auto small = small_unit(limit_m, metres)) return in_small_unit(limit_m, metres, *small);
   if (metres < 1e-3) return length_label_below(limit_m, metres);
   const Unit unit = metres < 10'000.0 ? Unit{1.0, "m"} : Unit{1e3, "km"};

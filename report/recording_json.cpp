@@ -288,6 +288,8 @@ void write_risk(io::JsonWriter& json, const RecordingFacts& facts, double begins
   json.member("bee_seconds", bee_seconds);
   if (facts.low_count > 0) json.member("left_out", facts.low_text);
   if (!facts.unknown.empty()) json.member("unknown", facts.unknown);
+  if (facts.nowhere_count > 0) json.member("nowhere", facts.nowhere_count);
+  if (facts.nothing_compared) json.member("nothing_compared", true);
   if (facts.closest) {
     write_closest(json, "closest", *facts.closest, facts.closest_apart, begins_s);
     // Or both do, which the closest in the air is told beside, too.

@@ -133,13 +133,14 @@ io::MissingRecords missing_within(const io::Recording& recording, double max_gap
 
 // How long a bee is not known before its first fix and after its last one, and whether it was in
 // the air then, or there without a place, or never seen in the air while others fly: `hidden` is
-// when.
+// when a conflict may be, `away` all of that time.
 struct Outside {
   double seconds = 0.0;
   bool cut_off = false;
   bool unplaced = false;
   bool unseen = false;
   std::vector<TimeSpan> hidden = {};
+  std::vector<TimeSpan> away = {};
 };
 
 // From when, or until when, an aircraft is in the air beyond `end_s`, its first or last fix: the
@@ -185,6 +186,7 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
     if (recording.show && height_m <= kStandsWithin_m) return;
     const double before_s = of.seconds;
     of.seconds += seconds;
+    of.away.push_back(away);
     const bool stands =
         height_m <= kLoggedTolerance_m && rests(end, beside, recording.frame, kMostAtRest_mps);
     // Who is seen from above leaves the picture; a robot, or who is on the Earth, stops or goes on.
@@ -197,7 +199,10 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
     const bool lost = (in_a_plane || recording.flat || is_wild) && seconds > max_gap_s &&
                       !may_leave && (moves || !must_move || is_wild);
     if (!recording.show && !lost && !(flies && !stands && seconds > known_s)) {
-      if (end != beside && seconds < interval_s) of.seconds = before_s;
+      if (end != beside && seconds < interval_s) {
+        of.seconds = before_s;
+        of.away.pop_back();
+      }
       return;
     }
     of.cut_off = true;
@@ -220,6 +225,7 @@ std::vector<Outside> outside_of(const io::Recording& recording, double max_gap_s
     for (const TimeSpan& span : airborne.unseen(static_cast<PointId>(i), max_gap.seconds)) {
       outside[i].unseen = true;
       outside[i].hidden.push_back(span);
+      outside[i].away.push_back(span);
       seen_by_none_s += span.ends_s - span.begins_s;
     }
     outside[i].seconds = std::max(outside[i].seconds, seen_by_none_s);
@@ -324,6 +330,20 @@ std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector
     for (const TimeSpan& span : outside[track].hidden) {
       all.push_back({static_cast<PointId>(track), span.begins_s, span.ends_s});
     }
+  }
+  return apart_from_each_other(std::move(all));
+}
+
+std::vector<Gap> all_unknown_spans(const io::Recording& recording, const std::vector<Gap>& gaps,
+                                   const MaxGap& max_gap) {
+  std::vector<Gap> all = joined_gaps(gaps, doubtful_spans(recording, max_gap));
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  PointId bee = 0;
+  for (const Outside& outside : outside_of(recording, kAny, max_gap)) {
+    for (const TimeSpan& span : recording.sector ? outside.hidden : outside.away) {
+      all.push_back({bee, span.begins_s, span.ends_s});
+    }
+    ++bee;
   }
   return apart_from_each_other(std::move(all));
 }

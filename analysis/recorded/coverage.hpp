@@ -102,6 +102,10 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
 std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps,
                                     const MaxGap& max_gap);
 
+// When that is, in ascending order of (track, begins_s); none of a bee overlap.
+std::vector<Gap> all_unknown_spans(const io::Recording& recording, const std::vector<Gap>& gaps,
+                                   const MaxGap& max_gap);
+
 // When a bee is there and it is not known where, so that conflicts may be hidden: in its gaps,
 // where it jumps, and before its first fix and after its last one if it is in the air or on its way
 // then, or has records without a place. In ascending order of (track, begins_s). `gaps` as above.

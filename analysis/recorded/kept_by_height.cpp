@@ -173,8 +173,9 @@ std::string kept_by_height_text(const KeptByHeight& kept, const io::Recording& r
   if (kept.closest) {
     const Conflict& closest = *kept.closest;
     text += " (" + text_of(name_of(closest.first, recording)) + " and " +
-            text_of(name_of(closest.second, recording)) + ": " + io::length(closest.closest_m) +
-            " at " + io::moment_text(closest.closest_s, recording) + ")";
+            text_of(name_of(closest.second, recording)) + ": " +
+            io::length_below(threshold_m, closest.closest_m) + " at " +
+            io::moment_text(closest.closest_s, recording) + ")";
   }
   if (!longer.empty()) text += ", and " + longer;
   return text + "; " + option + (kept.pairs + kept.longer == 1 ? " counts it" : " counts them");

@@ -101,8 +101,12 @@ io::LoadOptions options_for_points(const SceneRequest& request, io::Progress* pr
 }
 
 // Of what can be read neither way: what is wrong with the way that fits better. Of what is no text
-// the reader of snapshots knows more.
-Error better_of(Error as_snapshot, Error as_recording) {
+// the reader of snapshots knows more; what is asked about a recording, a snapshot that cannot be
+// read does not answer.
+Error better_of(Error as_snapshot, Error as_recording, bool names_a_time) {
+  const bool is_question = as_recording.code == ErrorCode::kInvalidArgument &&
+                           as_snapshot.code != ErrorCode::kInvalidArgument;
+  if (names_a_time && is_question) return as_recording;
   const bool is_other = as_snapshot.code == ErrorCode::kUnsupportedFormat &&
                         !as_recording.message.starts_with("this is no text");
   return is_other ? std::move(as_recording) : std::move(as_snapshot);
@@ -169,7 +173,7 @@ Result<Loaded> load(const Inputs& inputs, const SceneRequest& request, io::Progr
     return or_snapshots(std::move(recording).error(), request, progress);
   }
   if (!no_snapshot) return std::move(recording).error();
-  return better_of(*std::move(no_snapshot), std::move(recording).error());
+  return better_of(*std::move(no_snapshot), std::move(recording).error(), inputs.names_a_time());
 }
 
 std::string title_of(const std::vector<std::string>& inputs) {

@@ -85,7 +85,13 @@ void take_conflicts(std::vector<Conflict> conflicts, report::RecordingFacts& fac
   facts.possible_count = static_cast<std::uint64_t>(
       std::count_if(conflicts.begin(), conflicts.end(),
                     [](const Conflict& conflict) { return !conflict.certain; }));
-  facts.pair_count = pairs_in_conflict(conflicts).size();
+  for (const PairInConflict& pair : pairs_in_conflict(conflicts)) {
+    facts.pairs.push_back({pair.closest.first, pair.closest.second, pair.conflicts, pair.time_s});
+  }
+  std::sort(facts.pairs.begin(), facts.pairs.end(), [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
+  });
+  facts.pair_count = facts.pairs.size();
   facts.at_risk = at_risk_in(conflicts);
   std::stable_sort(conflicts.begin(), conflicts.end(),
                    [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });
@@ -158,7 +164,7 @@ void take_low(const LowConflicts& low, const io::Recording& recording,
       return text_of(name_at(closest->closest_s, bee, recording));
     };
     note += ", the closest " + name(closest->first) + " and " + name(closest->second) + ", " +
-            io::length(closest->closest_m) + " apart at " +
+            io::length_below(facts.swarm.threshold_m, closest->closest_m) + " apart at " +
             io::moment_text(closest->closest_s, recording);
   }
   facts.swarm.notes.push_back(std::move(note));
@@ -374,6 +380,10 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.separation_open = std::move(over_time.open);
   stand_in_tracks(recording, *in_space);
   facts.unknown = unknown_text(coverage, &recording, swarm.noun);
+  facts.nowhere_count = recording.missing.nowhere;
+  // Drones of a show that fly one after the other stand meanwhile; see has_encounters().
+  const bool several_drones = recording.show && in_space->size() > 1;
+  facts.nothing_compared = !closest->has_value() && !several_drones && facts.low_count == 0;
   const auto kept =
       kept_by_height(recording, options, request.tolerance_m, recorded->conflicts, low.left_out);
   if (!kept) return kept.error();

@@ -63,6 +63,11 @@ std::string with_file(std::string_view message, const std::string& file) {
 
 }  // namespace
 
+std::string typed_name(const std::string& file) {
+  if (is_plain(file) || !can_be_quoted(file)) return file;
+  return '"' + file + '"';
+}
+
 std::string with_what_was_typed(std::string message, const std::string& file,
                                 std::string_view threshold, std::string_view separation) {
   std::error_code none;

@@ -6,6 +6,10 @@
 
 namespace beespace::cli {
 
+// The name of a file within a line to type that stands in single quotes itself: in double ones
+// where a shell would not take it for one word.
+std::string typed_name(const std::string& file);
+
 // `message` with the name of the file for the word FILE, where there is such a file, and
 // "--threshold 5" or "--separation enroute", as typed, for io::kYourThreshold; where nothing was
 // typed that stays as it is.

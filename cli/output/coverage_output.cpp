@@ -170,7 +170,10 @@ void append_missing(std::string& out, const io::MissingRecords& missing) {
                 ? " of unknown bees"
                 : " and " + io::grouped(missing.without_id) + " of unknown ones";
   }
-  append_summary_line(out, "left out", text + ": place, height or time is missing or bad");
+  const char* const why = missing.without_id == missing.count ? ": it is not said whose they are"
+                          : missing.without_id > 0 ? ": place, height, time or id is missing or bad"
+                                                   : ": place, height or time is missing or bad";
+  append_summary_line(out, "left out", text + why);
   if (missing.nowhere == 0) return;
   append_summary_line(
       out, "", "known nowhere: " + printable(first_ids(missing.nowhere_ids, missing.nowhere)));

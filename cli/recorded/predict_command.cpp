@@ -10,6 +10,7 @@
 #include "analysis/recorded/last_snapshot.hpp"
 #include "analysis/recorded/usual_horizon.hpp"
 #include "cli/console/progress_bar.hpp"
+#include "cli/console/recipe_text.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
@@ -229,7 +230,7 @@ void append_passed(std::string& out, const Prediction& prediction, const Predict
   text += ": only what lies ahead of its end is looked at; for the rest ask 'beespace replay";
   if (request.moving.inputs.size() == 1 && request.moving.inputs.front() != "-") {
     text += ' ';
-    text += printable(request.moving.inputs.front());
+    text += printable(typed_name(request.moving.inputs.front()));
   }
   text += separation_typed(request.moving);
   append_summary_line(out, "note", text + "'");

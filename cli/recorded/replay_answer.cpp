@@ -57,8 +57,10 @@ Rows rows_of(const ReplayRequest& request, const analysis::Findings& findings,
   const bool curved = std::any_of(findings.tracks.begin(), findings.tracks.end(),
                                   [](const Track& track) { return track.tolerance_m > 0.0; });
   const bool along_velocities = findings.curves != nullptr && !findings.curves->conflicts.empty();
-  return conflict_rows(findings.recorded.conflicts, findings.recording,
-                       curved || along_velocities || findings.chords.possible > 0, distances);
+  Rows rows = conflict_rows(findings.recorded.conflicts, findings.recording,
+                            curved || along_velocities || findings.chords.possible > 0, distances);
+  add_unknown_around(findings, rows);
+  return rows;
 }
 
 void write_findings(io::JsonWriter& json, const analysis::Findings& findings,

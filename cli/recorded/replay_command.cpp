@@ -44,16 +44,9 @@ bool is_plan(const io::Recording& recording) {
                      [](const io::RecordedBee& bee) { return bee.path.has_value(); });
 }
 
-// `watch` cannot know what is typical of reports to come: for what it would have said its own
-// default is taken.
-analysis::MaxGap max_gap_for(const ReplayRequest& request, const io::Recording& recording) {
-  if (request.report != "events" || request.max_gap_s || is_plan(recording)) {
-    return analysis::max_gap_of(recording, request.max_gap_s);
-  }
-  return {kDefaultMaxAge_s, std::nullopt, true};
-}
-
-// Events are lines of JSON, as `watch` prints them, unless another form is asked for.
+// Events are lines of JSON, as `watch` prints them, unless another form is asked for. A bee is
+// silent where every report has a gap of the recording; `watch` cannot know what is typical of
+// reports to come.
 Status write_events(const ReplayRequest& request, const analysis::Findings& findings,
                     double threshold_m, const JsonHead& head, io::AtomicOutput& output) {
   // A show is a plan: what lies ahead need not be guessed.
@@ -130,7 +123,7 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   const analysis::Geometry geometry = analysis::geometry_for(*recording, moving.vertical);
   auto tracks = tracks_of(*recording, geometry, request.tolerance_m);
   if (!tracks) return tracks.error();
-  const analysis::MaxGap max_gap = max_gap_for(request, *recording);
+  const analysis::MaxGap max_gap = analysis::max_gap_of(*recording, request.max_gap_s);
   analysis::keep_paths_whole(*recording, max_gap.seconds, *tracks);
   if (Status few = check_every(request, *tracks); !few) return few.error();
   const double read_s = watch.lap();

@@ -1,8 +1,10 @@
 #include "cli/recorded/replay_rows.hpp"
 
+#include "analysis/recorded/unknown_around.hpp"
 #include "analysis/text/bee_name.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -73,11 +75,14 @@ Rows pair_rows(const analysis::Findings& findings, const Distances& distances) {
              {"conflicts"},
              {"in_conflict_s"},
              {"closest_s", nullptr, "closest"},
-             {"closest_m"}},
+             {"closest_m"},
+             {"unknown_s"}},
             {},
             analysis::has_labels(recording),
             io::calendar_of(recording)};
   add_apart_columns(rows.columns, distances);
+  const std::vector<Gap> unknown =
+      analysis::all_unknown_spans(recording, findings.recorded.gaps, findings.coverage.max_gap);
   for (const analysis::PairInConflict& pair :
        analysis::pairs_in_conflict(findings.recorded.conflicts)) {
     const Conflict& closest = pair.closest;
@@ -86,11 +91,23 @@ Rows pair_rows(const analysis::Findings& findings, const Distances& distances) {
                            std::uint64_t{pair.conflicts},
                            pair.time_s,
                            closest.closest_s,
-                           closest.closest_m};
+                           closest.closest_m,
+                           analysis::unknown_of_pair_s(closest.first, closest.second, unknown)};
     add_apart(row, distances.of(closest), distances);
     rows.rows.push_back(std::move(row));
   }
   return rows;
+}
+
+void add_unknown_around(const analysis::Findings& findings, Rows& rows) {
+  const std::vector<Gap> unknown = analysis::all_unknown_spans(
+      findings.recording, findings.recorded.gaps, findings.coverage.max_gap);
+  if (unknown.empty()) return;
+  rows.columns.insert(rows.columns.end(), {{"unknown_before"}, {"unknown_after"}});
+  for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+    const auto around = analysis::unknown_around(findings.recorded.conflicts[i], unknown);
+    rows.rows[i].insert(rows.rows[i].end(), {around.before, around.after});
+  }
 }
 
 Rows separation_rows(const std::vector<analysis::Moment>& moments,

@@ -14,9 +14,13 @@ namespace beespace::cli {
 // which; and how long it is unknown.
 Rows bee_rows(const analysis::Findings& findings, const Distances& distances);
 
-// A row a pair in conflict, the closest first: how often, for how long in all, and where it is
-// closest.
+// A row a pair in conflict, the closest first: how often, for how long in all, where it is closest,
+// and for how long one of the two is unknown.
 Rows pair_rows(const analysis::Findings& findings, const Distances& distances);
+
+// To a row of each conflict: whether one of the two is not known just before it begins, or just
+// after it ends. Nothing where all are known all the time.
+void add_unknown_around(const analysis::Findings& findings, Rows& rows);
 
 Rows separation_rows(const std::vector<analysis::Moment>& moments,
                      const analysis::Findings& findings, const Distances& distances);

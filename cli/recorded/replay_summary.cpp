@@ -4,6 +4,7 @@
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/kept_by_height.hpp"
 #include "analysis/recorded/landed_times.hpp"
+#include "analysis/recorded/unknown_around.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
@@ -191,6 +192,25 @@ void append_worst(std::string& out, const analysis::Findings& findings,
   }
 }
 
+// Conflicts of which not all may be seen.
+void append_cut_conflicts(std::string& out, const analysis::Findings& findings) {
+  const auto& conflicts = findings.recorded.conflicts;
+  if (conflicts.empty()) return;
+  const std::vector<Gap> unknown = analysis::all_unknown_spans(
+      findings.recording, findings.recorded.gaps, findings.coverage.max_gap);
+  if (unknown.empty()) return;
+  const auto cut = std::count_if(conflicts.begin(), conflicts.end(), [&](const Conflict& conflict) {
+    const auto around = analysis::unknown_around(conflict, unknown);
+    return around.before || around.after;
+  });
+  if (cut == 0) return;
+  append_note(out, plural(static_cast<std::uint64_t>(cut), "conflict begins or ends",
+                          "conflicts begin or end") +
+                       " where one of the two is not known just before or after "
+                       "(unknown_before, unknown_after): such conflicts may be longer, and "
+                       "several may be one");
+}
+
 // The least separation over time as a row of bars, of which the highest stands for twice the
 // threshold and more.
 std::string bars_over_time(const analysis::Findings& findings, double threshold_m) {
@@ -304,7 +324,11 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
                            const ReplayFigures& figures, const Distances& distances) {
   const io::Recording& recording = findings.recording;
   std::string out = input_summary(recording, request);
-  append_summary_line(out, "bees", io::grouped(findings.tracks.size()));
+  const std::uint64_t nowhere = findings.coverage.missing.nowhere;
+  append_summary_line(
+      out, "bees",
+      io::grouped(findings.tracks.size() + nowhere) +
+          (nowhere > 0 ? ", " + io::grouped(nowhere) + " of which known nowhere" : ""));
   if (const auto time = analysis::time_of(findings.tracks)) {
     append_summary_line(out, "from",
                         io::moment_text(time->begins_s, recording) + " to " +
@@ -345,6 +369,7 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
   append_summary_line(out, "verdict", verdict(findings, pairs, above));
   append_closest(out, findings, distances);
   append_worst(out, findings, in_the_air_first(findings, pairs), distances);
+  append_cut_conflicts(out, findings);
   append_note(out, analysis::chords_text(findings.chords));
   append_note(out, near_limit_text(findings.recorded.conflicts, request, distances));
   append_low(out, findings.low, recording, request, distances, findings.with_standing);

@@ -2,6 +2,7 @@
 
 #include "analysis/scene/worst_link.hpp"
 #include "cli/command_line/option_values.hpp"
+#include "cli/console/recipe_text.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
@@ -32,6 +33,10 @@ std::string risk_of(const report::SnapshotFacts& facts) {
 }
 
 std::string risk_of(const report::RecordingFacts& facts) {
+  if (facts.nothing_compared) {
+    return bold("nothing to compare") + ": no two " + facts.swarm.noun.several +
+           " are there at the same time" + and_unknown(facts.unknown);
+  }
   const std::string but_for = facts.low_count > 0 ? ", but for " + facts.low_text : "";
   if (facts.conflict_count == 0 && !facts.unknown.empty()) {
     return bold("none in the known time") + but_for + "; " + facts.unknown;
@@ -45,7 +50,7 @@ std::size_t bees_of(const report::SnapshotFacts& facts) {
   return facts.positions.size();
 }
 std::size_t bees_of(const report::RecordingFacts& facts) {
-  return facts.tracks.size();
+  return facts.tracks.size() + facts.nowhere_count;
 }
 
 // What comes after the moment that is shown.
@@ -57,7 +62,7 @@ void append_ahead(std::string& out, const report::SnapshotFacts& facts,
   append_summary_line(out, "ahead", risk ? red(words) : words);
   if (!risk || request.inputs.size() != 1 || request.inputs.front() == "-") return;
   append_summary_line(out, "",
-                      "'beespace predict " + printable(request.inputs.front()) +
+                      "'beespace predict " + printable(typed_name(request.inputs.front())) +
                           separation_typed(request) + "' tells more");
 }
 

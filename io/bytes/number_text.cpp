@@ -30,6 +30,15 @@ std::string group_digits(const std::string& digits) {
   return out;
 }
 
+constexpr double kMillimetre_m = 0.001;
+
+// Without zeros at its end, or the point before them.
+std::string without_zeros(std::string digits) {
+  while (digits.back() == '0') digits.pop_back();
+  if (digits.back() == '.') digits.pop_back();
+  return digits;
+}
+
 }  // namespace
 
 void append_exact(std::string& out, double value) {
@@ -72,8 +81,25 @@ std::string grouped_below(double limit, double value, int decimals) {
   return exact(value);
 }
 
+namespace {
+
+// Below a millimetre: "0.0837 mm", with three digits that say something, down to micrometres.
+std::string small_length_below(double limit_m, double metres) {
+  constexpr double kLeast_mm = 0.001;
+  const double millimetres = metres / kMillimetre_m;
+  if (millimetres < kLeast_mm) return "under 0.001 mm";
+  const int decimals = 2 - static_cast<int>(std::floor(std::log10(millimetres)));
+  return without_zeros(grouped_below(limit_m / kMillimetre_m, millimetres, decimals)) + " mm";
+}
+
+}  // namespace
+
 std::string length_below(double limit_m, double metres) {
-  if (metres == 0.0 || metres < 0.001 || metres >= 1e12) return length(metres);
+  // Beside metres that says nothing.
+  constexpr double kLarge_m = 1.0;
+  if (limit_m >= kLarge_m && metres > 0.0 && metres < kMillimetre_m) return "under 1 mm";
+  if (metres > 0.0 && metres < kMillimetre_m) return small_length_below(limit_m, metres);
+  if (metres < kMillimetre_m || metres >= 1e12) return length(metres);
   if (metres < 10'000.0) return grouped_below(limit_m, metres, 3) + " m";
   // Divided, both are rounded: the limit may then be as far away as the value.
   const double limit_km = limit_m / 1'000.0;
@@ -89,7 +115,8 @@ int decimals_around(double limit) {
 
 std::string length(double metres) {
   if (metres == 0.0) return "0 m";
-  if (metres < 0.001) return exact(metres) + " m";
+  if (metres > 0.0 && metres < kMillimetre_m) return small_length_below(0.0, metres);
+  if (metres < kMillimetre_m) return exact(metres) + " m";
   if (metres < 10'000.0) return grouped(metres, 3) + " m";
   if (metres < 1e12) return grouped(metres / 1'000.0, 1) + " km";
   return exact(metres) + " m";
@@ -105,10 +132,7 @@ std::string time_span(double seconds) {
   constexpr double kHour_s = 3600.0;
   if (seconds > 0.0 && seconds < 0.001) return "less than 0.001 s";
   if (seconds < kMinute_s) {
-    std::string text = fixed(seconds, 3);
-    while (text.back() == '0') text.pop_back();
-    if (text.back() == '.') text.pop_back();
-    return text + " s";
+    return without_zeros(fixed(seconds, 3)) + " s";
   }
   const auto parts = [](double whole, const char* unit, double rest, const char* of_rest) {
     std::string text = grouped(whole, 0) + unit;

@@ -43,8 +43,11 @@ constexpr std::string_view kTRexNpz =
     "f[k].shape == f['time'].shape}).to_csv('FILE.csv', index=False)\"";
 constexpr std::string_view kExcel =
     "an Excel workbook (.xlsx), which is not read; save each of its sheets as CSV (File, Save As, "
-    "CSV UTF-8), or make it of the first one: pip install pandas openpyxl, then python3 -c "
-    "\"import pandas; pandas.read_excel('FILE').to_csv('bees.csv', index=False)\"";
+    "CSV UTF-8) in one folder, or make them: pip install pandas openpyxl, then python3 -c "
+    "\"import pathlib, pandas; folder = pathlib.Path('FILE.sheets'); folder.mkdir(exist_ok=True); "
+    "[table.to_csv(folder / (name + '.csv'), index=False, header=False) for name, table in "
+    "pandas.read_excel('FILE', sheet_name=None, header=None).items() if len(table)]\", and read "
+    "the folder 'FILE.sheets'";
 constexpr std::string_view kOpenSheet =
     "a spreadsheet of LibreOffice (.ods), which is not read; save each of its sheets as CSV (File, "
     "Save As, Text CSV)";

@@ -16,6 +16,13 @@ std::string frame_words(Frame frame) {
   return frame == Frame::kWgs84 ? "in degrees" : "in metres";
 }
 
+// What --columns says to take both over ground.
+std::string columns_of_place(const SourceFacts& facts, const SourceFacts& others) {
+  const std::string& flat = facts.height_columns.flat;
+  if (!flat.empty() && flat == others.height_columns.flat) return flat;
+  return facts.frame == Frame::kWgs84 ? "lon=...,lat=..." : "x=...,y=...";
+}
+
 std::string height_words(HeightDatum heights) {
   switch (heights) {
     case HeightDatum::kEllipsoid:
@@ -95,8 +102,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
                         "heights here, but " + (facts.dimensions == 2 ? "" : "none ") + "in " +
                         facts_source_ +
                         "; give heights to all, or leave them out of all with --columns " +
-                        (facts.frame == Frame::kWgs84 ? "lon=...,lat=..." : "x=...,y=...") +
-                        ", or read them apart");
+                        columns_of_place(facts, *facts_) + ", or read them apart");
   }
   if (facts.has_time != facts_->has_time) {
     return disagree(ErrorCode::kMissingColumn,

@@ -98,6 +98,7 @@ void RecordingAssembly::miss(std::uint64_t records, std::string_view id) {
 void RecordingAssembly::leave_out(const LeftOutReason& reason, std::string_view id) {
   left_out_.add(reason);
   if (!reason.harmless) miss(1, id);
+  if (reason.which == kUnknownHeight.which) heightless_.take(id);
 }
 
 void RecordingAssembly::take_rough(std::string_view id) {

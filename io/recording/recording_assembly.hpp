@@ -12,6 +12,7 @@
 #include "io/recording/doubled_hours.hpp"
 #include "io/recording/frozen_places.hpp"
 #include "io/recording/ground_claims.hpp"
+#include "io/recording/heightless.hpp"
 #include "io/recording/part_spans.hpp"
 #include "io/recording/recording.hpp"
 #include "io/recording/recording_options.hpp"
@@ -69,7 +70,8 @@ struct SourceFacts {
   HeightDatum heights = HeightDatum::kUnstated;
   Unit height_unit = Unit::kMetre;  // in which TrackGathering is told them as they are stated
   std::vector<UnitTaken> units = {};
-  std::string description = {};  // "text, comma-separated"
+  HeightColumns height_columns = {};  // of animals, of which some may have none
+  std::string description = {};       // "text, comma-separated"
   // Of what has a layout of its own: which of the options that were given are not for it.
   std::optional<Error> unused_options = {};
   // Where times may begin again with each trial, and where an animal may have several tags at
@@ -256,6 +258,7 @@ class RecordingAssembly {
   std::optional<Error> settle_times();
   [[nodiscard]] std::optional<Error> settle_files() const;
   [[nodiscard]] std::optional<Error> settle_midnights() const;
+  [[nodiscard]] std::optional<Error> settle_heightless() const;
   std::optional<Error> settle_shows();
   std::optional<Error> settle_frame();
   void leave_out_zeros();
@@ -292,6 +295,7 @@ class RecordingAssembly {
   Recording recording_;
   TrackGathering tracks_;
   LeftOut left_out_;
+  Heightless heightless_;
   GroundClaims claims_;
   std::unordered_map<std::string, std::vector<GroundClaims::Run>> grounded_;  // or perhaps, by id
   std::unordered_map<std::string, std::set<double>> unplaced_;                // times by id

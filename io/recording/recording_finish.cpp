@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
+#include <string_view>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -124,6 +126,15 @@ std::optional<Error> RecordingAssembly::settle_midnights() const {
                location_of(doubt->origin)};
 }
 
+// Some have heights, and others have none at all.
+std::optional<Error> RecordingAssembly::settle_heightless() const {
+  if (!facts_ || !heightless_.any()) return std::nullopt;
+  auto error = heightless_.question(facts_->height_columns, options_.columns,
+                                    [this](const std::string& id) { return tracks_.contains(id); });
+  if (error) error->location.source = facts_source_;
+  return error;
+}
+
 std::optional<Error> RecordingAssembly::settle_shows() {
   if (!shows_apart_) return std::nullopt;
   if (options_.frame != Frame::kMetres) {
@@ -203,7 +214,14 @@ void RecordingAssembly::note_counts() {
     note(counted(count, "time is a day alone and is", "times are days alone and are") +
          " taken for midnight, as R writes it");
   }
-  for (std::string& text : left_out_.notes()) note(std::move(text));
+  for (std::string& text : left_out_.notes()) {
+    constexpr std::string_view kWhich = "with x and y, or lon and lat, only";
+    const std::size_t at = text.find(kWhich);
+    if (at != std::string::npos && facts_ && !facts_->height_columns.flat.empty()) {
+      text.replace(at, kWhich.size(), facts_->height_columns.flat);
+    }
+    note(std::move(text));
+  }
   if (kept_in_flight_ > 0) {
     note(counted(kept_in_flight_, "record says", "records say") +
          " that an aircraft is on the ground, but it is higher than any airport, or faster or "
@@ -336,6 +354,7 @@ Result<Recording> RecordingAssembly::finish() {
   if (auto error = settle_times()) return *std::move(error);
   if (auto error = settle_files()) return *std::move(error);
   if (auto error = settle_midnights()) return *std::move(error);
+  if (auto error = settle_heightless()) return *std::move(error);
   leave_out_zero_runs();
   if (!frame_is_settled_) {
     leave_out_stale_places();

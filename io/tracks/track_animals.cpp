@@ -25,6 +25,21 @@ bool names_collars(const Header& header) {
   return false;
 }
 
+// In the words of --columns.
+HeightColumns height_columns(const Header& header, const TrackLayout& layout) {
+  const ColumnChoice& choice = layout.table.choice;
+  const bool degrees = layout.frame == Frame::kWgs84;
+  const auto number = [&choice](std::size_t axis) { return std::to_string(choice.axes[axis] + 1); };
+  HeightColumns columns;
+  columns.flat.append(degrees ? "lon=" : "x=").append(number(0));
+  columns.flat.append(degrees ? ",lat=" : ",y=").append(number(1));
+  const bool said = header.override_of(Role::kHeight) || header.override_of(Role::kZ);
+  if (choice.dimensions == 3 && !said) {
+    columns.heights = columns.flat + (degrees ? ",height=" : ",z=") + number(2);
+  }
+  return columns;
+}
+
 }  // namespace
 
 void settle_animals(const Header& header, TrackLayout& layout) {
@@ -38,6 +53,7 @@ void settle_animals(const Header& header, TrackLayout& layout) {
       (of_animals && source->name == "TRex") || layout.table.choice.units.front() == Unit::kPixel;
   if (!of_animals) return;
   layout.no_height = &kUnknownHeight;
+  layout.height_columns = height_columns(header, layout);
   layout.without_id = &kNoAnimal;
   layout.infinite_is_unknown = source->infinite_is_unknown;
   for (std::size_t i = 0; i < header.size(); ++i) {

@@ -4,6 +4,7 @@
 
 #include "io/frames/coordinate_frame.hpp"
 #include "io/problems/left_out.hpp"
+#include "io/recording/heightless.hpp"
 #include "io/recording/recording_options.hpp"
 #include "io/recording/wall_clock.hpp"
 #include "io/table/table_layout.hpp"
@@ -121,6 +122,7 @@ struct TrackLayout {
   std::optional<std::size_t> marked_valid = {};  // unless here
   std::optional<std::size_t> tag = {};           // of animals, of which each should have one
   const LeftOutReason* no_height = nullptr;      // what to say of a record without a height,
+  HeightColumns height_columns = {};             // of animals
   const LeftOutReason* without_id = nullptr;     // or without an id, where that may be empty
   std::optional<std::size_t> label = {};         // what each is called beside its id: the flight
   std::optional<std::size_t> on_ground = {};     // of those that are left out

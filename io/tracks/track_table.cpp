@@ -194,6 +194,7 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   facts.heights = choice.datum;
   facts.height_unit = choice.height_unit();
   facts.units = layout.units;
+  facts.height_columns = layout.height_columns;
   facts.description = std::move(description);
   return facts;
 }

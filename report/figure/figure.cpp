@@ -68,7 +68,13 @@ std::string findings_of(const SnapshotFacts& facts) {
 }
 
 std::string findings_of(const RecordingFacts& facts) {
-  std::string text = counted(facts.tracks.size(), facts.swarm.noun) + ". ";
+  const std::size_t all = facts.tracks.size() + facts.nowhere_count;
+  std::string text = counted(all, facts.swarm.noun) + ". ";
+  if (facts.nothing_compared) {
+    text +=
+        "Nothing to compare: no two " + facts.swarm.noun.several + " are there at the same time";
+    return text + (facts.unknown.empty() ? "." : "; " + facts.unknown + ".");
+  }
   std::string but_for;
   if (facts.standing_count > 0) {
     but_for = ", but for " + count_label(facts.standing_count, "conflict", "conflicts") +
@@ -126,10 +132,24 @@ Listing closest_pairs(const SnapshotFacts& facts) {
   return listing;
 }
 
-// ", for 2 h"; nothing of an encounter that is none.
-std::string duration_of(const Conflict& conflict) {
+// ", for 2 h", or "; 19 conflicts, 2 h 10 min in all"; nothing of an encounter that is none.
+std::string duration_of(const Conflict& conflict, const std::vector<PairInConflict>& pairs) {
+  const auto ids = [](const auto& pair) { return std::pair(pair.first, pair.second); };
+  const auto pair = std::lower_bound(
+      pairs.begin(), pairs.end(), conflict,
+      [&ids](const PairInConflict& a, const Conflict& b) { return ids(a) < ids(b); });
+  if (pair != pairs.end() && ids(*pair) == ids(conflict) && pair->conflicts > 1) {
+    return "; " + count_label(pair->conflicts, "conflict", "conflicts") + ", " +
+           io::time_span(pair->time_s) + " in all";
+  }
   const double lasts_s = conflict.ends_s - conflict.begins_s;
   return lasts_s > 0.0 ? ", for " + io::time_span(lasts_s) : std::string();
+}
+
+std::vector<Ink> inks_of(const Conflict& conflict, const RecordingFacts& facts) {
+  const auto first = own_ink(conflict.first, facts.tracks.size());
+  const auto second = own_ink(conflict.second, facts.tracks.size());
+  return first && second ? std::vector<Ink>{*first, *second} : std::vector<Ink>();
 }
 
 // Which conflicts are with a drone on the ground.
@@ -175,7 +195,8 @@ Listing closest_conflicts(const RecordingFacts& facts) {
     listing.rows.push_back({name_of(facts.swarm.names, conflict.first, conflict.second),
                             listed_apart(facts.swarm, conflict.closest_m, apart) + " at " +
                                 moment_label(conflict.closest_s, facts) + kind +
-                                duration_of(conflict)});
+                                duration_of(conflict, facts.pairs),
+                            inks_of(conflict, facts)});
   };
   const WithStanding with_standing(facts);
   for (const std::size_t place : closest_of_each_pair(facts, with_standing)) {

@@ -6,9 +6,7 @@
 #include "report/xml_text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -17,7 +15,8 @@
 namespace beespace::report {
 namespace {
 
-constexpr double kWidestName = 150.0;
+constexpr double kWidestName = 300.0;  // where there is room
+constexpr double kShorterName = 150.0;
 constexpr double kNameAscent = 0.8 * kLabelSize;
 constexpr double kNameDescent = 0.3 * kLabelSize;
 constexpr double kBesideEnd = 6.0;
@@ -45,28 +44,63 @@ bool lies_within(const Box& inner, const Box& outer) {
          inner.bottom() <= outer.bottom();
 }
 
-// To the right of the spot, to the left, above it and below, and so in the corners.
-std::array<Text, 6> places_beside(const Text& label, Spot spot) {
+// Right of the spot, left of it, above and below, and so in the corners; then farther and farther
+// above and below, as far to the side as the view allows.
+std::vector<Text> places_beside(const Text& label, Spot spot, const Box& view) {
+  constexpr int kRows = 4;
   const double width = text_width(label.text, label.size);
-  const auto at = [&label](double x, double y) {
+  std::vector<Text> places;
+  const auto at = [&](double x, double y) {
     Text text = label;
     text.at = {x, y};
-    return text;
+    places.push_back(text);
   };
+  const double right = spot.x + kBesideEnd;
+  const double left = spot.x - kBesideEnd - width;
   const double middle = spot.y + 0.35 * kLabelSize;
   const double above = spot.y - kBesideEnd - kNameDescent;
   const double below = spot.y + kBesideEnd + kNameAscent;
-  return {at(spot.x + kBesideEnd, middle), at(spot.x - kBesideEnd - width, middle),
-          at(spot.x - 0.5 * width, above), at(spot.x - 0.5 * width, below),
-          at(spot.x + kBesideEnd, above),  at(spot.x - kBesideEnd - width, below)};
+  at(right, middle);
+  at(left, middle);
+  at(spot.x - 0.5 * width, above);
+  at(spot.x - 0.5 * width, below);
+  at(right, above);
+  at(left, below);
+  const double least = view.left + 1.0;
+  const double within = std::max(least, std::min(spot.x - 0.5 * width, view.right() - width - 1.0));
+  const double row = kLabelSize + 2.0;
+  for (int i = 0; i < kRows; ++i) {
+    const double far = row * static_cast<double>(i);
+    for (const double y : {above - far, below + far}) {
+      at(std::max(least, within), y);
+      at(right, y);
+      at(left, y);
+    }
+  }
+  return places;
 }
 
 }  // namespace
 
+std::vector<std::size_t> named_paths(const RecordingFacts& facts) {
+  std::vector<bool> in_conflict(facts.tracks.size());
+  for (const Conflict& conflict : facts.conflicts) {
+    in_conflict[conflict.first] = in_conflict[conflict.second] = true;
+  }
+  std::vector<std::size_t> named;
+  for (const bool first : {true, false}) {
+    if (!first && facts.tracks.size() > kMostNamedPaths) break;
+    for (std::size_t bee = 0; bee < in_conflict.size(); ++bee) {
+      if (in_conflict[bee] == first) named.push_back(bee);
+    }
+  }
+  return named.size() <= kMostNamedPaths ? named : std::vector<std::size_t>();
+}
+
 void draw_path_labels(const RecordingFacts& facts, const View& view, Drawing& drawing) {
-  if (facts.tracks.empty() || facts.tracks.size() > kMostNamedPaths) return;
+  const std::vector<std::size_t> named = named_paths(facts);
+  if (named.empty()) return;
   std::vector<Box> taken;
-  std::vector<Spot> ends;
   for (const Shape& shape : drawing.shapes) {
     if (const auto* text = std::get_if<Text>(&shape)) taken.push_back(box_of_text(*text));
     if (const auto* dots = std::get_if<Dots>(&shape)) {
@@ -78,32 +112,41 @@ void draw_path_labels(const RecordingFacts& facts, const View& view, Drawing& dr
       }
     }
   }
-  for (const Track& track : facts.tracks) {
-    if (!track.fixes.empty()) ends.push_back(view.spot_of(track.fixes.back().position));
-  }
   constexpr double kEnd = 2.0;
-  for (const Spot& end : ends) taken.push_back(box_around(end, kEnd));
-  Dots dots{ends, kEnd, kText, 1.0};
-  for (std::size_t bee = 0; bee < facts.tracks.size(); ++bee) {
+  std::vector<Dots> dots;
+  for (const std::size_t bee : named) {
     const Track& track = facts.tracks[bee];
     if (track.fixes.empty()) continue;
-    const std::string name = one_line(picture_name(facts.swarm.names, static_cast<PointId>(bee)));
-    const Text label{
-        {},   fitted(name, kLabelSize, kWidestName), kLabelSize, Anchor::kStart, false, false, true,
-        kText};
-    for (const Text& text : places_beside(label, view.spot_of(track.fixes.back().position))) {
-      const Box box = box_of_text(text);
-      const bool free = lies_within(box, view.panel.box) &&
-                        std::none_of(taken.begin(), taken.end(), [&box](const Box& other) {
-                          return covers_part_of(box, other);
-                        });
-      if (!free) continue;
-      taken.push_back(box);
-      drawing.shapes.emplace_back(text);
-      break;
-    }
+    const Spot end = view.spot_of(track.fixes.back().position);
+    taken.push_back(box_around(end, kEnd));
+    dots.push_back(Dots{{end}, kEnd, own_ink(bee, facts.tracks.size()).value_or(kText), 1.0});
   }
-  drawing.shapes.emplace_back(std::move(dots));
+  const auto is_free = [&](const Box& box) {
+    return lies_within(box, view.panel.box) &&
+           std::none_of(taken.begin(), taken.end(),
+                        [&box](const Box& other) { return covers_part_of(box, other); });
+  };
+  // As a whole where there is room, or shorter.
+  const auto draw_name = [&](const std::string& name, Spot end) {
+    for (const double widest : {kWidestName, kShorterName}) {
+      const std::string shown = fitted(name, kLabelSize, widest);
+      const Text label{{}, shown, kLabelSize, Anchor::kStart, false, false, true, kText};
+      for (const Text& text : places_beside(label, end, view.panel.box)) {
+        const Box box = box_of_text(text);
+        if (!is_free(box)) continue;
+        taken.push_back(box);
+        drawing.shapes.emplace_back(text);
+        return;
+      }
+    }
+  };
+  for (const std::size_t bee : named) {
+    const Track& track = facts.tracks[bee];
+    if (track.fixes.empty()) continue;
+    draw_name(one_line(picture_name(facts.swarm.names, static_cast<PointId>(bee))),
+              view.spot_of(track.fixes.back().position));
+  }
+  for (Dots& dot : dots) drawing.shapes.emplace_back(std::move(dot));
 }
 
 }  // namespace beespace::report

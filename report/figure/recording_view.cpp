@@ -49,30 +49,55 @@ class ShownPath {
   bool ended_ = false;
 };
 
-std::vector<std::vector<Spot>> paths_of(const RecordingFacts& facts, const View& view) {
+// A path from one gap to the next.
+struct PathRun {
+  std::size_t bee = 0;
+  std::vector<Spot> spots;
+};
+
+std::vector<PathRun> paths_of(const RecordingFacts& facts, const View& view) {
   const ShownFixes shown = shown_fixes(facts.tracks, facts.gaps, kMostFixes);
-  std::vector<std::vector<Spot>> paths;
+  std::vector<PathRun> paths;
   for (const ShownRun& run : runs_of(shown)) {
     ShownPath path;
     for (std::size_t i = run.begin; i < run.end; ++i) path.add(view.spot_of(shown.positions[i]));
     auto spots = path.finish();
-    if (spots.size() > 1) paths.push_back(std::move(spots));
+    if (spots.size() > 1) paths.push_back({run.bee, std::move(spots)});
   }
   return paths;
 }
 
-bool are_few(const std::vector<std::vector<Spot>>& paths) {
+bool are_few(const std::vector<PathRun>& paths) {
   std::size_t corners = 0;
-  for (const auto& path : paths) corners += path.size();
+  for (const PathRun& path : paths) corners += path.spots.size();
   return paths.size() <= kFewPaths && corners <= kFewCorners;
 }
 
-Density ways_of(const std::vector<std::vector<Spot>>& paths, const View& view) {
+Density ways_of(const std::vector<PathRun>& paths, const View& view) {
   Density density = density_over(view, kDensityCell);
-  for (const auto& path : paths) {
-    for (std::size_t i = 1; i < path.size(); ++i) density.add_way(path[i - 1], path[i]);
+  for (const auto& [bee, spots] : paths) {
+    for (std::size_t i = 1; i < spots.size(); ++i) density.add_way(spots[i - 1], spots[i]);
   }
   return density;
+}
+
+// In one ink, or each bee in its own, one after the other.
+void draw_lines(std::vector<PathRun> paths, std::size_t bees, Drawing& drawing) {
+  constexpr std::size_t kThinner = 200;
+  Lines all{{}, kPath, bees <= kThinner ? 1.0 : 0.7};
+  std::size_t drawn = 0;
+  const auto draw = [&] {
+    if (all.runs.empty()) return;
+    if (const auto own = own_ink(drawn, bees)) all.ink = *own;
+    drawing.shapes.emplace_back(all);
+    all.runs.clear();
+  };
+  for (PathRun& path : paths) {
+    if (path.bee != drawn && own_ink(path.bee, bees)) draw();
+    drawn = path.bee;
+    all.runs.push_back(std::move(path.spots));
+  }
+  draw();
 }
 
 // Where a bee is while it is in conflict.
@@ -139,11 +164,21 @@ void draw_conflicts(const RecordingFacts& facts, const View& view, Drawing& draw
 }
 
 void draw_starts(const RecordingFacts& facts, const View& view, Drawing& drawing) {
-  Dots starts{{}, 2.6, kBee, 1.0};
-  for (const Track& track : facts.tracks) {
-    if (!track.fixes.empty()) starts.centres.push_back(view.spot_of(track.fixes.front().position));
+  constexpr double kStart = 2.6;
+  Dots starts{{}, kStart, kBee, 1.0};
+  for (std::size_t bee = 0; bee < facts.tracks.size(); ++bee) {
+    const Track& track = facts.tracks[bee];
+    if (track.fixes.empty()) continue;
+    const Spot at = view.spot_of(track.fixes.front().position);
+    if (const auto own = own_ink(bee, facts.tracks.size())) {
+      drawing.shapes.emplace_back(Dots{{at}, kStart, *own, 1.0});
+    } else {
+      starts.centres.push_back(at);
+    }
   }
-  if (starts.centres.size() <= kFewStarts) drawing.shapes.emplace_back(std::move(starts));
+  if (!starts.centres.empty() && starts.centres.size() <= kFewStarts) {
+    drawing.shapes.emplace_back(std::move(starts));
+  }
 }
 
 // "a drone", "an animal".
@@ -193,8 +228,7 @@ void draw_closest(const RecordingFacts& facts, const View& view, Drawing& drawin
 void draw_paths(const RecordingFacts& facts, const View& view, Drawing& drawing) {
   auto paths = paths_of(facts, view);
   if (are_few(paths)) {
-    drawing.shapes.emplace_back(
-        Lines{std::move(paths), kPath, facts.tracks.size() <= 200 ? 1.0 : 0.7});
+    draw_lines(std::move(paths), facts.tracks.size(), drawing);
   } else {
     drawing.shapes.emplace_back(ways_of(paths, view).cells(shades()));
   }
@@ -211,15 +245,19 @@ std::vector<KeyEntry> key_of_paths(const RecordingFacts& facts, const View& from
   std::vector<KeyEntry> key;
   const auto paths = paths_of(facts, from_above);
   if (are_few(paths)) {
-    key.push_back({Sample::kPath, "path"});
+    const bool own = facts.tracks.size() > 1 && own_ink(0, facts.tracks.size());
+    key.push_back({Sample::kPath, own ? "path, each in its colour" : "path"});
   } else {
     key.push_back({Sample::kShades, "paths through a cell: 1 to " +
                                         count_label(ways_of(paths, from_above).most()) +
                                         " from above"});
   }
   if (facts.tracks.size() <= kFewStarts) {
-    const bool named = facts.tracks.size() <= kMostNamedPaths;
-    key.push_back({Sample::kStart, named ? "start; names are at ends" : "start"});
+    const std::size_t named = named_paths(facts).size();
+    key.push_back({Sample::kStart, named == 0                     ? "start"
+                                   : named == facts.tracks.size() ? "start; names are at ends"
+                                                                  : "start; names of those in "
+                                                                    "conflict are at ends"});
   }
   if (!facts.unknown_spans.empty())
     key.push_back({Sample::kUnknown, one_of(facts.swarm.noun) + " unknown"});

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
+#include <utility>
 
 namespace beespace::report {
 namespace {
@@ -155,18 +157,73 @@ std::string origin_note(const GeographicPosition& origin, const HeightWords& hei
 
 constexpr double kBesideName = 12.0;
 constexpr double kAboveRows = 6.0 + kRowHeight;
+constexpr double kInkApart = 9.0;  // from one dot to the next
+
+// How far names begin behind the dots that say whose path they are of.
+double indent_of(const Row& row) {
+  return row.inks.empty() ? 0.0 : 3.0 + kInkApart * static_cast<double>(row.inks.size());
+}
 
 // Whether what is said of a row goes below its name, where that would be cut.
 bool is_said_below(const Listing& listing, double width) {
   return std::any_of(listing.rows.begin(), listing.rows.end(), [&](const Row& row) {
     return text_width(one_line(row.left), kLabelSize) + text_width(row.right, kLabelSize) +
-               kBesideName >
+               kBesideName + indent_of(row) >
            width;
   });
 }
 
+// A row as it is drawn: names, and what is said of them below, each in as many lines as it takes.
+struct RowLines {
+  std::vector<std::string> names;
+  std::vector<std::string> said;
+};
+
+RowLines lines_of(const Row& row, double width) {
+  const auto broken = [](const std::string& text, double room) {
+    constexpr std::size_t kMost = 2;
+    std::vector<std::string> lines = wrapped(text, kLabelSize, room);
+    for (std::size_t i = kMost; i < lines.size(); ++i)
+      lines[kMost - 1].append(" ").append(lines[i]);
+    lines.resize(std::min(lines.size(), kMost));
+    if (!lines.empty()) lines.back() = fitted(lines.back(), kLabelSize, room);
+    return lines;
+  };
+  const double room = width - indent_of(row);
+  const auto fits = [room](const std::string& text) {
+    return text_width(text, kLabelSize) <= room;
+  };
+  const std::string left = one_line(row.left);
+  RowLines lines{broken(left, room), {}};
+  // Two names stand below each other rather than that one of them is broken.
+  constexpr std::string_view kBetween = " \u2013 ";
+  const std::size_t between = left.find(kBetween);
+  if (lines.names.size() > 1 && between != std::string::npos) {
+    std::string first = left.substr(0, between) + " \u2013";
+    std::string second = left.substr(between + kBetween.size());
+    if (fits(first) && fits(second)) lines.names = {std::move(first), std::move(second)};
+  }
+  // What is said of all conflicts of two stands below what is said of the closest.
+  const std::size_t all = row.right.find("; ");
+  if (all == std::string::npos || text_width(row.right, kLabelSize) <= width) {
+    lines.said = broken(row.right, width);
+  } else {
+    lines.said = {fitted(row.right.substr(0, all + 1), kLabelSize, width),
+                  fitted(row.right.substr(all + 2), kLabelSize, width)};
+  }
+  return lines;
+}
+
+// All rows are as high as the highest.
 double row_height(const Listing& listing, double width) {
-  return is_said_below(listing, width) ? 1.9 * kRowHeight : kRowHeight;
+  constexpr double kBetweenRows = 0.3 * kRowHeight;
+  if (!is_said_below(listing, width)) return kRowHeight;
+  std::size_t most = 2;
+  for (const Row& row : listing.rows) {
+    const RowLines lines = lines_of(row, width);
+    most = std::max(most, lines.names.size() + lines.said.size());
+  }
+  return kBetweenRows + 0.8 * kRowHeight * static_cast<double>(most);
 }
 
 }  // namespace
@@ -229,11 +286,28 @@ void draw_listing(const Listing& listing, Spot corner, double width, double bott
   for (std::size_t i = 0; i < shown; ++i) {
     const Row& row = listing.rows[i];
     const double y = first + static_cast<double>(i) * height;
-    const double right = below ? 0.0 : text_width(row.right, kLabelSize) + kBesideName;
-    add_text({corner.x, y}, fitted(one_line(row.left), kLabelSize, width - right), kLabelSize,
-             kText, drawing);
-    add_text({corner.x + width, below ? y + 0.8 * kRowHeight : y}, row.right, kLabelSize,
-             below ? kQuietText : kText, drawing, Anchor::kEnd);
+    const double indent = indent_of(row);
+    for (std::size_t ink = 0; ink < row.inks.size(); ++ink) {
+      const Spot dot{corner.x + 3.0 + kInkApart * static_cast<double>(ink), y - 4.0};
+      drawing.shapes.emplace_back(Dots{{dot}, 3.2, row.inks[ink]});
+    }
+    if (!below) {
+      const double beside = width - indent - text_width(row.right, kLabelSize) - kBesideName;
+      add_text({corner.x + indent, y}, fitted(one_line(row.left), kLabelSize, beside), kLabelSize,
+               kText, drawing);
+      add_text({corner.x + width, y}, row.right, kLabelSize, kText, drawing, Anchor::kEnd);
+      continue;
+    }
+    const RowLines lines = lines_of(row, width);
+    double line_y = y;
+    for (const std::string& line : lines.names) {
+      add_text({corner.x + indent, line_y}, line, kLabelSize, kText, drawing);
+      line_y += 0.8 * kRowHeight;
+    }
+    for (const std::string& line : lines.said) {
+      add_text({corner.x + width, line_y}, line, kLabelSize, kQuietText, drawing, Anchor::kEnd);
+      line_y += 0.8 * kRowHeight;
+    }
   }
 }
 

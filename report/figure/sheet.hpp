@@ -34,6 +34,7 @@ struct KeyEntry {
 struct Row {
   std::string left;
   std::string right;
+  std::vector<Ink> inks = {};  // of the paths that it is about, where these have their own
 };
 
 struct Listing {

@@ -129,6 +129,79 @@ TEST(FigureOfRecording, OfManyPathsTheClosestTwoAreNamedWhereTheyAre) {
   }));
 }
 
+// The closest of them says little of the others.
+TEST(FigureOfRecording, OfAPairAllConflictsAreTold) {
+  RecordingFacts facts = two_tracks();
+  facts.pairs = {{0, 1, 19, 7'800.0}};
+  EXPECT_TRUE(says(figure_of(facts), "3.000 m at 50.0 s; 19 conflicts, 2 h 10 min in all"));
+  facts.pairs = {{0, 1, 1, 4.0}};
+  EXPECT_TRUE(says(figure_of(facts), "3.000 m at 50.0 s, for 4 s"));
+}
+
+TEST(FigureOfRecording, AFewPathsHaveColoursOfTheirOwnWhichTheListHasToo) {
+  RecordingFacts facts = two_tracks();
+  const auto has_path = [](const Drawing& drawing, const Ink& ink) {
+    const auto lines = shapes_of<Lines>(drawing);
+    return std::any_of(lines.begin(), lines.end(),
+                       [&ink](const Lines& line) { return line.ink.rgb == ink.rgb; });
+  };
+  const auto dots_of = [](const Drawing& drawing, const Ink& ink) {
+    const auto dots = shapes_of<Dots>(drawing);
+    return std::count_if(dots.begin(), dots.end(), [&ink](const Dots& of) {
+      return of.ink.rgb == ink.rgb && of.outline == 0.0;
+    });
+  };
+  const Drawing few = figure_of(facts);
+  for (std::size_t path = 0; path < 2; ++path) {
+    EXPECT_TRUE(has_path(few, kFewPathInks[path]));
+    EXPECT_GE(dots_of(few, kFewPathInks[path]), 1) << "in the list";
+  }
+  facts.tracks.resize(9, facts.tracks[0]);
+  facts.swarm.names.texts.resize(9, "c");
+  const Drawing many = figure_of(facts);
+  EXPECT_TRUE(has_path(many, kPath));
+  EXPECT_EQ(dots_of(many, kFewPathInks[0]), 0);
+}
+
+// Also where the first places for it are taken, or outside; and of many paths.
+TEST(FigureOfRecording, WhoIsInConflictHasItsNameOnTheMap) {
+  RecordingFacts facts = two_tracks();
+  facts.swarm.names.texts = {"Findelkind / DER A8K4 (eobs 3339)", "Niclas / DER AU051 (eobs 3335)"};
+  facts.tracks[1].fixes.back().position = facts.tracks[0].fixes.front().position;
+  const auto names_on_map = [&facts](const std::string& name) {
+    constexpr double kList = 760.0;  // is to the right of that
+    const auto texts = shapes_of<Text>(figure_of(facts));
+    return std::count_if(texts.begin(), texts.end(), [&name](const Text& text) {
+      return text.text == name && text.at.x < kList;
+    });
+  };
+  EXPECT_EQ(names_on_map(facts.swarm.names.texts[0]), 1);
+  EXPECT_EQ(names_on_map(facts.swarm.names.texts[1]), 1);
+  const Track other{{{0.0, {10, 40, 10}}, {100.0, {20, 50, 10}}}};
+  facts.tracks.resize(40, other);
+  facts.swarm.names.texts = {"Findelkind", "Niclas"};
+  facts.swarm.names.texts.resize(40, "other");
+  EXPECT_EQ(names_on_map("Findelkind"), 1);
+  EXPECT_EQ(names_on_map("Niclas"), 1);
+  EXPECT_EQ(names_on_map("other"), 0);
+}
+
+TEST(FigureOfRecording, WhereNothingIsComparedThatIsSaidOfAll) {
+  RecordingFacts facts = two_tracks();
+  facts.tracks.pop_back();
+  facts.conflicts.clear();
+  facts.conflict_count = facts.pair_count = 0;
+  facts.at_risk.clear();
+  facts.separation.clear();
+  facts.closest.reset();
+  facts.nowhere_count = 1;
+  facts.nothing_compared = true;
+  facts.unknown = "1 bee is known nowhere, 100 records were left out";
+  EXPECT_TRUE(says(figure_of(facts),
+                   "2 bees. Nothing to compare: no two bees are there at the same time; 1 bee is "
+                   "known nowhere"));
+}
+
 // An encounter that is not too close is not "possible".
 TEST(FigureOfRecording, AnEncounterThatIsNoConflictIsNotCalledPossible) {
   RecordingFacts facts = two_tracks();

@@ -278,7 +278,11 @@ TEST(FigureWords, TheNameOfOneAheadDoesNotCoverItsOwnRing) {
 
 TEST(FigureWords, NamesInListsAreNotCut) {
   const auto texts = texts_of(figure_of(crossing()));
-  EXPECT_TRUE(says(texts, "3c6444 (LUFTHANSA2A) \u2013 4ca7b3 (RYANAIR12AB)"));
+  const auto has = [&texts](const char* line) {
+    return std::find(texts.begin(), texts.end(), line) != texts.end();
+  };
+  EXPECT_TRUE(has("3c6444 (LUFTHANSA2A) \u2013"));
+  EXPECT_TRUE(has("4ca7b3 (RYANAIR12AB)"));
 }
 
 // No name of a limit where the line of the separation goes.

@@ -172,7 +172,7 @@ TEST(AircraftTables, TheAddressIsTheIdWhateverTheOrder) {
   const TextRows rows = rows_of(finished.out, ',');
   ASSERT_EQ(rows.size(), 2u) << finished.err;
   EXPECT_EQ(rows[1].at(0) + rows[1].at(1), "a1b2");
-  EXPECT_EQ(rows[1].at(7) + rows[1].at(8), "SWR1SWR2");
+  EXPECT_EQ(rows[1].at(9) + rows[1].at(10), "SWR1SWR2");
   expect_parts(finished.err, {"ids are read from column 2 'icao24', and how they are called beside "
                               "from column 1 'callsign'; --columns id=1 would take that"});
   const TextRows flights = rows_of(

@@ -60,7 +60,7 @@ TEST(Animals, MovebankIsReadAsItComes) {
                 "1 record marked as outliers (visible=false, ...-marked-outlier=true) is left out",
                 "1 record without a place (empty, NA or NaN) is left out",
                 "1 record whose id of an animal is empty (of tags that are on none) is left",
-                "1 record of unknown bees",
+                "1 record of unknown bees: it is not said whose they are",
                 "from       2015-09-10T07:00:00.000Z to 2015-09-10T07:55:00.000Z",
                 "at 2015-09-10T07:24:43.779Z"});
 }
@@ -394,6 +394,46 @@ TEST(Animals, PlacesByArgosAreNoAllClear) {
   EXPECT_EQ(finished.exit_code, 1);
   expect_parts(finished.err, {"2 places are by the Doppler shift of Argos (sensor-type)",
                               "no conflict in the known time; 1 bee has places off by kilometres"});
+}
+
+// Collars of which some tell no height at all: over ground they can be compared.
+TEST(Animals, WhoHasNoHeightAtAllIsAskedAbout) {
+  TemporaryFolder folder;
+  std::string text =
+      "event-id,timestamp,location-long,location-lat,height-above-ellipsoid,"
+      "individual-local-identifier,study-name\n";
+  for (int i = 0; i < 40; ++i) {
+    const std::string time = "2024-06-05 0" + std::to_string(i / 12) + ":" +
+                             (i % 12 < 2 ? "0" : "") + std::to_string(i % 12 * 5) + ":00.000";
+    text += std::to_string(2 * i) + "," + time + ",11.0,47.0,650,Deer1,Deer\n";
+    text += std::to_string(2 * i + 1) + "," + time + ",11.0001,47.0,,Deer2,Deer\n";
+  }
+  const std::string file = folder.file("deer.csv", text);
+  const Arguments question = {file, "--threshold", "50"};
+  const std::string picture = folder.path("deer.svg");
+  for (const Arguments& command : {Arguments{"replay"}, Arguments{"plot", "-o", picture},
+                                   Arguments{"report", "-o", folder.path("deer.html")}}) {
+    const Finished asked = run(command + question);
+    EXPECT_EQ(asked.exit_code, 2) << command[0];
+    expect_parts(asked.err, {"'Deer2' has no height in any of its 40 records, while others have",
+                             "add --columns lon=3,lat=4; ", "add --columns lon=3,lat=4,height=5"});
+  }
+  const Finished flat = run(Arguments{"replay"} + question + Arguments{"--columns", "lon=3,lat=4"});
+  EXPECT_EQ(flat.exit_code, 0) << flat.err;
+  expect_parts(flat.err, {"1 conflict of 1 pair"});
+  const Arguments meant = {"--columns", "lon=3,lat=4,height=5", "--fail-on-risk"};
+  const Finished left_out = run(Arguments{"replay"} + question + meant);
+  EXPECT_EQ(left_out.exit_code, 1) << left_out.err;
+  expect_parts(left_out.err, {"bees       2, 1 of which known nowhere", "nothing to compare",
+                              "40 records without a height are left out; --columns lon=3,lat=4"});
+  const Finished drawn = run(Arguments{"plot", "-o", picture} + question + meant);
+  EXPECT_EQ(drawn.exit_code, 1) << drawn.err;
+  expect_parts(drawn.err, {"animals    2\n", "nothing to compare: no two animals are there"});
+  expect_parts(folder.read("deer.svg"), {"2 animals. Nothing to compare"});
+  // Who lacks some of them is known for a part of the time only, as before.
+  const std::size_t gap = text.find(",,Deer2");
+  text.replace(gap, 1, ",650");
+  EXPECT_EQ(run({"replay", folder.file("some.csv", text), "--threshold", "50"}).exit_code, 0);
 }
 
 }  // namespace

@@ -44,6 +44,73 @@ class Gaps : public testing::Test {
   std::string file_ = folder_.file("flown.csv", through_the_gap());
 };
 
+// The same gaps as all other reports have, neither longer ones nor shorter ones.
+TEST_F(Gaps, EventsHaveThemToo) {
+  // A picture every 40 ms, and 2 is lost for 4.5 s, in which the line passes 1 by.
+  std::string text = kHeader;
+  for (int i = 0; i <= 500; ++i) {
+    const std::string time = std::to_string(0.04 * i);
+    text += "1," + time + ",0,0,0\n";
+    if (i < 150 || i > 262) text += "2," + time + (i < 150 ? ",9,0,0\n" : ",9,3,0\n");
+  }
+  const std::string file = folder_.file("fish.csv", text);
+  for (const char* report : {"events", "conflicts"}) {
+    const Finished finished =
+        run({"replay", file, "--threshold", "5", "--report", report, "--fail-on-risk"});
+    EXPECT_EQ(finished.exit_code, 1) << report << finished.err;
+    expect_parts(finished.err, {"max gap    0.2 s, 5 times the typical interval of 0.04 s",
+                                "no conflict in the known time; 1 bee unknown for 4.56 s in all"});
+  }
+  const Finished events =
+      run({"replay", file, "--threshold", "5", "--report", "events", "--horizon", "0", "--quiet"});
+  const auto lines = lines_of(events.out);
+  ASSERT_EQ(lines.size(), 2u) << events.out;
+  expect_parts(lines[0], {R"({"event": "stale", "time_s": 5.96, "id": "2"})"});
+  expect_parts(lines[1], {R"({"event": "heard", "time_s": 10.52, "since_s": 5.96, "id": "2"})"});
+  // Who has a fix every five minutes is not silent in between.
+  std::string collars = kHeader;
+  for (int i = 0; i <= 20; ++i) {
+    for (const char* id : {"a", "b"}) {
+      collars +=
+          std::string(id) + "," + std::to_string(300 * i) + (*id == 'a' ? ",0" : ",90") + ",0,0\n";
+    }
+  }
+  const std::string slow = folder_.file("collars.csv", collars);
+  const Finished known =
+      run({"replay", slow, "--threshold", "50", "--report", "events", "--fail-on-risk"});
+  EXPECT_EQ(known.out, "");
+  EXPECT_EQ(known.exit_code, 0);
+  expect_parts(known.err, {"keeps its distance"});
+}
+
+// Who is lost while two touch: not two contacts that are over, but perhaps one.
+TEST_F(Gaps, ConflictsThatBeginOrEndInOneAreMarked) {
+  std::string text = kHeader;
+  for (int i = 0; i <= 100; ++i) {
+    const std::string time = std::to_string(i);
+    text += "a," + time + ",0,0,0\n";
+    const bool near = i >= 20 && i <= 60;
+    if (i <= 30 || i >= 40) text += "b," + time + (near ? ",3,0,0\n" : ",30,0,0\n");
+  }
+  const std::string file = folder_.file("touch.csv", text);
+  const Finished all = run({"replay", file, "--threshold", "5", "--csv"});
+  const auto rows = lines_of(all.out);
+  ASSERT_EQ(rows.size(), 3u) << all.out;
+  EXPECT_TRUE(rows[0].ends_with(",lasts_s,unknown_before,unknown_after")) << rows[0];
+  EXPECT_TRUE(rows[1].ends_with(",no,yes")) << rows[1];
+  EXPECT_TRUE(rows[2].ends_with(",yes,no")) << rows[2];
+  expect_parts(all.err, {"2 conflicts begin or end where one of the two is not known"});
+  expect_parts(run({"replay", file, "--threshold", "5", "--json"}).out,
+               {R"("unknown_before": false, "unknown_after": true)"});
+  const auto pairs =
+      lines_of(run({"replay", file, "--threshold", "5", "--report", "pairs", "--csv"}).out);
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_TRUE(pairs[0].ends_with(",closest_m,unknown_s")) << pairs[0];
+  EXPECT_TRUE(pairs[1].ends_with(",10")) << pairs[1];
+  // With --memory the same.
+  EXPECT_EQ(run({"replay", file, "--threshold", "5", "--csv", "--memory", "64MB"}).out, all.out);
+}
+
 TEST_F(Gaps, NoStraightLineJoinsFixesThatAreHoursApart) {
   const Finished finished = run({"replay", file_, "--threshold", "5"});
   EXPECT_EQ(finished.exit_code, 0);

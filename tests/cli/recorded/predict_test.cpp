@@ -247,6 +247,17 @@ TEST(Predict, TheHelpSaysWhatTimesAndDistancesMean) {
   expect_parts(run({"detect", "--help"}).out, {"in a straight line"});
 }
 
+TEST(Predict, LinesToTypeHaveNamesOfFilesAsOneWord) {
+  TemporaryFolder folder;
+  const std::string moving = "id,time_s,x,y,z\na,0,0,0,0\na,1,1,0,0\nb,0,9,9,9\nb,1,8,9,9\n";
+  const std::string spaced = folder.file("White Stork.csv", moving);
+  const std::string plain = folder.file("stork.csv", moving);
+  expect_parts(run({"predict", spaced, "--threshold", "5"}).err,
+               {"ask 'beespace replay \"" + spaced + "\" --threshold 5'"});
+  expect_parts(run({"predict", plain, "--threshold", "5"}).err,
+               {"ask 'beespace replay " + plain + " --threshold 5'"});
+}
+
 TEST(Predict, BeesOnTheGroundCountWhenAskedFor) {
   const std::string landed =
       R"({"now": 1000000.5, "messages": 7, "aircraft": [

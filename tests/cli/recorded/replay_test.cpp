@@ -58,7 +58,7 @@ TEST(Replay, APairMayBeInConflictSeveralTimes) {
               {{"a", "b", "4.6", "5", "3", "5.4"}, {"a", "b", "14.6", "15", "3", "15.4"}});
   expect_rows(replayed({"--report", "bees"}, input),
               {{"a", "2", "1.6", "3", "5", "b", "0"}, {"b", "2", "1.6", "3", "5", "a", "0"}});
-  expect_rows(replayed({"--report", "pairs"}, input), {{"a", "b", "2", "1.6", "5", "3"}});
+  expect_rows(replayed({"--report", "pairs"}, input), {{"a", "b", "2", "1.6", "5", "3", "0"}});
   const Finished finished = run({"replay", "--threshold", "5"}, input);
   expect_parts(finished.err, {"does not keep its distance: 2 conflicts of 1 pair",
                               "in conflict for 1.60 s in 2 conflicts"});
@@ -70,18 +70,20 @@ TEST(Replay, ReportsOfPairsSayHowOftenAndForHowLong) {
       "id,time_s,x,y,z\n"
       "a,0,0,0,0\na,10,0,0,0\nb,0,6,0,0\nb,10,6,0,0\nc,0,2,0,0\nc,10,2,0,0\n";
   expect_rows(replayed({"--report", "pairs"}, input),
-              {{"a", "c", "1", "10", "0", "2"}, {"b", "c", "1", "10", "0", "4"}});
-  expect_rows(
-      replayed({"--report", "pairs", "--vertical", "1"}, input),
-      {{"a", "c", "1", "10", "0", "2", "2", "0"}, {"b", "c", "1", "10", "0", "4", "4", "0"}});
+              {{"a", "c", "1", "10", "0", "2", "0"}, {"b", "c", "1", "10", "0", "4", "0"}});
+  expect_rows(replayed({"--report", "pairs", "--vertical", "1"}, input),
+              {{"a", "c", "1", "10", "0", "2", "0", "2", "0"},
+               {"b", "c", "1", "10", "0", "4", "0", "4", "0"}});
   const std::string json =
       run({"replay", "--threshold", "5", "--report", "pairs", "--json"}, input).out;
   EXPECT_TRUE(is_json(json)) << json;
   expect_parts(json, {R"("pairs": [)", R"({"first": "a", "second": "c", "conflicts": 1, )"
-                                       R"("in_conflict_s": 10, "closest_s": 0, "closest_m": 2})"});
+                                       R"("in_conflict_s": 10, "closest_s": 0, "closest_m": 2, )"
+                                       R"("unknown_s": 0})"});
   const std::string csv =
       run({"replay", "--threshold", "1", "--report", "pairs", "--csv"}, input).out;
-  EXPECT_EQ(csv, "first,second,conflicts,in_conflict_s,closest_s,closest_m\n") << "no conflict";
+  EXPECT_EQ(csv, "first,second,conflicts,in_conflict_s,closest_s,closest_m,unknown_s\n")
+      << "no conflict";
 }
 
 TEST(Replay, ReportsOfBeesSayTheirConflictsAndTheirClosest) {

@@ -301,7 +301,8 @@ TEST(Robotics, FilesOfOthersAreKnownAndTheRecipeIsTold) {
       {std::string_view("PK\x03\x04\x14\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x13\0\0\0"
                         "[Content_Types].xml..xl/workbook.xml",
                         66),
-       "an Excel workbook (.xlsx)", "pandas.read_excel('FILE').to_csv('bees.csv', index=False)"},
+       "an Excel workbook (.xlsx)",
+       "pandas.read_excel('FILE', sheet_name=None, header=None).items()"},
       {std::string_view("PK\x03\x04\x14\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x08\0\0\0"
                         "mimetypeapplication/vnd.oasis.opendocument.spreadsheet",
                         84),

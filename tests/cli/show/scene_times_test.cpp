@@ -25,9 +25,10 @@ const Arguments kIdIsSaid = {"--columns", "id=1"};
 
 TEST(SeenTimes, ABeeAtAnotherTimeMeetsNone) {
   expect_failure(kTable, kApartInTime, 3, "which column is the id? By column 1 'id' each of the 3");
-  expect_parts(summary(kTable + kIdIsSaid, kApartInTime),
-               {"bees       3\n", "at risk    none in the known time; ",
-                "each bee is there for a moment only"});
+  expect_parts(
+      summary(kTable + kIdIsSaid, kApartInTime),
+      {"bees       3\n", "at risk    nothing to compare: no two bees are there at the same time",
+       "each bee is there for a moment only"});
   EXPECT_EQ(lines_of(run(kTable + kIdIsSaid, kApartInTime).out).size(),
             1u);  // no conflict below the header
 }
@@ -40,7 +41,8 @@ TEST(SeenTimes, BeesAtTheSameTimeAreASnapshot) {
 
 TEST(SeenTimes, VelocitiesMakeNoSnapshotOfATableEither) {
   const std::string_view flying = "id,time_s,x,y,z,vx,vy,vz\na,0,0,0,0,1,0,0\nb,1,1,0,0,1,0,0\n";
-  expect_parts(summary(kTable, flying), {"at risk    none in the known time; "});
+  expect_parts(summary(kTable, flying),
+               {"at risk    nothing to compare: no two bees are there at the same time"});
 }
 
 TEST(SeenTimes, ATimeOfWhichTheUnitIsNotKnownIsNotPassedOver) {
@@ -48,7 +50,7 @@ TEST(SeenTimes, ATimeOfWhichTheUnitIsNotKnownIsNotPassedOver) {
   const std::string_view apart = "id,t,x,y,z\na,0,0,0,0\nb,1,1,0,0\n";
   expect_failure(kTable, apart, 2, message);
   expect_parts(summary(kTable + Arguments{"--time-unit", "s"}, apart),
-               {"at risk    none in the known time; "});
+               {"at risk    nothing to compare: no two bees are there at the same time"});
   // With one time only, its unit does not matter.
   expect_parts(summary(kTable, "id,t,x,y,z\na,1,0,0,0\nb,1,1,0,0\n"), {"at risk    2 of 2"});
 }
@@ -59,7 +61,8 @@ TEST(SeenTimes, OfSeveralFilesTheTimesDecideToo) {
   const std::string b = folder.file("b.csv", "id,time_s,x,y,z\nb,3,9,0,0\n");
   const std::string c = folder.file("c.csv", "id,time_s,x,y,z\nc,4,9,0,0\n");
   expect_parts(summary(kTable + Arguments{a, b}, {}), {"at risk    2 of 2: 1 pair in 1 group\n"});
-  expect_parts(summary(kTable + Arguments{a, c}, {}), {"at risk    none in the known time; "});
+  expect_parts(summary(kTable + Arguments{a, c}, {}),
+               {"at risk    nothing to compare: no two bees are there at the same time"});
 }
 
 class SeenTimesPage : public PageCommand {};

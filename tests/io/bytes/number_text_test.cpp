@@ -35,7 +35,13 @@ TEST(NumberText, ThousandsAreGrouped) {
 TEST(NumberText, LengthsKeepTheirMeaningAtEveryScale) {
   EXPECT_EQ(length(0.0), "0 m");
   EXPECT_EQ(length(73.19845), "73.198 m");
-  EXPECT_EQ(length(0.0001), "1e-04 m");  // never rounded to zero
+  EXPECT_EQ(length(0.0001), "0.1 mm");  // never rounded to zero
+  EXPECT_EQ(length(7.987e-5), "0.0799 mm");
+  EXPECT_EQ(length(9.9999e-4), "1 mm");
+  EXPECT_EQ(length(8.360992226604871e-11), "under 0.001 mm");
+  EXPECT_EQ(length_below(50.0, 7.99e-5), "under 1 mm");
+  EXPECT_EQ(length_below(0.005, 7.99e-5), "0.0799 mm");
+  EXPECT_EQ(length_below(0.001, 0.0009999), "0.9999 mm");
   EXPECT_EQ(length(12'345.6), "12.3 km");
 }
 

@@ -54,6 +54,10 @@ export interface RecordingRisk {
   /** Beside the conflicts: "72 conflicts of two lower than 3 m above where they took off". */
   left_out?: string;
   unknown?: string;
+  /** Beside those of `count`: how many are known at no time. */
+  nowhere?: number;
+  /** No two are there at the same time. */
+  nothing_compared?: boolean;
   /** `stands`: one of the two is a drone of a show that stands on the ground. */
   closest?: ClosestEncounter & { stands?: boolean };
   /** Beside such a one: of two in the air. */

@@ -12,6 +12,9 @@ export interface ApartNow {
   relative_mps: number;
 }
 
+/** Instants that are told in ticks may be off by so much. */
+const kRounding_s = 1e-6;
+
 type Axes = readonly [Float64Array, Float64Array, Float64Array];
 
 export class PairWays {
@@ -38,9 +41,16 @@ export class PairWays {
     return [this.time_s[from], this.time_s[end - 1]];
   }
 
-  at(place: number, time_s: number): ApartNow | null {
+  /** Whether an instant lies within that, but for a rounding. */
+  covers(place: number, time_s: number): boolean {
     const span = this.span(place);
-    if (!span || time_s < span[0] || time_s > span[1]) return null;
+    return span !== null && time_s >= span[0] - kRounding_s && time_s <= span[1] + kRounding_s;
+  }
+
+  at(place: number, asked_s: number): ApartNow | null {
+    const span = this.span(place);
+    if (!span || !this.covers(place, asked_s)) return null;
+    const time_s = Math.min(span[1], Math.max(span[0], asked_s));
     let low = this.#from[place];
     let high = this.#from[place + 1] - 1;
     while (high - low > 1) {

@@ -6,7 +6,7 @@ import { formatHorizontal, formatVertical } from '../text/apart';
 import { formatMoment } from '../text/calendar';
 import { button, element, panel } from '../text/element';
 import { isolate, nameElement } from '../text/names';
-import { formatBelow, formatDuration, formatStep } from '../text/numbers';
+import { formatBelow, formatCount, formatDuration, formatStep } from '../text/numbers';
 import { formatSpeed } from '../text/speeds';
 import type { Recording } from '../data/recording';
 import type { LinkedTimes } from '../time/linked_times';
@@ -86,6 +86,20 @@ function closestText(swarm: Recording, place: number): string {
   return `${formatBelow(conflicts.distance_m[place], head.threshold_m)} at ${formatMoment(conflicts.closest_s[place], head.time)}`;
 }
 
+/** How long a conflict lasts; and all of the two together, where that is known and they have more than this one. */
+function durationFacts({ conflicts, head }: Recording, place: number): Fact[] {
+  const lasts_s = (at: number): number => conflicts.ends_s[at] - conflicts.begins_s[at];
+  const own = formatDuration(lasts_s(place));
+  const [first, second] = [conflicts.first[place], conflicts.second[place]];
+  const all = Array.from(conflicts.first.keys()).filter((at) => conflicts.first[at] === first && conflicts.second[at] === second);
+  if (all.length < 2 || head.risk.conflicts > conflicts.first.length) return [['In conflict for', own]];
+  const inAll_s = all.reduce((sum, at) => sum + lasts_s(at), 0);
+  return [
+    ['This conflict lasts', own],
+    ['All of these two', `${formatCount(all.length)} conflicts, ${formatDuration(inAll_s)} in all`],
+  ];
+}
+
 function nowFacts(shown: Shown, swarm: Recording, way: number, within_s: number): Fact[] {
   const apart = swarm.pairWays.at(way, within_s);
   if (!apart) return [['Now', 'beyond the time that is kept of this pair']];
@@ -119,6 +133,7 @@ export function pairPanelOf(all: Shown[], choices: Choices, times: LinkedTimes):
   const box = panel('pair', 'Selected pair', body);
   const facts = element('dl', { class: 'facts compact' });
   let chart: TimeChart | null = null;
+  let durations: Fact[] = [];
 
   const follow = (): void => {
     const selected = choices.selected.value;
@@ -130,7 +145,7 @@ export function pairPanelOf(all: Shown[], choices: Choices, times: LinkedTimes):
     const way = wayOf(swarm, selected);
     const closest: Fact[] = selected.place === null ? [] : [['Closest', closestText(swarm, selected.place)]];
     const rows = way === null ? stillFacts(shown, selected) : [...nowFacts(shown, swarm, way, within_s), ...closest];
-    if (selected.place !== null) rows.push(['In conflict for', formatDuration(swarm.conflicts.ends_s[selected.place] - swarm.conflicts.begins_s[selected.place])]);
+    rows.push(...durations);
     facts.replaceChildren(...factRows(rows));
     chart?.follow(within_s);
   };
@@ -141,6 +156,7 @@ export function pairPanelOf(all: Shown[], choices: Choices, times: LinkedTimes):
     if (!selected || selected.other === null) return;
     const shown = all[selected.swarm];
     const { swarm } = shown;
+    durations = swarm.kind === 'recording' && selected.place !== null ? durationFacts(swarm, selected.place) : [];
     const names = [selected.bee, selected.other].map((bee) => swarm.names.of(bee));
     const title = element('p', { class: 'who-they-are' }, nameElement(names[0]), ' and ', nameElement(names[1]));
     const parts: Node[] = [title];

@@ -111,7 +111,7 @@ function factsOf(shown: Shown, bee: number, now: Now): Fact[] {
     const place = swarm.spans.bees.indexOf(bee);
     const risky = place >= 0 && swarm.spans.covers(place, within);
     facts.push(['Now', risky ? 'in conflict' : 'not in conflict', risky ? 'risky' : 'calm']);
-    facts.push(['In conflict for', formatDuration(swarm.spans.secondsOf(bee))]);
+    facts.push(['In conflict with any', formatDuration(swarm.spans.secondsOf(bee))]);
   }
   const group = company.groups.of[bee];
   if (group >= 0) {

@@ -74,7 +74,7 @@ function rowsOf(shown: Shown, noun: Noun): Row[] {
   const rows =
     head.kind === 'snapshot'
       ? snapshotRows(head.risk, head.count, noun)
-      : recordingRows(head.risk, head.count, head.time.ends_s - head.time.begins_s, noun);
+      : recordingRows(head.risk, countOf(head), head.time.ends_s - head.time.begins_s, noun);
   return [...rows, ...closestRows(head, shownClosest(head)), ...groundRows(head)];
 }
 
@@ -114,8 +114,16 @@ function closestRows(head: Head, closest: ClosestPair | undefined): Row[] {
   ];
 }
 
+/** Of a recording, also who is known at no time. */
+function countOf(head: Head): number {
+  return head.count + (head.kind === 'recording' ? (head.risk.nowhere ?? 0) : 0);
+}
+
 function headline(shown: Shown): HTMLElement {
   const { head } = shown.swarm;
+  if (head.kind === 'recording' && head.risk.nothing_compared) {
+    return element('p', { class: 'headline' }, element('strong', {}, 'Nothing to compare'), `: of ${counted(countOf(head), nounOf(head))} no two are there at the same time`);
+  }
   const count = head.kind === 'snapshot' ? head.risk.at_risk : head.risk.bees;
   const whole = head.risk.unknown === undefined;
   const known = head.kind === 'recording' && !whole ? ' in the known time' : '';
@@ -127,8 +135,8 @@ function headline(shown: Shown): HTMLElement {
     'p',
     { class: count > 0 ? 'headline risky' : 'headline' },
     element('strong', {}, formatCount(count)),
-    ` of ${counted(head.count, nounOf(head))} ${what}${moment}`,
-    element('span', { class: 'share' }, ` (${formatShare(count, head.count)})`),
+    ` of ${counted(countOf(head), nounOf(head))} ${what}${moment}`,
+    element('span', { class: 'share' }, ` (${formatShare(count, countOf(head))})`),
   );
 }
 

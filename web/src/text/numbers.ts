@@ -50,6 +50,8 @@ export function readsBelow(value: number, limit: number, least: number, format: 
 /** A distance below a limit, with so many digits that it reads as one: 4.9997 m, not 5.000 m. */
 export function formatBelow(metres: number, limit_m: number, digits = 4): string {
   if (!(metres < limit_m)) return formatMetres(metres, digits);
+  // Beside metres what is less than a millimetre says nothing.
+  if (limit_m >= 1 && metres > 0 && metres < 0.001) return `<${kThin}1${kThin}mm`;
   const read = (text: string): number =>
     parseFloat(text.replace(/,/g, '')) * (text.endsWith('km') ? 1000 : text.endsWith('mm') ? 0.001 : 1);
   for (let more = digits; more < 16; ++more) {

@@ -56,7 +56,7 @@ export function pairChart(swarm: Recording, place: number, name: string): TimeCh
   return {
     svg: svg as SVGSVGElement,
     follow: (within_s) => {
-      const seen = within_s >= span[0] && within_s <= span[1];
+      const seen = swarm.pairWays.covers(place, within_s);
       cursor.setAttribute('visibility', seen ? 'visible' : 'hidden');
       if (!seen) return;
       for (const end of ['x1', 'x2']) cursor.setAttribute(end, xOf(within_s).toFixed(1));
@@ -67,7 +67,8 @@ export function pairChart(swarm: Recording, place: number, name: string): TimeCh
 
 /** Even steps before and after the closest moment, as many as have room. */
 function momentsAround(middle_s: number, span: [number, number], xOf: (time_s: number) => number, y: number): SVGElement[] {
-  const [from, to] = [span[0] - middle_s, span[1] - middle_s];
+  // The closest moment is one of them, however its time was rounded.
+  const [from, to] = [Math.min(0, span[0] - middle_s), Math.max(0, span[1] - middle_s)];
   for (let step_s = shortStep((to - from) / 8); ; step_s = shortStep(1.01 * step_s)) {
     const steps = Array.from({ length: Math.max(0, Math.floor(to / step_s) - Math.ceil(from / step_s)) + 1 }, (_, i) => i + Math.ceil(from / step_s));
     const moments = steps.map((step) => {

@@ -67,3 +67,15 @@ function logarithmic(least: number, most: number): PlotScale {
     ticks: powers.filter((_, i) => (powers.length - 1 - i) % every === 0).map((power) => 10 ** power),
   };
 }
+
+/** Where so many columns end that cover the fewest marked ones: as far to the right as that allows. */
+export function clearestEnd(marked: boolean[], length: number): number {
+  const before = [0];
+  for (const one of marked) before.push(before[before.length - 1] + (one ? 1 : 0));
+  let best = marked.length;
+  const covered = (end: number): number => before[end] - before[Math.max(0, end - length)];
+  for (let end = marked.length; end >= Math.min(marked.length, length); --end) {
+    if (covered(end) < covered(best)) best = end;
+  }
+  return best;
+}

@@ -9,7 +9,7 @@ import { closestAt } from './closest_at';
 import type { LinkedTimes } from './linked_times';
 import { measuresOf, type Measure, type Recorded } from './measures';
 import { momentsWithin } from './moments';
-import { conflictColumns, plotScale, type PlotScale } from './plot_scales';
+import { clearestEnd, conflictColumns, plotScale, type PlotScale } from './plot_scales';
 import { cueMarks, excessColumns } from './show_marks';
 import { hatched, hatchPattern, kUnknownHere, openBands, runsOf, timeName, unknownText } from './unknown';
 
@@ -19,6 +19,7 @@ const kTop = 17;
 /** How high a curve is: alone, or one of two. */
 const kCurve = { alone: 64, ofTwo: 42 };
 const kStrip = 16;
+const kLetter = 6.5;
 const kBottom = 18;
 const kGap = 9;
 
@@ -286,12 +287,14 @@ export class SeparationPlot {
     });
     const found = counts.some((count) => count > 0) ? `up to ${formatCount(Math.max(...counts))} at once` : mostUnknown > 0 ? 'none known' : 'none';
     const hatch = mostUnknown > 0 ? `, up to ${formatCount(mostUnknown)} unknown (hatched)` : '';
+    const measure = `${what}${found}${hatch}`;
+    const right = kLeft + clearestEnd(counts.map((count, column) => count + (unknown[column] ?? 0) > 0), Math.ceil(kLetter * measure.length));
     return [
       drawing('rect', { class: 'strip', x: kLeft, y: from, width: columns, height: kStrip }),
       ...runsOf(unknown).map(([column, width]) => hatched(kLeft + column, from, width, kStrip)),
       ...(path ? [drawing('path', { class: 'strip-mark', d: path })] : []),
       drawing('text', { class: 'level-text', x: kLeft - 6, y: from + kStrip - 2, 'text-anchor': 'end' }, words.toLowerCase()),
-      drawing('text', { class: 'measure', x: this.#width - kRight - 2, y: from + kStrip - 4, 'text-anchor': 'end' }, `${what}${found}${hatch}`),
+      drawing('text', { class: 'measure', x: right - 2, y: from + kStrip - 4, 'text-anchor': 'end' }, measure),
     ];
   }
 }

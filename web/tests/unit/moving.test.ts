@@ -7,7 +7,7 @@ import { Spans } from '../../src/data/spans';
 import { speedsOf } from '../../src/data/speeds';
 import { Pace } from '../../src/scene/pace';
 import { speedFor } from '../../src/time/clock';
-import { conflictColumns, plotScale } from '../../src/time/plot_scales';
+import { clearestEnd, conflictColumns, plotScale } from '../../src/time/plot_scales';
 
 function fixesOf(counts: number[], times: number[], xs: number[], gaps: number[]): Fixes {
   const time: Column = { raw: Uint32Array.from(times), scale: 0.5, offset: 0 };
@@ -118,4 +118,12 @@ test('a recording takes about half a minute', () => {
   assert.equal(speedFor(30), 1);
   assert.equal(speedFor(3600), 120);
   assert.equal(speedFor(1e9), 3600);
+});
+
+test('what is written on a strip stands where it covers least, as far to the right as that allows', () => {
+  const marked = (text: string): boolean[] => Array.from(text, (one) => one === 'x');
+  assert.equal(clearestEnd(marked('..x...xx'), 3), 6);
+  assert.equal(clearestEnd(marked('x.......'), 3), 8);
+  assert.equal(clearestEnd(marked('xxxxxxxx'), 3), 8);
+  assert.equal(clearestEnd(marked('x.'), 5), 2, 'longer than the strip');
 });

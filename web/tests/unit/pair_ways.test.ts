@@ -47,3 +47,11 @@ test('each pair has its own instants, some have none', () => {
   near(ways.at(2, 7)?.distance_m, 9, 'the distance');
   assert.deepEqual(ways.instants(0, 2), [0, 0.5, 1]);
 });
+
+test('an instant that is rounded beyond the end of a way is its end', () => {
+  const ways = new PairWays(Uint32Array.of(2), Float64Array.of(0, 44.8), kAxes([8, 2], [0, 0], [0, 0]), null, null, false);
+  assert.equal(ways.at(0, 44800 * 0.001)?.distance_m, 2);
+  assert.ok(44800 * 0.001 > 44.8);
+  assert.ok(ways.covers(0, 44800 * 0.001));
+  assert.equal(ways.at(0, 44.81), null);
+});

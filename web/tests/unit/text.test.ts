@@ -24,7 +24,8 @@ test('what is below a limit reads as below it', () => {
   const shown = [99.2, 99.9996, 99.99999999, 100, 120].map((m) => plain(numbers.formatBelow(m, 100)));
   assert.deepEqual(shown, ['99.20 m', '99.9996 m', '< 100 m', '100.0 m', '120.0 m']);
   assert.equal(plain(numbers.formatBelow(24999.7, 25000)), '24.9997 km');
-  assert.equal(plain(numbers.formatBelow(1e-9, 5)), '< 1 µm');
+  assert.equal(plain(numbers.formatBelow(1e-9, 5)), '< 1 mm');
+  assert.equal(plain(numbers.formatBelow(1e-9, 0.1)), '< 1 µm');
   assert.equal(plain(numbers.formatBelow(0.0029999, 0.003)), '2.9999 mm');
 });
 
