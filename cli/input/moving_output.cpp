@@ -285,7 +285,7 @@ std::string encounter_text(const Conflict& conflict, const io::Recording& record
 void append_low(std::string& out, const analysis::LowConflicts& low, const io::Recording& recording,
                 const MovingRequest& request, const Distances& distances, std::size_t standing) {
   if (!request.ignore_below_m) {
-    if (standing == 0) return;
+    if (standing == 0 || recording.of_aircraft) return;
     return append_summary_line(out, "",
                                "--ignore-below " + io::exact(distances.threshold_m) +
                                    " leaves out conflicts of two that are both lower than that "

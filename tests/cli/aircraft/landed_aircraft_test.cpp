@@ -105,5 +105,43 @@ TEST(BrokenFiles, OfAFolderAreLeftOutWhereThatIsAskedFor) {
   EXPECT_EQ(alone.err.find("--skip-bad"), std::string::npos) << alone.err;
 }
 
+// One at 0 kt and one place that does not say to be on the ground, one that passes close by, and
+// two in the air that come less close.
+std::string beside_one_that_stands(int speed_kt) {
+  std::string text =
+      "timestamp,icao24,latitude,longitude,groundspeed,track,vertical_rate,altitude\n";
+  for (int t = 0; t <= 120; t += 5) {
+    const auto add = [&](const std::string& of, double latitude, double longitude, int gs,
+                         int altitude) {
+      std::array<char, 128> line = {};
+      std::snprintf(line.data(), line.size(), "%d,%s,%.6f,%.6f,%d,90,0,%d\n", 1714564800 + t,
+                    of.c_str(), latitude, longitude, gs, altitude);
+      text += line.data();
+    };
+    const double on = 0.001 * t;
+    add("4400ec", 48.7, 2.3, speed_kt, 300);
+    add("39856c", 48.703, 2.24 + on, 140, 325);
+    add("4b1814", 49.5, 2.24 + on, 140, 9000);
+    add("3c6444", 49.5, 2.36 - on, 140, 9900);
+  }
+  return text;
+}
+
+TEST(LandedAircraft, WhoStandsStillByItsOwnReportsComesLast) {
+  const Finished found =
+      run({"replay", "--separation", "terminal", "--fail-on-risk"}, beside_one_that_stands(0));
+  EXPECT_EQ(found.exit_code, 1);
+  expect_parts(found.err,
+               {"2 conflicts of 2 pairs, 1 with an aircraft that stands still",
+                "worst      3c6444 and 4b1814, 0.000 NM", "39856c and 4400ec, 0.180 NM",
+                ", with an aircraft that stands still; in conflict",
+                "note       who stands still for a minute or longer, by its own reports of 0 kt at "
+                "one place, may be on the ground without saying so: its conflicts come last\n"});
+  EXPECT_NE(found.out.find("39856c\t4400ec"), std::string::npos) << found.out;
+  EXPECT_LT(found.err.find("3c6444 and 4b1814"), found.err.find("39856c and 4400ec"));
+  const Finished taxis = run({"replay", "--separation", "terminal"}, beside_one_that_stands(12));
+  EXPECT_EQ(taxis.err.find("stands still"), std::string::npos) << taxis.err;
+}
+
 }  // namespace
 }  // namespace beespace::cli_test
