@@ -150,7 +150,7 @@ std::string found_line(const Prediction& prediction) {
   std::sort(bees.begin(), bees.end());
   bees.erase(std::unique(bees.begin(), bees.end()), bees.end());
   return red(io::grouped(prediction.conflicts.size()) + ", of " + io::grouped(bees.size()) +
-             " bees" + after_the_end(prediction)) +
+             " bees" + (prediction.recorded_since_s ? "," : "") + after_the_end(prediction)) +
          (prediction.complete() ? "" : "; " + unknown_text(prediction));
 }
 

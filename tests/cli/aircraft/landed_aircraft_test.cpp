@@ -58,7 +58,7 @@ TEST(LandedAircraft, AreOnTheGroundAndNotSilent) {
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   expect_parts(finished.err,
                {"landed     1 on the ground, as they say themselves: not compared with flyers\n",
-                "conflicts  none\n"});
+                "conflicts  none after the end of the recording\n"});
   EXPECT_EQ(finished.err.find("stale"), std::string::npos) << finished.err;
   expect_parts(run({"predict", folder.path(""), "--separation", "enroute", "--json"}).out,
                {R"("stale": 0,)", R"("on_ground": 1,)"});
@@ -129,17 +129,19 @@ std::string beside_one_that_stands(int speed_kt) {
 
 TEST(LandedAircraft, WhoStandsStillByItsOwnReportsComesLast) {
   const Finished found =
-      run({"replay", "--separation", "terminal", "--fail-on-risk"}, beside_one_that_stands(0));
+      run({"replay", "--separation", "terminal", "--units", "aviation", "--fail-on-risk"},
+          beside_one_that_stands(0));
   EXPECT_EQ(found.exit_code, 1);
   expect_parts(found.err,
                {"2 conflicts of 2 pairs, 1 with an aircraft that stands still",
-                "worst      3c6444 and 4b1814, 0.000 NM", "39856c and 4400ec, 0.180 NM",
+                "worst      4b1814 and 3c6444, 0.000 NM", "4400ec and 39856c, 0.180 NM",
                 ", with an aircraft that stands still; in conflict",
                 "note       who stands still for a minute or longer, by its own reports of 0 kt at "
                 "one place, may be on the ground without saying so: its conflicts come last\n"});
-  EXPECT_NE(found.out.find("39856c\t4400ec"), std::string::npos) << found.out;
-  EXPECT_LT(found.err.find("3c6444 and 4b1814"), found.err.find("39856c and 4400ec"));
-  const Finished taxis = run({"replay", "--separation", "terminal"}, beside_one_that_stands(12));
+  EXPECT_NE(found.out.find("4400ec\t39856c"), std::string::npos) << found.out;
+  EXPECT_LT(found.err.find("4b1814 and 3c6444"), found.err.find("4400ec and 39856c"));
+  const Finished taxis = run({"replay", "--separation", "terminal", "--units", "aviation"},
+                             beside_one_that_stands(12));
   EXPECT_EQ(taxis.err.find("stands still"), std::string::npos) << taxis.err;
 }
 
