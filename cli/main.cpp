@@ -38,7 +38,7 @@ constexpr const char* kExamples =
     "  beespace detect bees.csv                      who is closer than 100 m to another bee\n"
     "  beespace detect bees.csv --report pairs       who is too close to whom, and how close\n"
     "  beespace predict swarm.csv --threshold 5      who is about to come too close to whom\n"
-    "  beespace predict traffic.json --separation enroute\n"
+    "  beespace predict aircraft.json --separation enroute\n"
     "                                                the same of aircraft: 5 NM and 1000 ft\n"
     "  beespace replay show.skyc                     whether a drone show keeps its distance\n"
     "  beespace replay storks.csv --threshold 50     which animals met: Movebank, trackdf, TRex, "

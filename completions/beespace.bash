@@ -152,8 +152,8 @@ _beespace() {
         --max-gap) values='never' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --compare | --fleet-log | --obstacles | -o | --output) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --ignore-below) return ;;
-        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --sector --threshold --vertical --separation --inclusive --threads --ignore-below --compare --fleet-log --obstacles --output --json --fail-on-risk --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --ignore-below | --horizon) return ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --sector --threshold --vertical --separation --inclusive --threads --ignore-below --horizon --compare --fleet-log --obstacles --output --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     view)
@@ -165,8 +165,8 @@ _beespace() {
         --max-gap) values='never' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --compare | --fleet-log | --obstacles) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --ignore-below | --port) return ;;
-        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --sector --threshold --vertical --separation --inclusive --threads --ignore-below --compare --fleet-log --obstacles --no-open --port --json --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --ignore-below | --horizon | --port) return ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --sector --threshold --vertical --separation --inclusive --threads --ignore-below --horizon --compare --fleet-log --obstacles --no-open --port --json --quiet --help --version' files=yes ;;
       esac
       ;;
     plot)
@@ -178,8 +178,8 @@ _beespace() {
         --max-gap) values='never' ;;
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         -o | --output) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --ignore-below | --width | --title) return ;;
-        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --sector --threshold --vertical --separation --inclusive --threads --ignore-below --output --width --title --json --fail-on-risk --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --ignore-below | --horizon | --width | --title) return ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --sector --threshold --vertical --separation --inclusive --threads --ignore-below --horizon --output --width --title --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     export)
@@ -192,8 +192,8 @@ _beespace() {
         --separation) values='enroute terminal well-clear-suas nmac' ;;
         --format) values='kml czml geojson csv' ;;
         -o | --output | --obstacles) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --ignore-below | --origin) return ;;
-        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --sector --threshold --vertical --separation --inclusive --threads --ignore-below --output --format --origin --obstacles --json --fail-on-risk --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --tolerance | --threshold | --vertical | --threads | --ignore-below | --horizon | --origin) return ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --max-gap --tolerance --sector --threshold --vertical --separation --inclusive --threads --ignore-below --horizon --output --format --origin --obstacles --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     generate)

@@ -28,8 +28,18 @@ namespace beespace::report {
 struct Names {
   std::vector<std::string> texts = {};
   std::vector<PointId> bees = {};  // whose these are, ascending; empty: all bees'
+  // What a bee is called from a time on, where that is several names one after the other, as an
+  // aircraft is several flights: in ascending order of (bee, since_s).
+  struct Called {
+    PointId bee = 0;
+    double since_s = 0.0;
+    std::string text = {};
+  };
+  std::vector<Called> called = {};
 
   [[nodiscard]] std::string of(PointId bee) const;
+  // The same at that time.
+  [[nodiscard]] std::string at(double time_s, PointId bee) const;
 };
 
 // How those who made the input speak of heights: the sky's numbers beside metres.

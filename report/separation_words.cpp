@@ -114,4 +114,13 @@ std::string listed_apart(const SwarmFacts& swarm, double metres,
          listed_length_below(*swarm.vertical_m, apart->height_m) + " in height";
 }
 
+// A drone has landed by its own word; of an aircraft it is known that it stands, and not where.
+const char* with_one_standing(const SwarmFacts& swarm) {
+  return swarm.noun.one == "aircraft" ? ", with one that stands still" : ", with one on the ground";
+}
+
+const char* closest_of_moving(const SwarmFacts& swarm) {
+  return swarm.noun.one == "aircraft" ? "closest while both move" : "closest in the air";
+}
+
 }  // namespace beespace::report

@@ -32,8 +32,10 @@ std::string height_words(const SwarmFacts& swarm, double metres);
 // two that keep apart what rounding has made a little less than a limit is the limit.
 std::string apart_words(const SwarmFacts& swarm, double metres, const std::optional<Apart>& apart,
                         bool keep_apart = false);
-// Behind them, where one of the two is a drone of a show that stands.
-inline constexpr const char* kWithOneOnTheGround = ", with one on the ground";
+// Behind them, where one of the two stands.
+const char* with_one_standing(const SwarmFacts& swarm);
+// Of the closest two of which none does: "closest in the air".
+const char* closest_of_moving(const SwarmFacts& swarm);
 // The same for lists: with more digits; "3.19 NM, 800 ft".
 std::string listed_apart(const SwarmFacts& swarm, double metres, const std::optional<Apart>& apart);
 

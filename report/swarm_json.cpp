@@ -35,6 +35,21 @@ void write_names(io::JsonWriter& json, const Names& names, Columns& columns) {
   json.begin_object("names");
   columns.add(json, "texts", names.texts);
   if (!names.bees.empty()) columns.add(json, "bees", names.bees, Differences::kFirst);
+  if (!names.called.empty()) {
+    std::vector<PointId> bees;
+    std::vector<double> since_s;
+    std::vector<std::string> texts;
+    for (const Names::Called& one : names.called) {
+      bees.push_back(one.bee);
+      since_s.push_back(one.since_s);
+      texts.push_back(one.text);
+    }
+    json.begin_object("called");
+    columns.add(json, "bees", bees, Differences::kFirst);
+    columns.add(json, "since_s", since_s);
+    columns.add(json, "texts", texts);
+    json.end();
+  }
   json.end();
 }
 
@@ -45,6 +60,17 @@ std::string Names::of(PointId bee) const {
   const auto at = std::lower_bound(bees.begin(), bees.end(), bee);
   if (at == bees.end() || *at != bee) return std::to_string(bee);
   return texts[static_cast<std::size_t>(at - bees.begin())];
+}
+
+std::string Names::at(double time_s, PointId bee) const {
+  const auto first = std::lower_bound(called.begin(), called.end(), bee,
+                                      [](const Called& one, PointId of) { return one.bee < of; });
+  if (first == called.end() || first->bee != bee) return of(bee);
+  const std::string* text = &first->text;
+  for (auto one = first; one != called.end() && one->bee == bee; ++one) {
+    if (one->since_s <= time_s) text = &one->text;
+  }
+  return *text;
 }
 
 void write_facts(io::JsonWriter& json, const SwarmFacts& swarm, std::size_t count,

@@ -4,6 +4,7 @@
 #include "analysis/recorded/jump_spans.hpp"
 #include "analysis/recorded/landed_times.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
+#include "analysis/recorded/still_times.hpp"
 
 #include <beespace/search_options.hpp>
 
@@ -51,7 +52,11 @@ Result<AllConflicts> all_conflicts(const io::Recording& recording, const std::ve
   const auto left_out = leave_out_standing(recording, tracks, options, conflicts);
   if (!left_out) return left_out.error();
   found.standing_count = *left_out;
-  if (!recording.show) found.with_standing = beside_landed(recording, conflicts);
+  if (recording.of_aircraft) {
+    found.with_standing = beside_still(recording, conflicts);
+  } else if (!recording.show) {
+    found.with_standing = beside_landed(recording, conflicts);
+  }
   auto closest = closest_or_encounter(conflicts, tracks, options);
   if (!closest) return std::move(closest).error();
   found.closest = *closest;
@@ -70,6 +75,7 @@ Result<AllConflicts> all_conflicts(const io::Recording& recording, const std::ve
   const auto& standing = found.with_standing;
   if (std::find(standing.begin(), standing.end(), found.closest) == standing.end()) return found;
   const std::vector<Conflict> of_flying = without(conflicts, standing);
+  if (recording.of_aircraft && of_flying.empty()) return found;
   auto in_the_air = recording.show || !of_flying.empty()
                         ? closest_or_encounter(of_flying, tracks, options)
                         : closest_of_flying(recording, tracks, options.max_gap_s,

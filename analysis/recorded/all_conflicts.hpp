@@ -22,9 +22,10 @@ namespace beespace::analysis {
 
 struct AllConflicts {
   RecordedConflicts recorded;
-  std::vector<Conflict> with_standing;  // of the conflicts: with a drone on the ground
-  VelocityCurves curves;                // whose conflicts are among them
-  Chords chords;                        // which of them are possible as the two turn
+  // Of the conflicts: with a drone on the ground, or with an aircraft that stands still.
+  std::vector<Conflict> with_standing;
+  VelocityCurves curves;  // whose conflicts are among them
+  Chords chords;          // which of them are possible as the two turn
   // The closest of the conflicts; where there is none, of all encounters, if there is no vertical
   // threshold, with which how far apart two are in a straight line says little.
   std::optional<Conflict> closest;

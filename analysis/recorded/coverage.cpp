@@ -375,7 +375,8 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& lon
         fixes >= kFixesToTell && median_s > max_gap.seconds
             ? std::optional(median_s)
             : interval_of_bursts(recording.bees[track], first, last, recording.of_aircraft);
-    if (apart_s) {
+    // Shorter ones are of records without a place, which a longer --max-gap does not join.
+    if (apart_s && *apart_s > max_gap.seconds) {
       coverage.bursts = coverage.bursts || apart_s != median_s;
       coverage.slow.push_back(track);
       coverage.slowest_interval_s = std::max(coverage.slowest_interval_s, *apart_s);

@@ -42,23 +42,53 @@ bool cruises(const io::Recording& recording) {
 // A bare number up to this one is hardly meant in metres, but in nautical miles.
 constexpr double kMostMiles = 30.0;
 
-// Whether what was typed leaves nothing to ask.
-bool says_enough(const std::optional<io::StatedLength>& typed) {
+// A bare vertical number from here on is hardly meant in metres, but in feet: of metres 300 and 600
+// are usual.
+constexpr double kLeastFeet = 400.0;
+
+bool is_clear(const std::optional<io::StatedLength>& typed) {
   return typed && !(typed->bare && typed->metric <= kMostMiles);
 }
 
-Error aircraft_question(std::string_view known_by, const std::optional<io::StatedLength>& typed) {
+bool is_clear_vertical(const std::optional<io::StatedLength>& vertical) {
+  return !vertical || !(vertical->bare && vertical->metric >= kLeastFeet);
+}
+
+// Whether what was typed leaves nothing to ask.
+bool says_enough(const std::optional<io::StatedLength>& typed,
+                 const std::optional<io::StatedLength>& vertical) {
+  return is_clear(typed) && is_clear_vertical(vertical);
+}
+
+Error aircraft_question(std::string_view known_by, const std::optional<io::StatedLength>& typed,
+                        const std::optional<io::StatedLength>& vertical) {
   std::string message = "these are aircraft" + std::string(known_by);
-  if (typed) {
-    const std::string number = io::exact(typed->value);
-    message += ", and --threshold " + number + " would be " + number +
-               " m, less than any separation of aircraft: say --threshold " + number +
-               "NM if it is in nautical miles, or --threshold " + number + "m";
-  } else {
+  if (!typed) {
     message +=
         ": how close is too close? Say --separation enroute, --separation terminal, or how far it "
         "is, as in --threshold 5NM --vertical 1000ft";
+    return {ErrorCode::kInvalidArgument, std::move(message), {}};
   }
+  std::string in_aviation;
+  std::string units;
+  std::string in_metres;
+  const auto ask = [&](const std::string& option, const io::StatedLength& length,
+                       const std::string& why, const std::string& unit, const std::string& name) {
+    const std::string number = io::exact(length.value);
+    const std::string bare = option + " " + number;
+    message.append(", and ").append(bare);
+    message.append(" would be ").append(number).append(" m").append(why);
+    in_aviation.append(in_aviation.empty() ? "" : " ").append(bare).append(unit);
+    units.append(units.empty() ? "" : " and ").append(name);
+    in_metres.append(in_metres.empty() ? "" : " ").append(bare).append("m");
+  };
+  if (!is_clear(typed)) {
+    ask("--threshold", *typed, ", less than any separation of aircraft", "NM", "nautical miles");
+  }
+  if (!is_clear_vertical(vertical)) ask("--vertical", *vertical, "", "ft", "feet");
+  const bool both = in_aviation.find(" --") != std::string::npos;
+  message.append(": say ").append(in_aviation).append(both ? " if they are in " : " if it is in ");
+  message.append(units).append(", or ").append(in_metres);
   return {ErrorCode::kInvalidArgument, std::move(message), {}};
 }
 
@@ -112,43 +142,47 @@ DefaultThreshold default_threshold(const io::Recording& recording, double otherw
 }
 
 std::optional<Error> threshold_needed(const io::Recording& recording,
-                                      const std::optional<io::StatedLength>& typed) {
+                                      const std::optional<io::StatedLength>& typed,
+                                      const std::optional<io::StatedLength>& vertical) {
   if (!typed && recording.declared_threshold_m == 0.0) {
     return Error{ErrorCode::kInvalidThreshold,
                  "the show declares a least distance of 0 (settings.validation.minDistance), which "
                  "no two can fall short of: say how close is too close, as in --threshold 2",
                  {}};
   }
-  if (says_enough(typed) || recording.show) return std::nullopt;
+  if (says_enough(typed, vertical) || recording.show) return std::nullopt;
   if (!typed && recording.declared_threshold_m) return std::nullopt;
   if (is_of_gliders(recording)) return glider_question(typed);
   const std::string_view by =
       known_by_heights(recording.frame, recording.height_unit, recording.heights);
-  if (!by.empty()) return aircraft_question(by, typed);
-  if (recording.of_aircraft) return aircraft_question({}, typed);
+  if (!by.empty()) return aircraft_question(by, typed, vertical);
+  if (recording.of_aircraft) return aircraft_question({}, typed, vertical);
   // Who typed a number there knows what flies.
   if (typed || !cruises(recording)) return std::nullopt;
-  return aircraft_question(", higher and faster than drones fly", typed);
+  return aircraft_question(", higher and faster than drones fly", typed, vertical);
 }
 
 std::optional<Error> threshold_needed(const io::LoadedPoints& points,
-                                      const std::optional<io::StatedLength>& typed) {
-  return threshold_needed(points, io::header_line(points), typed);
+                                      const std::optional<io::StatedLength>& typed,
+                                      const std::optional<io::StatedLength>& vertical) {
+  return threshold_needed(points, io::header_line(points), typed, vertical);
 }
 
 std::optional<Error> threshold_needed(const io::LoadedPoints& points, std::string_view header,
-                                      const std::optional<io::StatedLength>& typed) {
-  if (says_enough(typed)) return std::nullopt;
+                                      const std::optional<io::StatedLength>& typed,
+                                      const std::optional<io::StatedLength>& vertical) {
+  if (says_enough(typed, vertical)) return std::nullopt;
   return threshold_needed(
       TrafficSigns{points.frame, points.height_unit, points.heights, header_names_aircraft(header)},
-      typed);
+      typed, vertical);
 }
 
 std::optional<Error> threshold_needed(const TrafficSigns& signs,
-                                      const std::optional<io::StatedLength>& typed) {
+                                      const std::optional<io::StatedLength>& typed,
+                                      const std::optional<io::StatedLength>& vertical) {
   const std::string_view by = known_by_heights(signs.frame, signs.height_unit, signs.heights);
-  if (says_enough(typed) || (by.empty() && !signs.of_aircraft)) return std::nullopt;
-  return aircraft_question(by, typed);
+  if (says_enough(typed, vertical) || (by.empty() && !signs.of_aircraft)) return std::nullopt;
+  return aircraft_question(by, typed, vertical);
 }
 
 }  // namespace beespace::analysis

@@ -33,14 +33,19 @@ DefaultThreshold default_threshold(const io::Recording& recording, double otherw
 // Of air traffic nothing else is usual than what its rules say, and these are of several kinds:
 // what to type where nothing was, or a bare number that is less than any of them, as one of miles
 // that would be taken for metres. Nothing for what is no air traffic, as far as is known: by its
-// format, by what columns are called, by units, or as nothing else is so high and so fast.
-std::optional<Error> threshold_needed(const io::Recording& recording,
-                                      const std::optional<io::StatedLength>& typed);
-std::optional<Error> threshold_needed(const io::LoadedPoints& points,
-                                      const std::optional<io::StatedLength>& typed);
+// format, by what columns are called, by units, or as nothing else is so high and so fast. Likewise
+// of a bare vertical threshold that is a usual one in feet, and none in metres.
+std::optional<Error> threshold_needed(
+    const io::Recording& recording, const std::optional<io::StatedLength>& typed,
+    const std::optional<io::StatedLength>& vertical = std::nullopt);
+std::optional<Error> threshold_needed(
+    const io::LoadedPoints& points, const std::optional<io::StatedLength>& typed,
+    const std::optional<io::StatedLength>& vertical = std::nullopt);
 // The same of points of which the header is known, but perhaps no record is in memory.
-std::optional<Error> threshold_needed(const io::LoadedPoints& points, std::string_view header,
-                                      const std::optional<io::StatedLength>& typed);
+std::optional<Error> threshold_needed(
+    const io::LoadedPoints& points, std::string_view header,
+    const std::optional<io::StatedLength>& typed,
+    const std::optional<io::StatedLength>& vertical = std::nullopt);
 
 // What tells of air traffic where reports come one by one.
 struct TrafficSigns {
@@ -49,7 +54,8 @@ struct TrafficSigns {
   io::HeightDatum heights;
   bool of_aircraft;  // its format or its columns say so
 };
-std::optional<Error> threshold_needed(const TrafficSigns& signs,
-                                      const std::optional<io::StatedLength>& typed);
+std::optional<Error> threshold_needed(
+    const TrafficSigns& signs, const std::optional<io::StatedLength>& typed,
+    const std::optional<io::StatedLength>& vertical = std::nullopt);
 
 }  // namespace beespace::analysis

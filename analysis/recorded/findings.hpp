@@ -30,7 +30,7 @@ struct Findings {
   // Of each bee, in conflict or not; empty where that was not looked for.
   std::vector<std::optional<Conflict>> closest_of_each = {};
 
-  std::vector<Conflict> with_standing = {};  // of the conflicts: with a drone on the ground
+  std::vector<Conflict> with_standing = {};  // as AllConflicts has them
   // Where `closest` is with a drone on the ground: of two in the air, conflict or not.
   std::optional<Conflict> closest_in_the_air = {};
 

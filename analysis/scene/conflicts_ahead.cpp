@@ -74,7 +74,7 @@ Status look_ahead(const io::Recording& recording, const std::vector<std::uint32_
   }
   if (snapshot->movers.empty()) return std::monostate{};
   report::Ahead ahead;
-  ahead.horizon_s = usual_horizon_s(recording);
+  ahead.horizon_s = request.horizon_s.value_or(usual_horizon_s(recording));
   ahead.complete = snapshot->stale == 0 && snapshot->unmoving.empty() && recording.missing.none();
   const double unit_m = height_unit_m(geometry, recording.height_unit);
   auto conflicts = predict_conflicts(

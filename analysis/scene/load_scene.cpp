@@ -221,6 +221,15 @@ Status check_moves(const SceneRequest& request, const std::string& title) {
                {}};
 }
 
+Status check_ahead(const SceneRequest& request, const std::string& title) {
+  if (!request.horizon_s) return std::monostate{};
+  return Error{ErrorCode::kInvalidArgument,
+               "'" + title +
+                   "' is not one moment with velocities, from which --horizon looks ahead; leave "
+                   "it out",
+               {}};
+}
+
 template <class Facts>
 Result<Scene> scene_from(Result<Facts> facts) {
   if (!facts) return std::move(facts).error();
@@ -230,17 +239,21 @@ Result<Scene> scene_from(Result<Facts> facts) {
 Result<Scene> scene_of(const Loaded& loaded, const std::string& title,
                        const SceneRequest& request) {
   if (const auto* points = std::get_if<io::LoadedPoints>(&loaded)) {
-    if (auto needed = threshold_needed(*points, typed_threshold(request))) {
+    if (auto needed = threshold_needed(*points, typed_threshold(request), request.vertical)) {
       return *std::move(needed);
     }
     if (Status moves = check_moves(request, title); !moves) return std::move(moves).error();
+    if (Status ahead = check_ahead(request, title); !ahead) return std::move(ahead).error();
     return scene_from(snapshot_facts(*points, title, request));
   }
   const auto& recording = std::get<io::Recording>(loaded);
-  if (auto needed = threshold_needed(recording, typed_threshold(request))) {
+  if (auto needed = threshold_needed(recording, typed_threshold(request), request.vertical)) {
     return *std::move(needed);
   }
-  if (!is_a_snapshot(recording)) return scene_from(facts_of(recording, title, request));
+  if (!is_a_snapshot(recording)) {
+    if (Status ahead = check_ahead(request, title); !ahead) return std::move(ahead).error();
+    return scene_from(facts_of(recording, title, request));
+  }
   if (Status moves = check_moves(request, title); !moves) return std::move(moves).error();
   return scene_from(snapshot_facts(recording, title, request));
 }

@@ -11,6 +11,7 @@
 #include "analysis/recorded/landed_times.hpp"
 #include "analysis/recorded/low_conflicts.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
+#include "analysis/recorded/still_times.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "analysis/scene/height_words.hpp"
@@ -42,8 +43,13 @@ namespace {
 
 report::Names names_of(const io::Recording& recording) {
   report::Names names;
-  for (const io::RecordedBee& bee : recording.bees) {
-    names.texts.push_back(text_of({bee.id, bee.label}));
+  names.texts.reserve(recording.bees.size());
+  for (PointId bee = 0; bee < recording.bees.size(); ++bee) {
+    const io::RecordedBee& of = recording.bees[bee];
+    names.texts.push_back(text_of({of.id, of.label}));
+    for (const auto& [since_s, label] : of.called) {
+      names.called.push_back({bee, since_s, text_of({of.id, label})});
+    }
   }
   return names;
 }
@@ -329,7 +335,11 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   const auto left_out = leave_out_standing(recording, tracks, options, recorded->conflicts);
   if (!left_out) return left_out.error();
   facts.standing_count = *left_out;
-  if (!recording.show) *standing = beside_landed(recording, recorded->conflicts);
+  if (recording.of_aircraft) {
+    *standing = beside_still(recording, recorded->conflicts);
+  } else if (!recording.show) {
+    *standing = beside_landed(recording, recorded->conflicts);
+  }
   if (facts.standing_count > 0) {
     facts.swarm.notes.push_back("conflicts of two that both stand on the ground, left out: " +
                                 io::grouped(facts.standing_count));
@@ -349,12 +359,14 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
                                                     *facts.closest) != standing->end();
   if (facts.closest_stands) {
     const std::vector<Conflict> of_flying = without(recorded->conflicts, *standing);
-    const auto in_the_air = recording.show || !of_flying.empty()
-                                ? closest_of(of_flying, *in_space, max_gap.seconds, request)
-                                : closest_of_flying(recording, *in_space, max_gap.seconds,
-                                                    {request.threads, request.stop});
-    if (!in_the_air) return in_the_air.error();
-    facts.closest_in_the_air = *in_the_air;
+    if (!recording.of_aircraft || !of_flying.empty()) {
+      const auto in_the_air = recording.show || !of_flying.empty()
+                                  ? closest_of(of_flying, *in_space, max_gap.seconds, request)
+                                  : closest_of_flying(recording, *in_space, max_gap.seconds,
+                                                      {request.threads, request.stop});
+      if (!in_the_air) return in_the_air.error();
+      facts.closest_in_the_air = *in_the_air;
+    }
   } else if (recorded->conflicts.empty() && facts.closest &&
              both_stand(recording, *facts.closest)) {
     const auto flying =
@@ -412,8 +424,12 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.with_standing = *standing;
   take_conflicts(std::move(recorded->conflicts), facts);
   if (!standing->empty()) {
-    swarm.notes.push_back(io::counted(standing->size(), "conflict is", "conflicts are") +
-                          " with a drone that stands on the ground, where it is drawn");
+    swarm.notes.push_back(
+        io::counted(standing->size(), "conflict is", "conflicts are") +
+        (recording.of_aircraft
+             ? " with an aircraft that stands still for a minute or longer by its "
+               "own reports (0 kt, one place), and come last"
+             : " with a drone that stands on the ground, where it is drawn"));
   }
   if (recording.show) {
     *in_space = with_standing(*in_space, recording, bees_named(*standing, facts));

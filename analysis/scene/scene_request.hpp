@@ -27,6 +27,7 @@ struct SceneRequest {
   std::optional<double> ignore_below_m = {};  // see analysis/recorded/low_conflicts.hpp
   std::optional<double> max_gap_s = {};       // absent: from the data
   double tolerance_m = 0.001;                 // of curves that become straight lines
+  std::optional<double> horizon_s = {};       // of one moment; absent: as usual of what it is of
   unsigned threads = 0;                       // 0: all
   std::stop_token stop = {};                  // ends the search, not the reading before it
   // Where east, north and up of geographic positions are 0; otherwise below the middle of all.

@@ -47,12 +47,15 @@ std::optional<Error> doubt_of_feet(const io::LoadedPoints& loaded, const std::st
 }
 
 Result<io::LoadedPoints> load_snapshot(const std::string& path, const io::LoadOptions& options,
-                                       const std::optional<io::StatedLength>& threshold) {
+                                       const std::optional<io::StatedLength>& threshold,
+                                       const std::optional<io::StatedLength>& vertical) {
   auto loaded = io::load_points(path, options);
   if (!loaded) return analysis::or_recording(std::move(loaded).error(), path, options);
   if (auto problem = analysis::recording_problem(*loaded, path, options))
     return *std::move(problem);
-  if (auto needed = analysis::threshold_needed(*loaded, threshold)) return *std::move(needed);
+  if (auto needed = analysis::threshold_needed(*loaded, threshold, vertical)) {
+    return *std::move(needed);
+  }
   const bool is_said = options.units.convention == io::UnitConvention::kAviation;
   if (auto doubt = doubt_of_feet(*loaded, path); doubt && !is_said) return *std::move(doubt);
   return loaded;
@@ -165,7 +168,7 @@ Error repeated_error(const io::RepeatedIds& repeated, const std::string& path) {
 Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) {
   io::LoadOptions options = request.load;
   options.progress = &progress.reading();
-  auto ours = load_snapshot(request.input(), options, request.threshold);
+  auto ours = load_snapshot(request.input(), options, request.threshold, request.vertical);
   if (!ours) return std::move(ours).error();
   if (auto doubt = analysis::doubt_of_scale(*ours, options.frame, request.threshold)) {
     return *std::move(doubt);
@@ -180,7 +183,7 @@ Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) 
   Inputs inputs{*std::move(ours), std::nullopt};
   inputs.our_repeated = *std::move(our_repeated);
   if (!request.others) return inputs;
-  auto others = load_snapshot(*request.others, options, request.threshold);
+  auto others = load_snapshot(*request.others, options, request.threshold, request.vertical);
   if (!others) return std::move(others).error();
   if (auto doubt = analysis::doubt_of_scale(*others, options.frame, request.threshold)) {
     return *std::move(doubt);

@@ -291,7 +291,7 @@ void append_low(std::string& out, const analysis::LowConflicts& low, const io::R
     const bool of_grid = std::none_of(standing.begin(), standing.end(), [&](const Conflict& one) {
       return one.closest_m < kOfGrid * distances.threshold_m;
     });
-    if (standing.empty() || !of_grid) return;
+    if (standing.empty() || !of_grid || recording.of_aircraft) return;
     return append_summary_line(out, "",
                                "--ignore-below " + io::exact(distances.threshold_m) +
                                    " leaves out conflicts of two that are both lower than that "

@@ -70,8 +70,11 @@ Distances distances_of(const MovingRequest& request, const io::Recording& record
 // "4.31 m", "0.002 NM (4.31 m)", "4.3 mm": a distance, horizontal with a vertical threshold.
 std::string distance_text(double metres, const Distances& distances);
 
-// What is said of conflicts of a show in which one flies and the other stands.
-inline constexpr const char* kWithStanding = "with a drone on the ground";
+// What is said of conflicts in which one flies and the other stands.
+inline const char* with_standing_words(const io::Recording& recording) {
+  return recording.of_aircraft ? "with an aircraft that stands still"
+                               : "with a drone on the ground";
+}
 
 // Whether what is told is a conflict: who is at a limit then was closer than it just before or
 // after.

@@ -4,6 +4,8 @@
 #include "cli/command_line/option_values.hpp"
 
 #include <array>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace beespace::cli {
@@ -19,6 +21,15 @@ constexpr std::array<UsualSeparation, 4> kUsual = {{
     {"nmac", 500, io::Unit::kFoot, 100, "RTCA DO-365", true},
 }};
 
+// Well clear without saying of whom: the volume of small ones would find less of others.
+bool is_well_clear(std::string_view given) {
+  return given == "well-clear" || given == "wellclear" || given == "well_clear" || given == "dwc";
+}
+constexpr std::string_view kWellClears =
+    "well clear is of two kinds: of small unmanned aircraft --separation well-clear-suas (2000 ft, "
+    "250 ft, ASTM F3442), of others --threshold 4000ft --vertical 450ft (RTCA DO-365, without its "
+    "time of 35 s, the modified tau, which is not looked at)";
+
 io::StatedLength stated(double value, io::Unit unit) {
   return {io::in_metric(value, unit), value, unit};
 }
@@ -33,11 +44,15 @@ void add_usual_separation_option(Command& command, const UsualSeparation*& into)
   std::vector<Word<const UsualSeparation*>> words;
   words.reserve(kUsual.size());
   for (const UsualSeparation& usual : kUsual) words.push_back({usual.name, &usual});
-  command.choice("--separation", into, words,
-                 "Both of these by name: enroute (5 NM, 1000 ft) and\nterminal (3 NM, 1000 ft) of "
-                 "ICAO Doc 4444,\nwell-clear-suas (2000 ft, 250 ft) of ASTM F3442,\nnmac (500 ft, "
-                 "100 ft) of RTCA DO-365",
-                 "NAME");
+  Option& option = command.choice(
+      "--separation", into, words,
+      "Both of these by name: enroute (5 NM, 1000 ft) and\nterminal (3 NM, 1000 ft) "
+      "of ICAO Doc 4444,\nwell-clear-suas (2000 ft, 250 ft) of ASTM F3442,\nnmac (500 "
+      "ft, 100 ft) of RTCA DO-365",
+      "NAME");
+  option.problem = [otherwise = option.problem](const std::string& given) {
+    return is_well_clear(given) ? std::string(kWellClears) : otherwise(given);
+  };
 }
 
 Status settle_separation(const char* command, const UsualSeparation* usual,

@@ -174,12 +174,13 @@ void append_losses(std::string& out, const PathFindings& findings, const Distanc
                       red(io::counted(losses.size(), "conflict", "conflicts")) +
                           (standing.empty() ? ""
                                             : ", " + io::grouped(std::uint64_t{standing.size()}) +
-                                                  " " + kWithStanding));
+                                                  " " + with_standing_words(findings.recording)));
   for (std::size_t i = 0; i < std::min(kMost, losses.size()); ++i) {
-    append_summary_line(out, "",
-                        encounter_text(losses[i], findings.recording, distances) +
-                            possible_text(losses[i], findings) +
-                            (i < in_the_air ? "" : ", " + std::string(kWithStanding)));
+    append_summary_line(
+        out, "",
+        encounter_text(losses[i], findings.recording, distances) +
+            possible_text(losses[i], findings) +
+            (i < in_the_air ? "" : ", " + std::string(with_standing_words(findings.recording))));
   }
 }
 
@@ -204,7 +205,7 @@ void append_closest(std::string& out, const PathFindings& findings, const Distan
     append_summary_line(out, "closest",
                         encounter_text(*verdict.closest_in_the_air, findings.recording, distances));
   }
-  if (!both_stand) text += ", " + std::string(kWithStanding);
+  if (!both_stand) text += ", " + std::string(with_standing_words(findings.recording));
   append_summary_line(out, verdict.closest_in_the_air ? "" : "closest", text);
 }
 

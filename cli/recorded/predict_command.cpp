@@ -92,6 +92,8 @@ struct Prediction {
   const Distances& distances;
   std::optional<double> looked_since_s;  // where that is before now
   double horizon_s;
+  // Of a recording: since when it lasts, of which only what lies behind its end is looked at.
+  std::optional<double> recorded_since_s;
 
   // Whether there are two, as far as they are known.
   [[nodiscard]] bool compares() const {
@@ -122,18 +124,23 @@ std::string unknown_text(const Prediction& prediction) {
   return text;
 }
 
+// What is said is not of the recording itself.
+std::string after_the_end(const Prediction& prediction) {
+  return prediction.recorded_since_s ? " after the end of the recording" : "";
+}
+
 std::string found_line(const Prediction& prediction) {
   if (!prediction.compares()) {
     return red("nothing to compare") + ": fewer than two bees are known now" +
            (prediction.complete() ? "" : "; " + unknown_text(prediction));
   }
   if (prediction.conflicts.empty()) {
-    if (prediction.complete()) return bold("none");
+    if (prediction.complete()) return bold("none" + after_the_end(prediction));
     const std::string found =
         prediction.bees_are_known()
             ? "none from " + io::moment_text(prediction.snapshot.time_s, prediction.recording) +
                   " on"
-            : std::string("none of those that are known");
+            : "none of those that are known" + after_the_end(prediction);
     return bold(found) + "; " + unknown_text(prediction);
   }
   std::vector<PointId> bees;
@@ -144,7 +151,7 @@ std::string found_line(const Prediction& prediction) {
   std::sort(bees.begin(), bees.end());
   bees.erase(std::unique(bees.begin(), bees.end()), bees.end());
   return red(io::grouped(prediction.conflicts.size()) + ", of " + io::grouped(bees.size()) +
-             " bees") +
+             " bees" + (prediction.recorded_since_s ? "," : "") + after_the_end(prediction)) +
          (prediction.complete() ? "" : "; " + unknown_text(prediction));
 }
 
@@ -214,19 +221,25 @@ void append_ages(std::string& out, const Prediction& prediction, const PredictRe
                                    : ", not heard of for " + age + " (--max-age)"));
 }
 
-// Of a recording, of which only what lies ahead of its end is looked at.
-void append_passed(std::string& out, const Prediction& prediction, const PredictRequest& request) {
-  if (prediction.recording.flies_on) return;
-  double first_s = prediction.snapshot.time_s;
+// Since when a recording lasts; nothing of what is one moment, or begins where aircraft do.
+std::optional<double> recorded_since(const io::Recording& recording) {
+  if (recording.flies_on) return std::nullopt;
+  std::optional<double> first_s;
   bool moves = false;
-  for (const io::RecordedBee& bee : prediction.recording.bees) {
+  for (const io::RecordedBee& bee : recording.bees) {
     if (bee.fixes.empty()) continue;
-    first_s = std::min(first_s, bee.fixes.front().time_s);
+    const double of_this_s = bee.fixes.front().time_s;
+    first_s = std::min(first_s.value_or(of_this_s), of_this_s);
     moves = moves || bee.fixes.size() > 1;
   }
-  if (!moves) return;
+  return moves ? first_s : std::nullopt;
+}
+
+// Of a recording, of which only what lies ahead of its end is looked at.
+void append_passed(std::string& out, const Prediction& prediction, const PredictRequest& request) {
+  if (!prediction.recorded_since_s) return;
   std::string text = "this is a recording of ";
-  text += io::duration(prediction.snapshot.time_s - first_s);
+  text += io::duration(prediction.snapshot.time_s - *prediction.recorded_since_s);
   text += ": only what lies ahead of its end is looked at; for the rest ask 'beespace replay";
   if (request.moving.inputs.size() == 1 && request.moving.inputs.front() != "-") {
     text += ' ';
@@ -287,6 +300,13 @@ void write_outlook(io::JsonWriter& json, const Prediction& prediction,
   write_head(json, prediction.recording, request.moving, prediction.threshold_m);
   json.member("now_s", snapshot.time_s).member("horizon_s", prediction.horizon_s);
   json.member("looked_since_s", prediction.looked_since_s.value_or(snapshot.time_s));
+  json.key("not_looked_at");
+  if (prediction.recorded_since_s) {
+    json.begin_object().member("begins_s", *prediction.recorded_since_s);
+    json.member("ends_s", snapshot.time_s).end();
+  } else {
+    json.null();
+  }
   json.member("movers", snapshot.movers.size()).member("stale", snapshot.stale);
   json.member("on_ground", snapshot.on_ground);
   json.member("without_velocity", snapshot.unmoving.size());
@@ -310,7 +330,7 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
   if (auto doubt = analysis::doubt_of_scale(*recording, load.frame, moving.threshold)) {
     return *std::move(doubt);
   }
-  if (auto needed = analysis::threshold_needed(*recording, moving.threshold)) {
+  if (auto needed = analysis::threshold_needed(*recording, moving.threshold, moving.vertical)) {
     return *std::move(needed);
   }
   const analysis::Geometry geometry = analysis::geometry_for(*recording, moving.vertical);
@@ -346,7 +366,7 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
     distances.least_height = analysis::least_height_of(distances.apart);
   }
   const Prediction prediction{*recording, *snapshot,      threshold_m, *conflicts,
-                              distances,  looked_since_s, horizon_s};
+                              distances,  looked_since_s, horizon_s,   recorded_since(*recording)};
   const auto head = [&](io::JsonWriter& json) { write_outlook(json, prediction, request); };
   write_answer(conflict_rows(*conflicts, *recording, false, distances), moving, head, "conflicts",
                *output);

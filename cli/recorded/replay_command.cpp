@@ -114,10 +114,10 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   if (auto doubt = analysis::doubt_of_scale(*recording, load.frame, moving.threshold)) {
     return *std::move(doubt);
   }
-  if (auto needed = analysis::threshold_needed(*recording, moving.threshold)) {
+  if (auto needed = analysis::threshold_needed(*recording, moving.threshold, moving.vertical)) {
     return *std::move(needed);
   }
-  if (Status flight = check_flight(*recording, moving.inputs.front()); !flight) {
+  if (Status flight = check_flight(*recording, moving); !flight) {
     return flight.error();
   }
   const analysis::Geometry geometry = analysis::geometry_for(*recording, moving.vertical);

@@ -165,7 +165,7 @@ class Replaying {
   }
 
   Status search() {
-    if (auto needed = analysis::threshold_needed(recording_, moving_.threshold)) {
+    if (auto needed = analysis::threshold_needed(recording_, moving_.threshold, moving_.vertical)) {
       return *std::move(needed);
     }
     threshold_m_ = moving_.threshold_m.value_or(

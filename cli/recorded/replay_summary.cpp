@@ -49,7 +49,8 @@ std::string open_text(const analysis::Findings& findings) {
 std::string kinds_text(const analysis::Findings& findings) {
   std::string text;
   if (!findings.with_standing.empty()) {
-    text += ", " + io::grouped(findings.with_standing.size()) + " " + kWithStanding;
+    text += ", " + io::grouped(findings.with_standing.size()) + " " +
+            with_standing_words(findings.recording);
   }
   if (findings.curves != nullptr && !findings.curves->conflicts.empty()) {
     text += ", " + io::grouped(findings.curves->conflicts.size()) +
@@ -161,7 +162,7 @@ void append_closest(std::string& out, const analysis::Findings& findings,
   if (!one_stands && !both_stand && !(left_out && findings.closest_in_the_air)) {
     return append_summary_line(out, "closest", text);
   }
-  if (one_stands) text += ", " + std::string(kWithStanding);
+  if (one_stands) text += ", " + std::string(with_standing_words(findings.recording));
   if (findings.closest_in_the_air) {
     append_summary_line(
         out, "closest",
@@ -178,7 +179,7 @@ void append_worst(std::string& out, const analysis::Findings& findings,
     std::string text = encounter_text(pair.closest, findings.recording, distances, Told::kConflict);
     const auto& standing = findings.with_standing;
     if (std::count(standing.begin(), standing.end(), pair.closest) > 0) {
-      text += ", " + std::string(kWithStanding);
+      text += ", " + std::string(with_standing_words(findings.recording));
     }
     text += "; in conflict for " + io::grouped(pair.time_s, 2) + " s";
     if (findings.curves != nullptr && findings.curves->given && !pair.closest.certain) {
@@ -370,6 +371,11 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
   append_closest(out, findings, distances);
   append_worst(out, findings, in_the_air_first(findings, pairs), distances);
   append_cut_conflicts(out, findings);
+  if (recording.of_aircraft && !findings.with_standing.empty()) {
+    append_note(out,
+                "who stands still for a minute or longer, by its own reports of 0 kt at one place, "
+                "may be on the ground without saying so: its conflicts come last");
+  }
   append_note(out, analysis::chords_text(findings.chords));
   append_note(out, near_limit_text(findings.recorded.conflicts, request, distances));
   append_low(out, findings.low, recording, request, distances, findings.with_standing);

@@ -276,10 +276,10 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
   if (auto doubt = analysis::doubt_of_scale(*recording, load.frame, moving.threshold)) {
     return *std::move(doubt);
   }
-  if (auto needed = analysis::threshold_needed(*recording, moving.threshold)) {
+  if (auto needed = analysis::threshold_needed(*recording, moving.threshold, moving.vertical)) {
     return *std::move(needed);
   }
-  if (Status flight = check_flight(*recording, moving.inputs.front()); !flight) {
+  if (Status flight = check_flight(*recording, moving); !flight) {
     return flight.error();
   }
   if (Status good = check_frame(*recording, request.obstacles); !good) return good.error();

@@ -1,5 +1,6 @@
 #include "cli/show/scene_summary.hpp"
 
+#include "analysis/recorded/usual_horizon.hpp"
 #include "analysis/scene/worst_link.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/recipe_text.hpp"
@@ -61,9 +62,12 @@ void append_ahead(std::string& out, const report::SnapshotFacts& facts,
   const bool risk = facts.ahead && facts.ahead->count > 0;
   append_summary_line(out, "ahead", risk ? red(words) : words);
   if (!risk || request.inputs.size() != 1 || request.inputs.front() == "-") return;
+  const double horizon_s = facts.ahead->horizon_s;
+  const bool usual = horizon_s == analysis::usual_horizon_s(facts.swarm.noun.one == "aircraft");
   append_summary_line(out, "",
                       "'beespace predict " + printable(typed_name(request.inputs.front())) +
-                          separation_typed(request) + "' tells more");
+                          separation_typed(request) +
+                          (usual ? "" : " --horizon " + io::exact(horizon_s)) + "' tells more");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "cli/show/show_request.hpp"
 
 #include "cli/command_line/command.hpp"
+#include "cli/command_line/option_values.hpp"
 
 namespace beespace::cli {
 
@@ -17,6 +18,7 @@ analysis::SceneRequest scene_request(const ShowRequest& request) {
   scene.ignore_below_m = request.moving.ignore_below_m;
   scene.max_gap_s = request.max_gap_s;
   scene.tolerance_m = request.tolerance_m;
+  scene.horizon_s = request.horizon_s;
   scene.threads = request.moving.threads;
   return scene;
 }
@@ -29,6 +31,8 @@ void add_scene_options(Command& command, ShowRequest& request) {
   add_sector_option(command, request.moving.load);
   add_threshold_options(command, request.moving);
   add_low_option(command, request.moving);
+  command.option("--horizon", "SECONDS", request.horizon_s, amount("seconds", kFromZero),
+                 "Of one moment: how far to look ahead (default: 60;\nof aircraft: 300)");
 }
 
 void add_error_json_option(Command& command, MovingRequest& moving) {

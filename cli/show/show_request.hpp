@@ -12,6 +12,7 @@ struct ShowRequest {
   MovingRequest moving;
   std::optional<double> max_gap_s = {};  // absent: from the data
   double tolerance_m = 0.001;
+  std::optional<double> horizon_s = {};  // absent: as usual of what it is of
 };
 
 // What it says of the scene itself.

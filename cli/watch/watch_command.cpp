@@ -286,7 +286,7 @@ class Watch {
     of_aircraft_ = of_aircraft;
     return analysis::threshold_needed(
         analysis::TrafficSigns{at.frame, at.height_unit, lines_.heights(), of_aircraft},
-        request_.threshold);
+        request_.threshold, request_.vertical);
   }
 
   // A line before any that is a report, or may be: a damaged one, as in the middle of a stream; or

@@ -46,6 +46,7 @@ Header::Header(const ColumnSchema& schema, const ColumnOptions& options, const T
 ColumnMeaning Header::meaning_of(std::size_t column) const {
   if (is_of_a_quaternion(column)) return {};
   if (is_of_a_chip(table_.names[column], table_.names)) return {};
+  if (source_ != nullptr && source_->no_id == plain_name(table_.names[column])) return {};
   ColumnMeaning meaning = read_column_name(schema_, table_.names[column]);
   if (meaning.role == Role::kNone && is_flight_level(column)) {
     meaning.role = Role::kHeight;

@@ -49,6 +49,25 @@ TableSource flightradar24() {
   return source;
 }
 
+// Positions as the data service of Flightradar24 delivers them, a file a flight that is called
+// after it: heights in feet, speeds in knots; the id is that of the receiver that heard it.
+TableSource delivery_of_flightradar24() {
+  TableSource source{"the data service of Flightradar24",
+                     "",
+                     {{"snapshot_id", Role::kTime, Unit::kSecond},
+                      {"altitude", Role::kHeight, Unit::kFoot, HeightDatum::kPressure},
+                      {"heading", Role::kTrack},
+                      {"latitude"},
+                      {"longitude"},
+                      {"radar_id"},
+                      {"speed", Role::kGroundSpeed, Unit::kKnot}}};
+  source.since_1970 = true;
+  source.ground_at_zero = true;
+  source.of_aircraft = true;
+  source.no_id = "radar_id";
+  return source;
+}
+
 // Live positions as the interface of Flightradar24 gives them (JSON): heights by pressure, in feet,
 // speeds in knots and climb rates in feet per minute, as its documentation says.
 TableSource positions_of_flightradar24() {
@@ -293,6 +312,7 @@ std::span<const TableSource> known_sources() {
                    true,
                    true},
        flightradar24(),
+       delivery_of_flightradar24(),
        positions_of_flightradar24()});
   return sources;
 }

@@ -35,6 +35,8 @@ struct TableSource {
   // Of heights and speeds whose units its headers leave open: why, as a sentence.
   std::string_view units_differ = {};
   bool ground_at_zero = false;  // of aircraft: heights of 0 are of no one that flies
+  bool of_aircraft = false;     // though no column may say so
+  std::string_view no_id = {};  // a column that looks like an id, and is one of something else
 
   // Nothing for columns that say all by themselves. Of several of a role the first one counts.
   [[nodiscard]] const KnownColumn* find(std::string_view column) const;

@@ -117,7 +117,8 @@ bool name_aircraft(const std::vector<std::string>& columns) {
 
 bool tells_of_aircraft(const TrackLayout& layout) {
   if (layout.show) return false;
-  return name_aircraft(layout.table.names) ||
+  const TableSource* const source = source_of(layout.table.names);
+  return (source != nullptr && source->of_aircraft) || name_aircraft(layout.table.names) ||
          std::any_of(layout.units.begin(), layout.units.end(),
                      [](const UnitTaken& taken) { return taken.unit == Unit::kNauticalMile; });
 }
@@ -134,7 +135,8 @@ void settle_aircraft(const Header& header, const RecordingOptions& options, Trac
     layout.notes.push_back(
         "ids are read from " + column_text(layout.table, *choice.id) +
         ", and how they are called beside from " + column_text(layout.table, *layout.label) +
-        "; --columns id=" + std::to_string(*layout.label + 1) + " would take that for the id");
+        "; --columns id=" + std::to_string(*layout.label + 1) +
+        " would take that for the id, so that the time between two flights of one is no gap");
   } else {
     layout.label.reset();
   }

@@ -36,6 +36,15 @@ std::string name_of(const Names& names, PointId first, PointId second) {
   return picture_name(names, first) + " \u2013 " + picture_name(names, second);
 }
 
+// Who flies several flights one after the other is called after that of the moment.
+std::string name_of(const Names& names, const Conflict& pair) {
+  const auto name = [&](PointId bee) {
+    std::string then = names.at(pair.closest_s, bee);
+    return then == names.of(bee) ? picture_name(names, bee) : then;
+  };
+  return name(pair.first) + " \u2013 " + name(pair.second);
+}
+
 std::string counted(std::size_t count, const io::RecordedNoun& noun) {
   return count_label(count, noun.one, noun.several);
 }
@@ -192,7 +201,7 @@ Listing closest_conflicts(const RecordingFacts& facts) {
   Listing listing{"Closest pairs in conflict" + order_words(facts.swarm), {}, facts.pair_count};
   const auto add = [&](const Conflict& conflict, const std::optional<Apart>& apart,
                        const char* kind) {
-    listing.rows.push_back({name_of(facts.swarm.names, conflict.first, conflict.second),
+    listing.rows.push_back({name_of(facts.swarm.names, conflict),
                             listed_apart(facts.swarm, conflict.closest_m, apart) + " at " +
                                 moment_label(conflict.closest_s, facts) + kind +
                                 duration_of(conflict, facts.pairs),
@@ -204,7 +213,7 @@ Listing closest_conflicts(const RecordingFacts& facts) {
     const Conflict& conflict = facts.conflicts[place];
     const bool known = place < facts.conflicts_apart.size();
     add(conflict, known ? std::optional(facts.conflicts_apart[place]) : std::nullopt,
-        with_standing.has(conflict) ? kWithOneOnTheGround
+        with_standing.has(conflict) ? with_one_standing(facts.swarm)
         : conflict.certain          ? ""
                                     : ", possible");
   }

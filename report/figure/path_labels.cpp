@@ -3,6 +3,7 @@
 #include "report/drawing/text_fit.hpp"
 #include "report/figure/picture_names.hpp"
 #include "report/figure/style.hpp"
+#include "report/figure/text_boxes.hpp"
 #include "report/xml_text.hpp"
 
 #include <algorithm>
@@ -21,22 +22,8 @@ constexpr double kNameAscent = 0.8 * kLabelSize;
 constexpr double kNameDescent = 0.3 * kLabelSize;
 constexpr double kBesideEnd = 6.0;
 
-// What a text covers, without a margin.
-Box box_of_text(const Text& text) {
-  constexpr double kBolder = 1.1;  // how much wider bold text is
-  const double width = (text.bold ? kBolder : 1.0) * text_width(text.text, text.size);
-  const double left = text.anchor == Anchor::kStart    ? text.at.x
-                      : text.anchor == Anchor::kMiddle ? text.at.x - 0.5 * width
-                                                       : text.at.x - width;
-  return {left, text.at.y - 0.8 * text.size, width, 1.1 * text.size};
-}
-
 Box box_around(Spot spot, double radius) {
   return {spot.x - radius, spot.y - radius, 2.0 * radius, 2.0 * radius};
-}
-
-bool covers_part_of(const Box& a, const Box& b) {
-  return a.left < b.right() && b.left < a.right() && a.top < b.bottom() && b.top < a.bottom();
 }
 
 bool lies_within(const Box& inner, const Box& outer) {

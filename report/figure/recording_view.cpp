@@ -191,7 +191,7 @@ std::string one_of(const io::RecordedNoun& noun) {
 std::string names_of(const Conflict& pair, const RecordingFacts& facts) {
   constexpr double kWidest = 130.0;
   const auto name = [&](PointId bee) {
-    return fitted(one_line(facts.swarm.names.of(bee)), kLabelSize, kWidest);
+    return fitted(one_line(facts.swarm.names.at(pair.closest_s, bee)), kLabelSize, kWidest);
   };
   return name(pair.first) + " \u2013 " + name(pair.second);
 }
@@ -211,14 +211,14 @@ void draw_closest(const RecordingFacts& facts, const View& view, Drawing& drawin
   const Spot b = view.spot_of(*second);
   std::string words;
   if (view.from == View::From::kAbove) {
-    words = in_the_air ? "closest in the air" : "closest";
+    words = in_the_air ? closest_of_moving(facts.swarm) : "closest";
     words += facts.closest_left_out && !in_the_air ? ", left out: "
              : keeps_apart                         ? ", not too close: "
                                                    : ": ";
     // A few paths have their names at their ends.
     if (facts.tracks.size() > kMostNamedPaths) words += names_of(closest, facts) + ", ";
     words += apart_words(facts.swarm, closest.closest_m, apart, keeps_apart);
-    if (facts.closest_stands && !in_the_air) words += kWithOneOnTheGround;
+    if (facts.closest_stands && !in_the_air) words += with_one_standing(facts.swarm);
   }
   draw_ring(view.panel.box, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}, words, drawing);
 }

@@ -69,30 +69,87 @@ struct Measure {
   double (*of)(const Separation&);
 };
 
-Axis distance_axis(const RecordingFacts& facts, const Measure& measure, const Box& box) {
+// The greatest distance that is drawn. When few are known, as at the beginning and the end of a
+// recording, the closest two may be far apart for a little time: what that is, and no more, does
+// not press all else against the axis, but leaves the panel at its top.
+double greatest_drawn_m(const RecordingFacts& facts, const Measure& measure) {
+  constexpr double kNearlyAll = 0.9;
+  constexpr double kRoom = 1.25;
+  constexpr double kFarBeyond = 2.0;
+  std::vector<double> all_m;
+  all_m.reserve(facts.separation.size());
+  for (const Separation& at : facts.separation) all_m.push_back(measure.of(at));
+  if (all_m.empty()) return measure.limit_m;
+  std::sort(all_m.begin(), all_m.end());
+  const double most_m = std::max(all_m.back(), measure.limit_m);
+  const auto last = static_cast<double>(all_m.size() - 1);
+  const double nearly_all_m = all_m[static_cast<std::size_t>(kNearlyAll * last)];
+  const double cut_m = kRoom * std::max(nearly_all_m, 2.0 * measure.limit_m);
+  return most_m > kFarBeyond * cut_m ? cut_m : most_m;
+}
+
+struct DistanceAxis {
+  Axis axis;
+  std::string note;  // what its title does not say
+};
+
+// With a tick at the limit, which others give way to.
+std::vector<Tick> powers_beside_limit(const Range& range, const Measure& measure, const Box& box,
+                                      const Scale& scale) {
+  constexpr double kBetween = 1.3 * kLabelSize;
+  const auto most = static_cast<std::size_t>(box.height / (2.0 * kLabelSize));
+  const double unit_m = measure.unit.metres;
+  auto ticks = logarithmic_ticks({range.low / unit_m, range.high / unit_m}, most + 1);
+  for (Tick& tick : ticks) tick.value *= unit_m;
+  const double limit_at = scale(measure.limit_m);
+  std::erase_if(
+      ticks, [&](const Tick& tick) { return std::abs(scale(tick.value) - limit_at) < kBetween; });
+  ticks.push_back({measure.limit_m, short_label(measure.limit_m / unit_m)});
+  std::sort(ticks.begin(), ticks.end(),
+            [](const Tick& one, const Tick& other) { return one.value < other.value; });
+  return ticks;
+}
+
+DistanceAxis distance_axis(const RecordingFacts& facts, const Measure& measure, const Box& box) {
   constexpr double kNameHeight = 24.0;
   const std::string title = measure.title + " (" + measure.unit.name + ")";
   double least_m = measure.limit_m;
-  double most_m = measure.limit_m;
+  double farthest_m = measure.limit_m;
   for (const Separation& at : facts.separation) {
     if (measure.of(at) > 0.0) least_m = std::min(least_m, measure.of(at));
-    most_m = std::max(most_m, measure.of(at));
+    farthest_m = std::max(farthest_m, measure.of(at));
   }
-  const auto ticks = static_cast<std::size_t>(box.height / (3.2 * kLabelSize));
+  const double most_m = greatest_drawn_m(facts, measure);
+  const std::string cut = most_m < farthest_m ? "cut off at the top" : "";
+  constexpr std::size_t kFewest = 3;  // of a low panel, so that more than the 0 has one
+  const auto ticks = std::max(kFewest, static_cast<std::size_t>(box.height / (3.2 * kLabelSize)));
   if (most_m > kWideSpreadOverTime * measure.limit_m) {
     const double lowest_m = std::max(least_m, 1e-3 * measure.limit_m);
-    const Range range{0.8 * lowest_m, 1.25 * most_m};
-    auto powers = logarithmic_ticks(
-        {range.low / measure.unit.metres, range.high / measure.unit.metres}, ticks + 1);
-    for (Tick& tick : powers) tick.value *= measure.unit.metres;
-    return {Scale(range, box.bottom(), box.top, Scale::Kind::kLogarithmic), std::move(powers),
-            title + ", by powers of ten"};
+    const Range range{0.8 * lowest_m, 1.25 * farthest_m};
+    const Scale scale(range, box.bottom(), box.top, Scale::Kind::kLogarithmic);
+    return {{scale, powers_beside_limit(range, measure, box, scale), title}, "by powers of ten"};
   }
   // The name of the limit has room above its line.
   const double room = box.height / (box.height - kNameHeight);
-  const Range range{0.0, std::max(1.1 * most_m, room * measure.limit_m)};
-  return {Scale(range, box.bottom(), box.top), nice_ticks(range, ticks, measure.unit.metres),
-          title};
+  const double top_m = cut.empty() ? 1.1 * most_m : most_m;
+  const Range range{0.0, std::max(top_m, room * measure.limit_m)};
+  return {
+      {Scale(range, box.bottom(), box.top), nice_ticks(range, ticks, measure.unit.metres), title},
+      cut};
+}
+
+// Above a high panel the title of the axis has room for it, and above a low one the heading.
+Panel separation_panel(const Box& box, const Measure& measure, Axis time, DistanceAxis distance) {
+  constexpr double kHigh = 200.0;
+  std::string heading = measure.heading;
+  if (!distance.note.empty()) {
+    if (box.height < kHigh) {
+      heading += ", " + distance.note;
+    } else {
+      distance.axis.title += ", " + distance.note;
+    }
+  }
+  return {box, heading, std::move(time), std::move(distance.axis)};
 }
 
 // Where spans of time lie, from left to right: none is narrower than that, and what would overlap
@@ -219,7 +276,8 @@ void draw_apart(const RecordingFacts& facts, const Box& box, Drawing& drawing) {
   for (const auto& [measure, place] : {std::pair(across, upper), std::pair(up, lower)}) {
     Axis time = time_axis(facts, place);
     if (place.top == upper.top) time.title.clear();
-    const Panel panel{place, measure.heading, time, distance_axis(facts, measure, place)};
+    const Panel panel =
+        separation_panel(place, measure, std::move(time), distance_axis(facts, measure, place));
     draw_bands(facts, panel, drawing);
     draw_unknown(facts, panel, drawing);
     draw_panel(panel, drawing);
@@ -244,8 +302,8 @@ void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawi
       "The closest two",           "Distance",
       threshold_name(facts.swarm), facts.swarm.threshold_m,
       distance_unit(facts.swarm),  [](const Separation& at) { return at.closest.distance_m; }};
-  const Panel panel{box, measure.heading, time_axis(facts, box),
-                    distance_axis(facts, measure, box)};
+  const Panel panel =
+      separation_panel(box, measure, time_axis(facts, box), distance_axis(facts, measure, box));
   draw_bands(facts, panel, drawing);
   draw_unknown(facts, panel, drawing);
   draw_panel(panel, drawing);
@@ -258,10 +316,11 @@ void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawi
     const Conflict& closest = both_stand ? *facts.closest_in_the_air : *facts.closest;
     const auto& apart = both_stand ? facts.closest_in_the_air_apart : facts.closest_apart;
     const Spot at = {panel.across.scale(closest.closest_s), panel.upwards.scale(closest.closest_m)};
-    const double baseline = draw_ring(box, at,
-                                      apart_words(facts.swarm, closest.closest_m, apart) +
-                                          (facts.closest_stands ? kWithOneOnTheGround : ""),
-                                      drawing, panel.upwards.scale(facts.swarm.threshold_m));
+    const double baseline =
+        draw_ring(box, at,
+                  apart_words(facts.swarm, closest.closest_m, apart) +
+                      (facts.closest_stands ? with_one_standing(facts.swarm) : ""),
+                  drawing, panel.upwards.scale(facts.swarm.threshold_m));
     // The label of the threshold keeps off this one.
     line.runs.emplace_back(kRingSpots);
     for (std::size_t i = 0; i < kRingSpots; ++i) {

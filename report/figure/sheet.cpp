@@ -124,14 +124,25 @@ void add_findings(const std::string& findings, double width, Drawing& drawing) {
   constexpr double kSize = 15.0;
   constexpr double kMiddle = 76.0;
   constexpr std::size_t kMostLines = 3;
+  constexpr const char* kMore = " \u2026";
   if (text_width(findings, kSize) <= width) {
     return add_text({kMargin, kMiddle}, findings, kSize, kText, drawing);
   }
   std::vector<std::string> lines = wrapped(findings, kTextSize, width);
-  for (std::size_t i = kMostLines; i < lines.size(); ++i) lines[kMostLines - 1] += ' ' + lines[i];
-  lines.resize(std::min(lines.size(), kMostLines));
-  const double apart = lines.size() < kMostLines ? 16.0 : 14.0;
-  double y = lines.size() < kMostLines ? kMiddle - 5.0 : kMiddle - 10.0;
+  if (lines.size() > kMostLines) {
+    lines.resize(kMostLines);
+    // Between words: the rest is in the notes.
+    std::string& last = lines.back();
+    while (text_width(last + kMore, kTextSize) > width) {
+      const auto blank = last.find_last_of(' ');
+      if (blank == std::string::npos) break;
+      last.resize(blank);
+    }
+    last += kMore;
+  }
+  // Three have little room between the title and the key.
+  const double apart = lines.size() < kMostLines ? 16.0 : 13.0;
+  double y = lines.size() < kMostLines ? kMiddle - 5.0 : kMiddle - 11.0;
   for (const std::string& line : lines) {
     add_text({kMargin, y}, fitted(line, kTextSize, width), kTextSize, kText, drawing);
     y += apart;

@@ -4,6 +4,7 @@
 #include "report/figure/density.hpp"
 #include "report/figure/picture_names.hpp"
 #include "report/figure/style.hpp"
+#include "report/figure/text_boxes.hpp"
 #include "report/number_label.hpp"
 #include "report/separation_words.hpp"
 #include "report/xml_text.hpp"
@@ -103,7 +104,7 @@ void draw_ahead(const SnapshotFacts& facts, const View& view, Drawing& drawing) 
 }
 
 // The name of one of them, where it is now: on the side to which it does not fly, or on another one
-// that has room and covers least.
+// that has room and covers least. Where it would cover another name it is left to the list.
 void name_one_ahead(const std::string& name, Spot at, Spot there, const Box& box,
                     Drawing& drawing) {
   constexpr double kBeside = 8.0;
@@ -122,12 +123,21 @@ void name_one_ahead(const std::string& name, Spot at, Spot there, const Box& box
     if (fits) places.push_back(place);
   }
   if (places.empty()) places.push_back({middle, at.y + 4.0});
+  const auto written = [&name](const Spot& place) {
+    return Text{place, name, kLabelSize, Anchor::kStart, false, false, true, kText};
+  };
+  const std::vector<Box> texts = boxes_of_texts(drawing);
+  std::erase_if(places, [&](const Spot& place) {
+    const Box own = box_of_text(written(place));
+    return std::any_of(texts.begin(), texts.end(),
+                       [&own](const Box& text) { return covers_part_of(own, text); });
+  });
+  if (places.empty()) return;
   std::vector<std::ptrdiff_t> covered(places.size());
   std::transform(places.begin(), places.end(), covered.begin(),
                  [&](const Spot& place) { return in_the_way(drawing, place, width); });
   const auto best = std::min_element(covered.begin(), covered.end()) - covered.begin();
-  drawing.shapes.emplace_back(Text{places[static_cast<std::size_t>(best)], name, kLabelSize,
-                                   Anchor::kStart, false, false, true, kText});
+  drawing.shapes.emplace_back(written(places[static_cast<std::size_t>(best)]));
 }
 
 // Over all else, each once.

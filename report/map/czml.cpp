@@ -292,7 +292,7 @@ void add_conflict(std::size_t number, const MapTracks& map, const RecordingFacts
   if (!moves && !(a && b)) return;
   packets.add([&](io::JsonWriter& json) {
     json.member("id", "conflict/" + std::to_string(number));
-    json.member("name", pair_name(facts.swarm.names, c.first, c.second));
+    json.member("name", pair_name(facts.swarm.names, c));
     json.member("description", conflict_words(facts, number));
     json.member("availability", interval(c.begins_s, c.ends_s));
     write_line(json, kRiskLine, [&] {

@@ -58,8 +58,8 @@ void write_apart(io::JsonWriter& json, const SwarmFacts& swarm, const std::vecto
 
 void write_conflict(io::JsonWriter& json, const RecordingFacts& facts, std::size_t number) {
   const Conflict& conflict = facts.conflicts[number];
-  json.member("first", facts.swarm.names.of(conflict.first));
-  json.member("second", facts.swarm.names.of(conflict.second));
+  json.member("first", facts.swarm.names.at(conflict.closest_s, conflict.first));
+  json.member("second", facts.swarm.names.at(conflict.closest_s, conflict.second));
   json.member("closest_m", conflict.closest_m);
   write_apart(json, facts.swarm, facts.conflicts_apart, number);
   json.member("begins_s", conflict.begins_s);

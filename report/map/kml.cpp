@@ -152,8 +152,7 @@ void add_conflicts(const RecordingFacts& facts, std::size_t count, const MapPlac
     if (!a || !b) continue;
     const std::string time = "<TimeSpan>" + element("begin", map_instant(c.begins_s)) +
                              element("end", map_instant(c.ends_s)) + "</TimeSpan>";
-    document.add(pair_name(facts.swarm.names, c.first, c.second), conflict_words(facts, i), time,
-                 "risk",
+    document.add(pair_name(facts.swarm.names, c), conflict_words(facts, i), time, "risk",
                  "<MultiGeometry>" + point(document.mode(), places.of(middle_of(*a, *b))) +
                      line(document.mode(), places.of(*a), places.of(*b)) + "</MultiGeometry>");
   }

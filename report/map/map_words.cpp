@@ -72,6 +72,11 @@ std::string pair_name(const Names& names, PointId first, PointId second) {
   return names.of(first) + " \u2013 " + names.of(second);
 }
 
+std::string pair_name(const Names& names, const Conflict& conflict) {
+  return names.at(conflict.closest_s, conflict.first) + " \u2013 " +
+         names.at(conflict.closest_s, conflict.second);
+}
+
 std::string nearest_words(const Nearest& nearest, const SwarmFacts& swarm) {
   if (nearest.id == Nearest::kNone) return {};
   return distance_words(swarm, nearest.distance_m) + " from " +

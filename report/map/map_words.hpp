@@ -11,6 +11,8 @@ namespace beespace::report {
 
 // "maya – willi": plain text.
 std::string pair_name(const Names& names, PointId first, PointId second);
+// As the two are called when they are closest.
+std::string pair_name(const Names& names, const Conflict& conflict);
 
 // "57.3 m from maya": HTML; nothing where there is no other.
 std::string nearest_words(const Nearest& nearest, const SwarmFacts& swarm);

@@ -49,6 +49,53 @@ TEST(FigureOfRecording, APossibleConflictIsMarkedAsSuch) {
   EXPECT_TRUE(says(figure_of(facts), "5.001 m at 50.0 s, possible"));
 }
 
+TEST(FigureOfRecording, WhoFliesSeveralFlightsIsCalledAfterThatOfTheMoment) {
+  RecordingFacts facts = two_tracks();
+  const PointId bee = facts.conflicts.front().first;
+  facts.swarm.names.texts[bee] = "4b1 (EZY1, EZY2)";
+  facts.swarm.names.called = {{bee, 0.0, "4b1 (EZY1)"}, {bee, 40.0, "4b1 (EZY2)"}};
+  const Drawing drawing = figure_of(facts);
+  EXPECT_TRUE(says(drawing, "4b1 (EZY2) \u2013 "));
+  EXPECT_FALSE(says(drawing, "4b1 (EZY1, EZY2) \u2013 "));
+  EXPECT_EQ(facts.swarm.names.at(39.0, bee), "4b1 (EZY1)");
+  EXPECT_EQ(facts.swarm.names.at(-1.0, bee), "4b1 (EZY1)");
+}
+
+// When few are known, at the beginning, the closest two may be far apart for a moment.
+TEST(FigureOfRecording, AFewFarSecondsDoNotPressAllElseAgainstTheAxis) {
+  RecordingFacts facts = two_tracks();
+  facts.separation.clear();
+  for (int t = 0; t <= 100; ++t) {
+    facts.separation.push_back({1.0 * t, {0, 1, t < 5 ? 4'000.0 : 9.0 + 0.01 * t}});
+  }
+  EXPECT_TRUE(says(figure_of(facts), "Distance (m), cut off at the top"));
+  EXPECT_FALSE(says(figure_of(facts), "powers of ten"));
+  for (Separation& at : facts.separation) at.closest.distance_m = 9.0;
+  EXPECT_FALSE(says(figure_of(facts), "cut off"));
+}
+
+// Of two axes above each other there is no room for it in the titles.
+TEST(FigureOfRecording, AxesByPowersOfTenHaveATickAtTheLimit) {
+  RecordingFacts facts = two_tracks();
+  facts.swarm.threshold_m = 7.0;
+  facts.swarm.vertical_m = 3.0;
+  for (Separation& at : facts.separation) {
+    at.apart = Apart{at.closest.distance_m, 0.5 * at.closest.distance_m};
+  }
+  const Drawing drawing = figure_of(facts);
+  EXPECT_TRUE(says(drawing, "Nearest to a conflict, by powers of ten"));
+  EXPECT_TRUE(says(drawing, "The same two, by powers of ten"));
+  const auto texts = shapes_of<Text>(drawing);
+  const auto is_tick = [&](const std::string& label) {
+    return std::any_of(texts.begin(), texts.end(), [&label](const Text& text) {
+      return text.anchor == Anchor::kEnd && text.text == label;
+    });
+  };
+  EXPECT_TRUE(is_tick("7"));
+  EXPECT_TRUE(is_tick("3"));
+  EXPECT_FALSE(says(drawing, "Distance (m), by"));
+}
+
 TEST(FigureOfRecording, TwoThatBothStandAreNotPassedOverInSilence) {
   RecordingFacts facts = two_tracks();
   facts.conflicts.clear();

@@ -43,7 +43,7 @@ Result<LargeFile> LargeInput::open_file(const std::string& path) const {
   const io::TableLayout* const layout = stream->table();
   if (auto needed = analysis::threshold_needed(
           stream->facts(), layout != nullptr ? std::string_view(layout->header) : "",
-          request_->threshold)) {
+          request_->threshold, request_->vertical)) {
     return *std::move(needed);
   }
   LargeFile file{.path = path};

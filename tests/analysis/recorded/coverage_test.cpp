@@ -184,6 +184,21 @@ TEST(Coverage, AShowThatIsInTheAirThroughoutHasNoGround) {
 }
 
 // Faster than anything that flies: one of the two places is wrong.
+// A longer --max-gap joins what is shorter than it already no better.
+TEST(Coverage, RecordsWithoutAPlaceAreNoBurstsOfFixes) {
+  io::Recording recording;
+  recording.of_aircraft = true;
+  recording.bees = {bee_at("a", {0, 10, 20, 40, 50, 70, 80, 100, 110, 130, 140, 160, 170})};
+  recording.bees[0].lost = {{20, 40}, {50, 70}, {80, 100}, {110, 130}, {140, 160}};
+  const MaxGap max_gap = max_gap_of(recording, {});
+  EXPECT_EQ(max_gap.seconds, 50.0);
+  const Coverage coverage = coverage_of(recording, {}, max_gap);
+  EXPECT_EQ(coverage.gaps, 5u);
+  EXPECT_TRUE(coverage.slow.empty());
+  EXPECT_EQ(slow_text(coverage, recording), "");
+  EXPECT_EQ(unknown_text(coverage, &recording).find("--max-gap"), std::string::npos);
+}
+
 TEST(Coverage, WhereABeeJumpsItIsUnknown) {
   io::Recording recording;
   recording.bees = {bee_at("a", {0, 10, 20, 30}), bee_at("b", {0, 10, 20, 30})};

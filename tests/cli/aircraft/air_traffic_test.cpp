@@ -326,7 +326,7 @@ TEST(RecipesOfAirTraffic, AnEncounterWithoutItsUnitsIsSaidToLackThem) {
                 "NAME lat lon alt trk gs vs time\n[none] [deg] [deg] [ft] [deg] [knot] "
                 "[fpm] [s]\n" +
                     rows)
-                .err.find("error"),
+                .err.find("line of units"),
             std::string::npos);
 }
 

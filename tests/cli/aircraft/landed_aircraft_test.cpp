@@ -58,7 +58,7 @@ TEST(LandedAircraft, AreOnTheGroundAndNotSilent) {
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   expect_parts(finished.err,
                {"landed     1 on the ground, as they say themselves: not compared with flyers\n",
-                "conflicts  none\n"});
+                "conflicts  none after the end of the recording\n"});
   EXPECT_EQ(finished.err.find("stale"), std::string::npos) << finished.err;
   expect_parts(run({"predict", folder.path(""), "--separation", "enroute", "--json"}).out,
                {R"("stale": 0,)", R"("on_ground": 1,)"});
@@ -103,6 +103,46 @@ TEST(BrokenFiles, OfAFolderAreLeftOutWhereThatIsAskedFor) {
   const Finished alone = run({"replay", broken, "--separation", "enroute", "--skip-bad"});
   EXPECT_EQ(alone.exit_code, 3);
   EXPECT_EQ(alone.err.find("--skip-bad"), std::string::npos) << alone.err;
+}
+
+// One at 0 kt and one place that does not say to be on the ground, one that passes close by, and
+// two in the air that come less close.
+std::string beside_one_that_stands(int speed_kt) {
+  std::string text =
+      "timestamp,icao24,latitude,longitude,groundspeed,track,vertical_rate,altitude\n";
+  for (int t = 0; t <= 120; t += 5) {
+    const auto add = [&](const std::string& of, double latitude, double longitude, int gs,
+                         int altitude) {
+      std::array<char, 128> line = {};
+      std::snprintf(line.data(), line.size(), "%d,%s,%.6f,%.6f,%d,90,0,%d\n", 1714564800 + t,
+                    of.c_str(), latitude, longitude, gs, altitude);
+      text += line.data();
+    };
+    const double on = 0.001 * t;
+    add("4400ec", 48.7, 2.3, speed_kt, 300);
+    add("39856c", 48.703, 2.24 + on, 140, 325);
+    add("4b1814", 49.5, 2.24 + on, 140, 9000);
+    add("3c6444", 49.5, 2.36 - on, 140, 9900);
+  }
+  return text;
+}
+
+TEST(LandedAircraft, WhoStandsStillByItsOwnReportsComesLast) {
+  const Finished found =
+      run({"replay", "--separation", "terminal", "--units", "aviation", "--fail-on-risk"},
+          beside_one_that_stands(0));
+  EXPECT_EQ(found.exit_code, 1);
+  expect_parts(found.err,
+               {"2 conflicts of 2 pairs, 1 with an aircraft that stands still",
+                "worst      4b1814 and 3c6444, 0.000 NM", "4400ec and 39856c, 0.180 NM",
+                ", with an aircraft that stands still; in conflict",
+                "note       who stands still for a minute or longer, by its own reports of 0 kt at "
+                "one place, may be on the ground without saying so: its conflicts come last\n"});
+  EXPECT_NE(found.out.find("4400ec\t39856c"), std::string::npos) << found.out;
+  EXPECT_LT(found.err.find("4b1814 and 3c6444"), found.err.find("4400ec and 39856c"));
+  const Finished taxis = run({"replay", "--separation", "terminal", "--units", "aviation"},
+                             beside_one_that_stands(12));
+  EXPECT_EQ(taxis.err.find("stands still"), std::string::npos) << taxis.err;
 }
 
 }  // namespace

@@ -114,6 +114,41 @@ TEST(SeparationOfAircraft, ABareNumberOfMilesIsNoNumberOfMetres) {
   EXPECT_EQ(run({"replay", "--threshold", "5NM", "--fail-on-risk"}, in_metres()).exit_code, 1);
 }
 
+// 1000 ft are usual, and 1000 m are not; of metres 300 are.
+TEST(SeparationOfAircraft, ABareNumberOfFeetIsNoNumberOfMetres) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("states.csv", in_metres());
+  for (const std::string command : {"replay", "predict", "verify", "report"}) {
+    Arguments arguments = {command, file, "--threshold", "5NM"};
+    if (command == "report") arguments = arguments + Arguments{"-o", folder.path("p.html")};
+    const Finished bare = run(arguments + Arguments{"--vertical", "1000"});
+    EXPECT_EQ(bare.exit_code, 2) << command << bare.err;
+    expect_parts(bare.err, {"these are aircraft",
+                            "and --vertical 1000 would be 1000 m: say "
+                            "--vertical 1000ft if it is in feet, or "
+                            "--vertical 1000m\n"});
+    for (const std::string said : {"1000ft", "1000m", "300"}) {
+      EXPECT_LT(run(arguments + Arguments{"--vertical", said}).exit_code, 2) << command << said;
+    }
+  }
+  const Finished both = run({"replay", "--threshold", "5", "--vertical", "1000"}, in_metres());
+  EXPECT_EQ(both.exit_code, 2) << both.err;
+  expect_parts(both.err, {"say --threshold 5NM --vertical 1000ft if they are in nautical miles and "
+                          "feet, or --threshold 5m --vertical 1000m\n"});
+  const Finished live = run({"watch", "--threshold", "5NM", "--vertical", "1000"}, messages());
+  EXPECT_EQ(live.exit_code, 2) << live.err;
+  expect_parts(live.err, {"say --vertical 1000ft if it is in feet"});
+}
+
+TEST(SeparationOfAircraft, WellClearIsOfTwoKinds) {
+  const Finished asked = run({"replay", "--separation", "well-clear"}, in_metres());
+  EXPECT_EQ(asked.exit_code, 2) << asked.err;
+  expect_parts(asked.err, {"--separation well-clear-suas (2000 ft, 250 ft, ASTM F3442)",
+                           "--threshold 4000ft --vertical 450ft (RTCA DO-365"});
+  expect_parts(run({"replay", "--separation", "enrout"}, in_metres()).err,
+               {"did you mean 'enroute'?"});
+}
+
 // Ships and drones have some of these words, too.
 TEST(SeparationOfAircraft, IsNotAskedOfOthers) {
   const std::string ships =
@@ -135,6 +170,20 @@ std::string states_at(const std::string& time) {
          R"(null,false,0,0],)" +
          R"(["3c6444","","X",1714564800,1714564800,8.4,47.0,10000,false,200,270,0,null,10000,)" +
          R"(null,false,0,0]]})";
+}
+
+// Where each has one place nothing is known of a flight; what lies ahead is.
+TEST(SeparationOfAircraft, OneMomentIsNoRecording) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("states.json", states_at("1714564800"));
+  for (const std::string command : {"replay", "verify"}) {
+    const Finished moment = run({command, file, "--separation", "enroute"});
+    EXPECT_EQ(moment.exit_code, 3) << moment.out << moment.err;
+    EXPECT_EQ(moment.out, "");
+    expect_parts(moment.err, {"each of the 2 aircraft has one fix only", "this is one moment",
+                              "ask 'beespace predict " + file + " --separation enroute'"});
+  }
+  EXPECT_LT(run({"predict", file, "--separation", "enroute"}).exit_code, 2);
 }
 
 std::string heard_at(const std::string& now, const std::string& seen) {

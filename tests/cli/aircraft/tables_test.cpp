@@ -49,14 +49,16 @@ TEST_P(TrafficTable, PredictNamesTheTwoThatMeet) {
   EXPECT_EQ(rows[0][1], "406a02 (HIVE22)");
   // After 25.05 s.
   EXPECT_EQ(rows[0][2].substr(0, 22), "2018-08-01T05:00:45.05");
-  expect_parts(finished.err,
-               {"bees       3 of 4\n", "now        2018-08-01T05:00:20.000Z\n",
-                "1 checked for now only, where last heard of",
-                "conflicts  1, of 2 bees; 1 bee is checked for now only, 1 record was left out\n",
-                "1 record without a position is left out\n",
-                "1 record of aircraft on the ground is left out",
-                "heights in ft: the header is that of traffic",
-                "compared with heights in ft as they stand"});
+  expect_parts(
+      finished.err,
+      {"bees       3 of 4\n", "now        2018-08-01T05:00:20.000Z\n",
+       "1 checked for now only, where last heard of",
+       "conflicts  1, of 2 bees, after the end of the recording; 1 bee is checked for now only, "
+       "1 record was left out\n",
+       "1 record without a position is left out\n",
+       "1 record of aircraft on the ground is left out",
+       "heights in ft: the header is that of traffic",
+       "compared with heights in ft as they stand"});
 }
 
 TEST_P(TrafficTable, ReplayKnowsTheTimeFrom1970) {
@@ -76,8 +78,9 @@ TEST_P(TrafficTable, IsNeverAnAllClear) {
   const Arguments nothing = {"predict", table(GetParam()), "--threshold", "10m", "--horizon", "20"};
   const Finished finished = run(nothing + Arguments{"--fail-on-risk"});
   EXPECT_EQ(finished.exit_code, 1) << finished.err;
-  expect_parts(finished.err, {"conflicts  none of those that are known; 1 bee is checked for now "
-                              "only, 1 record was left out\n"});
+  expect_parts(finished.err, {"conflicts  none of those that are known after the end of the "
+                              "recording; 1 bee is checked for now only, "
+                              "1 record was left out\n"});
   expect_parts(run(nothing + Arguments{"--json"}).out,
                {R"("without_velocity": 1)", R"("complete": false)"});
 }
@@ -133,8 +136,11 @@ TEST(AircraftTables, TheUnitOfTimesIsToldByTheirSizeAndSaid) {
                {"1533099600000000", "microseconds"},
                {"1533099600000000000", "nanoseconds"}};
   for (const auto& [time, unit] : times) {
-    const Finished finished = run({"replay", "--threshold", "100m"},
-                                  header + time + ",a,47,8,1\n" + time + ",b,48,8,1\n");
+    std::string a_second_later = time;
+    a_second_later[9] = '1';
+    const Finished finished =
+        run({"replay", "--threshold", "100m"},
+            header + time + ",a,47,8,1\n" + time + ",b,48,8,1\n" + a_second_later + ",a,47,8,1\n");
     EXPECT_EQ(finished.exit_code, 0) << finished.err;
     expect_parts(finished.err, {std::string("times are read from column 1 'timestamp' in ") + unit +
                                     ", since 1970, as their size tells\n",
@@ -177,7 +183,7 @@ TEST(AircraftTables, TheAddressIsTheIdWhateverTheOrder) {
                               "from column 1 'callsign'; --columns id=1 would take that"});
   const TextRows flights = rows_of(
       run({"replay", "--threshold", "100m", "--columns", "id=callsign", "--csv", "--skip-bad"},
-          text)
+          text + "SWR1,a1,2,47,8,1\n")
           .out,
       ',');
   ASSERT_EQ(flights.size(), 2u);
@@ -206,11 +212,12 @@ TEST(AircraftTables, ASnapshotIsForPredict) {
 
 TEST(AircraftTables, GroundedOnesAreKeptWhereTheyTellAHeight) {
   const std::string text =
-      "time_s,icao24,lat,lon,alt_ft,onground\n0,a,47,8,1,True\n0,b,47,8,2,True\n0,c,47,8,,True\n";
+      "time_s,icao24,lat,lon,alt_ft,onground\n0,a,47,8,1,True\n0,b,47,8,2,True\n0,c,47,8,,True\n"
+      "1,a,47,8,1,True\n";
   EXPECT_EQ(rows_of(run({"replay", "--threshold", "100m", "--grounded"}, text).out).size(), 1u);
   const Finished finished = run({"replay", "--threshold", "100m"}, text);
   EXPECT_EQ(finished.exit_code, 3);
-  expect_parts(finished.err, {"no bee is left: 3 records of aircraft on the ground are left out; "
+  expect_parts(finished.err, {"no bee is left: 4 records of aircraft on the ground are left out; "
                               "--grounded keeps those that tell a height"});
 }
 

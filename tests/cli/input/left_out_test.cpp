@@ -109,13 +109,15 @@ TEST_F(LeftOutRecords, WhatIsHarmlessDoesNotCount) {
       aircraft("dddddd", kHere, on_ground, "15") + aircraft("eeeeee", "", on_ground, "0");
   const std::string first = folder_.file("a.json", look(1700000000, grounded));
   const std::string again = folder_.file("b.json", look(1700000000, grounded));
-  const Finished finished = run({"replay", first, again, "--threshold", "5NM", "--fail-on-risk"});
+  const std::string later = folder_.file("c.json", look(1700000001, grounded));
+  const Finished finished =
+      run({"replay", first, again, later, "--threshold", "5NM", "--fail-on-risk"});
   EXPECT_EQ(finished.exit_code, 0);
   expect_parts(finished.err, {"verdict    keeps its distance\n", "on the ground"});
   // No aircraft rolls at 250 kt.
   const std::string flies =
-      folder_.file("c.json", look(1700000000, aircraft("dddddd", kHere, on_ground)));
-  const Finished fast = run({"replay", flies, "--threshold", "5NM", "--fail-on-risk"});
+      folder_.file("d.json", look(1700000000, aircraft("dddddd", kHere, on_ground)));
+  const Finished fast = run({"replay", flies, later, "--threshold", "5NM", "--fail-on-risk"});
   EXPECT_EQ(fast.exit_code, 1);
   expect_parts(fast.err, {"dddddd", "as high or as fast as none there"});
 }

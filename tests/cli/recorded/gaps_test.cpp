@@ -274,7 +274,7 @@ TEST_F(Gaps, PredictTakesNoVelocityFromFixesThatAreFarApart) {
   EXPECT_EQ(finished.exit_code, 0);
   expect_parts(
       finished.err,
-      {"none of those that are known; 1 bee is checked for now only",
+      {"none of those that are known after the end of the recording; 1 bee is checked for now only",
        "neither a velocity (speed, direction and climb) nor two fixes, at most 30 s apart"});
   EXPECT_EQ(
       lines_of(

@@ -66,7 +66,9 @@ TEST_P(LeftOutFile, OfAFolderIsNoAllClear) {
   EXPECT_EQ(ask("verify").exit_code, 1);
   const Finished predict = ask("predict", {"--horizon", "1", "--fail-on-risk"});
   EXPECT_EQ(predict.exit_code, 1);
-  expect_parts(predict.err, {"none of those that are known; 1 file or folder was left out"});
+  expect_parts(predict.err,
+               {"none of those that are known after the end of the recording; 1 file or folder "
+                "was left out"});
   const Finished page =
       run({"report", at(), "--threshold", "5", "--output", folder_.path("page.html")});
   expect_parts(page.err, {"1 file or folder was left out"});

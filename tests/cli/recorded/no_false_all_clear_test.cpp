@@ -250,7 +250,8 @@ TEST(NoFalseAllClear, OneFixIsNoTrack) {
 {"hex":"a00002","lat":50.07,"lon":8.0,"alt_baro":30400,"gs":400,"track":90,"seen_pos":0.9},
 {"hex":"b00003","lat":52.0,"lon":8.0,"alt_baro":30000,"gs":400,"track":90,"seen_pos":0.5}]})";
   const Finished finished = run({"replay", "--separation", "enroute", "--fail-on-risk"}, snapshot);
-  EXPECT_EQ(finished.exit_code, 1) << finished.err;
+  EXPECT_EQ(finished.exit_code, 3) << finished.err;
+  expect_parts(finished.err, {"each of the 3 aircraft has one fix only"});
 }
 
 TEST(NoFalseAllClear, OneBeeAloneIsNothingToPredict) {

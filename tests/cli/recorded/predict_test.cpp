@@ -154,6 +154,19 @@ TEST(Predict, TheSummarySaysWhatWasAskedAndFound) {
                {"threshold  3 m or closer\n"});
 }
 
+// What has happened is not asked about, and no word of the answer is of it.
+TEST(Predict, OfARecordingTheAnswerIsOfWhatLiesAfterItsEnd) {
+  const std::string met = "id,time_s,x,y,z\na,0,0,0,0\na,10,100,0,0\nb,0,1,0,0\nb,10,900,0,0\n";
+  expect_parts(run({"predict", "--threshold", "5"}, met).err,
+               {"conflicts  none after the end of the recording\n"});
+  expect_parts(run({"predict", "--threshold", "5", "--json"}, met).out,
+               {R"("not_looked_at": {"begins_s": 0, "ends_s": 10})"});
+  expect_parts(run({"predict", "--threshold", "1000"}, met).err,
+               {"conflicts  1, of 2 bees, after the end of the recording\n"});
+  expect_parts(run({"predict", "--threshold", "3", "--json"}, kHeadOn).out,
+               {R"("not_looked_at": null)"});
+}
+
 TEST(Predict, JsonHasTheQueryAndTheAnswer) {
   const std::string json =
       run({"predict", "--threshold", "5", "--vertical", "2", "--horizon", "70", "--json"}, kSinking)

@@ -66,6 +66,24 @@ TEST_F(SnapshotAhead, WhereNoneMeetThatIsSaidToo) {
   expect_parts(finished.err, {"ahead      flying straight on, no conflict begins within 300 s\n"});
 }
 
+// As far as `predict` is asked to look.
+TEST_F(SnapshotAhead, HowFarAheadIsAskedAsOfPredict) {
+  const std::string file = folder_.file("meet.scn", scenario("0"));
+  const Finished soon = plot(file, {"--horizon", "1", "--fail-on-risk"});
+  EXPECT_EQ(soon.exit_code, 0) << soon.err;
+  expect_parts(soon.err, {"ahead      flying straight on, no conflict begins within 1 s\n"});
+  const Finished late = plot(file, {"--horizon", "1200", "--fail-on-risk"});
+  EXPECT_EQ(late.exit_code, 1) << late.err;
+  expect_parts(late.err, {"ahead      flying straight on, 1 conflict within 1,200 s: ",
+                          " --separation enroute --horizon 1200' tells more\n"});
+  const std::string recorded =
+      folder_.file("flown.csv", "id,time_s,x,y,z\na,0,0,0,0\na,1,1,0,0\nb,0,9,9,9\nb,1,9,9,9\n");
+  const Finished refused = run({"plot", recorded, "-o", folder_.path("q.svg"), "--horizon", "60"});
+  EXPECT_EQ(refused.exit_code, 2) << refused.err;
+  expect_parts(refused.err,
+               {"is not one moment with velocities, from which --horizon looks ahead"});
+}
+
 TEST_F(SnapshotAhead, ALookOfAReceiverNamesItsTime) {
   const std::string file = folder_.file(
       "aircraft.json",

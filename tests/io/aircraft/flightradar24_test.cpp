@@ -29,6 +29,23 @@ TEST(Flightradar24, AFlightIsReadAsItIsExported) {
   EXPECT_TRUE(recording.missing.none());
 }
 
+// Which receiver heard it changes on the way.
+TEST(Flightradar24, AFileOfTheDataServiceIsOneFlightWhicheverRadarHeardIt) {
+  const auto recording =
+      recording_of(record("snapshot_id,altitude,heading,latitude,longitude,radar_id,speed,squawk\n"
+                          "1656324000,35000,88,46.98544,6.17404,1234,450,0\n"
+                          "1656324015,35000,88,46.98616,6.21968,5010,450,0\n"));
+  ASSERT_EQ(ids_of(recording), std::vector<std::string>{"bees"});
+  const RecordedBee& bee = recording.bees[0];
+  EXPECT_EQ(bee.fixes.at(0), (Fix{1656324000, {6.17404, 46.98544, 10668.0}}));
+  EXPECT_EQ(bee.stated_heights.at(0), 35000.0);
+  EXPECT_NEAR(std::hypot(bee.velocities.at(0).x, bee.velocities.at(0).y), 450.0 * 1852.0 / 3600.0,
+              1e-9);
+  EXPECT_EQ(recording.heights, HeightDatum::kPressure);
+  EXPECT_TRUE(recording.since_1970);
+  EXPECT_TRUE(recording.of_aircraft);
+}
+
 TEST(Flightradar24, AHeightOfZeroIsOfTheGroundOrOfNone) {
   const auto recording = recording_of(
       record(kFlightHeader + "1719835206,2024-07-01T12:00:06Z,BAW9,\"50.5,9.73\",0,12,270\n" +

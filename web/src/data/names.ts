@@ -1,15 +1,30 @@
 // What bees are called. A name is the text of a stranger: it is shown, never interpreted.
-import { readCounts, readTexts } from './column';
+import { readCounts, readMeasures, readTexts } from './column';
 import type { Head } from './page';
+
+/** Columns of one length, in ascending order of bee and time. */
+export interface Called {
+  bees: Uint32Array;
+  since_s: Float64Array;
+  texts: readonly string[];
+}
 
 export class Names {
   readonly #texts: readonly string[] | null;
   readonly #places: Map<number, number> | null;
   #bees: Map<string, number> | null = null;
 
+  /** By bee, of those that have several names one after the other: since when it is called each. */
+  readonly #called = new Map<number, { since_s: number; text: string }[]>();
+
   /** Without `texts` a bee's id is its number; with `bees`, only these have a text. */
-  constructor(texts: readonly string[] | null, bees: Uint32Array | null) {
+  constructor(texts: readonly string[] | null, bees: Uint32Array | null, called: Called | null = null) {
     this.#texts = texts;
+    called?.bees.forEach((bee, place) => {
+      const all = this.#called.get(bee) ?? [];
+      all.push({ since_s: called.since_s[place], text: called.texts[place] });
+      this.#called.set(bee, all);
+    });
     this.#places = bees ? new Map(Array.from(bees, (bee, place) => [bee, place])) : null;
   }
 
@@ -21,6 +36,13 @@ export class Names {
     if (!this.#texts) return String(bee);
     const place = this.#places ? this.#places.get(bee) : bee;
     return place === undefined ? String(bee) : (this.#texts[place] ?? String(bee));
+  }
+
+  /** What it is called at that time of the recording, as an aircraft is after its flight. */
+  at(time_s: number, bee: number): string {
+    const all = this.#called.get(bee);
+    if (!all) return this.of(bee);
+    return (all.filter(({ since_s }) => since_s <= time_s).at(-1) ?? all[0]).text;
   }
 
   /** Bees whose name is the text, then those whose name holds it; `limit` at most. */
@@ -75,6 +97,11 @@ function findNumbers(digits: string, count: number, limit: number, exact: number
 
 export async function readNames(head: Head): Promise<Names> {
   if (!head.names) return new Names(null, null);
-  const texts = await readTexts(head.names.texts);
-  return new Names(texts, head.names.bees ? await readCounts(head.names.bees) : null);
+  const { texts, bees, called } = head.names;
+  const several = called && {
+    bees: await readCounts(called.bees),
+    since_s: await readMeasures(called.since_s),
+    texts: await readTexts(called.texts),
+  };
+  return new Names(await readTexts(texts), bees ? await readCounts(bees) : null, several);
 }

@@ -117,7 +117,8 @@ interface SwarmHead {
   threshold_m: number;
   vertical_m?: number;
   inclusive: boolean;
-  names?: { texts: ColumnPlace; bees?: ColumnPlace };
+  /** `called`: of bees with several names one after the other, since when they are called each. */
+  names?: { texts: ColumnPlace; bees?: ColumnPlace; called?: { bees: ColumnPlace; since_s: ColumnPlace; texts: ColumnPlace } };
   position_error_m: number;
   notes: string[];
   obstacles?: Obstacle[];

@@ -1,5 +1,5 @@
 // The bees that are too close to each other: pairs of a snapshot, conflicts of a recording.
-import { pairsOf } from '../data/swarm';
+import { pairsOf, type Swarm } from '../data/swarm';
 import type { Choices } from '../state/choices';
 import { csvOf, fileName, saveFile } from '../save';
 import { clockTime, formatTime, isoTime, tellsClock } from '../text/calendar';
@@ -29,6 +29,11 @@ function rankNames(shown: Shown): (bee: number) => number {
   };
 }
 
+/** What a bee of that pair is called, when the two are closest. */
+function nameIn(swarm: Swarm, place: number, bee: number): string {
+  return swarm.kind === 'snapshot' ? swarm.names.of(bee) : swarm.names.at(swarm.head.time.begins_s + swarm.conflicts.closest_s[place], bee);
+}
+
 function columnsOf(shown: Shown): TableColumn[] {
   const { swarm } = shown;
   const { first, second, distance_m } = pairsOf(swarm);
@@ -36,7 +41,7 @@ function columnsOf(shown: Shown): TableColumn[] {
   const bee = (label: string, bees: Uint32Array): TableColumn => ({
     label,
     rank: (place) => rank(bees[place]),
-    cell: (place) => nameElement(swarm.names.of(bees[place])),
+    cell: (place) => nameElement(nameIn(swarm, place, bees[place])),
   });
   const columns: TableColumn[] = [
     bee(capitalised(nounOf(swarm.head).one), first),
@@ -94,7 +99,7 @@ function leftOut(shown: Shown): HTMLElement | null {
 /** In metres and seconds, with every digit that the page has; times as dates, too, where they are known. */
 function csvRows({ swarm }: Shown, places: Uint32Array): (string | number)[][] {
   const { first, second, distance_m, apart } = pairsOf(swarm);
-  const names = (place: number): string[] => [swarm.names.of(first[place]), swarm.names.of(second[place])];
+  const names = (place: number): string[] => [first, second].map((bees) => nameIn(swarm, place, bees[place]));
   const both = (place: number): number[] => (apart ? [apart.horizontal_m[place], apart.height_m[place]] : []);
   const apartNames = apart ? ['horizontal_m', 'height_m'] : [];
   if (swarm.kind === 'snapshot') {

@@ -29,6 +29,7 @@ const kInHeadline = ['At risk', 'Share at risk', 'In conflict at some time', 'Ah
 const kTimeRounding = 1e-4;
 
 const kWithGround = 'Closest, one on the ground';
+const kWithStill = 'Closest, one stands still'; // of aircraft, that do not say where they stand
 
 /** What is longer reads from the left, below its name. */
 const kLong = 40;
@@ -89,7 +90,8 @@ function shownClosest(head: Head): ClosestPair | ClosestEncounter | undefined {
 function groundRows(head: Head): Row[] {
   if (head.kind === 'snapshot' || !head.risk.closest?.stands) return [];
   const { distance_m } = head.risk.closest;
-  return [{ label: kWithGround, value: formatBelow(distance_m, head.threshold_m), number: distance_m, unit: 'metres' }];
+  const label = nounOf(head).one === 'aircraft' ? kWithStill : kWithGround;
+  return [{ label, value: formatBelow(distance_m, head.threshold_m), number: distance_m, unit: 'metres' }];
 }
 
 /** How close the closest two are: in a straight line, or horizontally and in height where each has its limit. */
@@ -148,17 +150,15 @@ function aheadWord({ swarm: { head } }: Shown): HTMLElement[] {
 }
 
 function closestButton(shown: Shown, closest: ClosestPair | ClosestEncounter | undefined, actions: Actions): HTMLElement | null {
-  const { names } = shown.swarm;
+  const { names, head } = shown.swarm;
   if (!closest) return null;
+  const nameOf = (bee: number): string => (head.kind === 'recording' && 'time_s' in closest ? names.at(head.time.begins_s + closest.time_s, bee) : names.of(bee));
   const made = button('', { class: 'link' }, () => {
     const time = 'time_s' in closest ? { time_s: closest.time_s } : {};
     actions.select({ swarm: shown.index, bee: closest.first, other: closest.second, place: placeOf(shown, closest) }, { fly: true, ...time });
   });
-  made.append(nameElement(names.of(closest.first)), ' and ', nameElement(names.of(closest.second)));
-  made.setAttribute(
-    'aria-label',
-    `Show the closest pair, ${isolate(names.of(closest.first))} and ${isolate(names.of(closest.second))}`,
-  );
+  made.append(nameElement(nameOf(closest.first)), ' and ', nameElement(nameOf(closest.second)));
+  made.setAttribute('aria-label', `Show the closest pair, ${isolate(nameOf(closest.first))} and ${isolate(nameOf(closest.second))}`);
   return made;
 }
 

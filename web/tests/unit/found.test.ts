@@ -93,6 +93,14 @@ test('sorting keeps the order of equals', () => {
   assert.deepEqual(Array.from(sortedPlaces(4, (i) => ranks[i], true)), [0, 2, 1, 3]);
 });
 
+test('names: of a moment, where a bee has several one after the other', () => {
+  const called = { bees: Uint32Array.of(1, 1), since_s: Float64Array.of(10, 50), texts: ['a1 (UAL1)', 'a1 (UAL2)'] };
+  const names = new Names(['b', 'a1 (UAL1, UAL2)'], null, called);
+  assert.deepEqual([0, 10, 49, 50, 99].map((time_s) => names.at(time_s, 1)), ['a1 (UAL1)', 'a1 (UAL1)', 'a1 (UAL1)', 'a1 (UAL2)', 'a1 (UAL2)']);
+  assert.equal(names.at(50, 0), 'b');
+  assert.equal(names.of(1), 'a1 (UAL1, UAL2)');
+});
+
 test('names: numbers, texts of all, texts of some', () => {
   const numbers = new Names(null, null);
   assert.equal(numbers.of(12), '12');
