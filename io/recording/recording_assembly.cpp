@@ -261,8 +261,9 @@ void RecordingAssembly::jump(const SharedTrack& track) {
   missing.jumping_ids.push_back(track.id);
   note("bee " + excerpt(track.id) + " jumps to where it is in " + place_text(track.first) + ", " +
        moment_text(track.time_s, recording_) +
-       ", faster than anything that flies, or than it says itself: a place or a time is wrong, "
-       "and where it is is not known; correct such records, or leave them out");
+       ", faster than anything that flies, than it says itself, or, there and back, than it ever "
+       "moves elsewhere: a place or a time is wrong, and where it is is not known; correct such "
+       "records, or leave them out");
 }
 
 std::optional<Error> RecordingAssembly::bad(Error error, std::string_view id) {
