@@ -165,6 +165,7 @@ struct RecordingFacts {
   // Likewise: these, and when a bee is there before its first fix or after its last one.
   std::vector<Gap> unknown_spans = {};
   std::string unknown = {};              // who is unknown for how long, or left out; empty: none
+  bool never_known = false;              // some are known nowhere, or two have one id
   bool hidden = false;                   // whether conflicts may be hidden by that
   std::vector<AtRisk> at_risk = {};      // ascending by bee, then time; of a bee none overlap
   std::vector<Conflict> conflicts = {};  // the closest first; all, or as many as can be shown

@@ -373,6 +373,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.separation_open = std::move(over_time.open);
   stand_in_tracks(recording, *in_space);
   facts.unknown = unknown_text(coverage, &recording, swarm.noun);
+  facts.never_known = recording.missing.shared > 0 || recording.missing.nowhere > 0;
   const auto kept =
       kept_by_height(recording, options, request.tolerance_m, recorded->conflicts, low.left_out);
   if (!kept) return kept.error();
