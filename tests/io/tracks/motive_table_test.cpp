@@ -53,7 +53,7 @@ TEST(MotiveTable, NotesNameNoColumnsThatTheFileHasNot) {
 
 TEST(MotiveTable, ARowThatIsCutOffIsSaidSo) {
   expect_error(record(take("Meters") + "3,1.500000,0,0\n"),
-               {ErrorCode::kColumnCount, "bees.csv",
+               {ErrorCode::kColumnCount, "bees.csv:11",
                 "this row has another number of values than the table has columns, 4, as where a "
                 "file was cut off"});
 }
