@@ -318,9 +318,11 @@ void RecordingStream::look_for_doubt(std::size_t bee, const Fix& fix, const Velo
   if (bee >= shared_.size()) {
     shared_.resize(bee + 1);
     jumps_.resize(bee + 1);
+    excursions_.resize(bee + 1);
     jumping_.resize(bee + 1);
   }
-  if (!jumping_[bee] && jumps_[bee].take(fix, velocity, frame())) {
+  const bool leaps = !assembly_->facts()->of_aircraft && excursions_[bee].take(fix, frame());
+  if (!jumping_[bee] && (jumps_[bee].take(fix, velocity, frame()) || leaps)) {
     jumping_[bee] = true;
     assembly_->jump({id(bee), fix.time_s, origin});
   }

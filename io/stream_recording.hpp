@@ -10,6 +10,7 @@
 #include "io/bytes/byte_stream.hpp"
 #include "io/bytes/progress.hpp"
 #include "io/frames/frame_witness.hpp"
+#include "io/recording/excursions.hpp"
 #include "io/recording/frozen_places.hpp"
 #include "io/recording/jumps.hpp"
 #include "io/recording/recording.hpp"
@@ -120,8 +121,9 @@ class RecordingStream {
   std::optional<FrameWitness> witness_;  // where values may contradict names
   std::vector<SharedId> shared_;         // by bee
   std::vector<Jumps> jumps_;             // the same
-  std::vector<bool> jumping_;            // whose jumps have been told
-  std::vector<StalePlaces> stale_;       // by bee
+  std::vector<ExcursionWatch> excursions_;
+  std::vector<bool> jumping_;       // whose jumps have been told
+  std::vector<StalePlaces> stale_;  // by bee
   ZeroPlaces zeros_;
   std::vector<ZeroRunWatch> zero_runs_;  // by bee, of places in metres
   // By bee: its latest fix, and whether some go back in time.

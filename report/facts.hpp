@@ -184,6 +184,7 @@ struct RecordingFacts {
   // Likewise: these, and when a bee is there before its first fix or after its last one.
   std::vector<Gap> unknown_spans = {};
   std::string unknown = {};              // who is unknown for how long, or left out; empty: none
+  bool never_known = false;              // some are known nowhere, or two have one id
   bool hidden = false;                   // whether conflicts may be hidden by that
   std::uint64_t nowhere_count = 0;       // beside `tracks`: who is known at no time
   bool nothing_compared = false;         // no two are there at the same time

@@ -16,6 +16,10 @@ auto order_of_gap(const Gap& gap) {
   return std::tuple(gap.track, gap.begins_s, gap.ends_s);
 }
 
+io::JumpsOf jumps_of(const io::Recording& recording) {
+  return {recording.frame, recording.of_aircraft};
+}
+
 }  // namespace
 
 std::vector<Gap> jump_spans(const io::Recording& recording) {
@@ -23,7 +27,7 @@ std::vector<Gap> jump_spans(const io::Recording& recording) {
   if (recording.missing.jumping == 0) return spans;
   for (std::size_t track = 0; track < recording.bees.size(); ++track) {
     const io::RecordedBee& bee = recording.bees[track];
-    for (const io::JumpedStretch& stretch : io::jumped_stretches(bee, recording.frame)) {
+    for (const io::JumpedStretch& stretch : io::jumped_stretches(bee, jumps_of(recording))) {
       spans.push_back({static_cast<PointId>(track), bee.fixes[stretch.before].time_s,
                        bee.fixes[stretch.behind].time_s});
     }
@@ -37,7 +41,7 @@ void leave_out_jumps(const io::Recording& recording, std::vector<Conflict>& conf
   const auto jumps_all_the_time = [&](PointId bee, const Conflict& conflict) {
     auto known = legs.find(bee);
     if (known == legs.end()) {
-      known = legs.emplace(bee, io::jumping_legs(recording.bees[bee], recording.frame)).first;
+      known = legs.emplace(bee, io::jumping_legs(recording.bees[bee], jumps_of(recording))).first;
     }
     return std::any_of(known->second.begin(), known->second.end(), [&](const TimeSpan& leg) {
       return leg.begins_s < conflict.begins_s && conflict.ends_s < leg.ends_s;

@@ -396,6 +396,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   // Drones of a show that fly one after the other stand meanwhile; see has_encounters().
   const bool several_drones = recording.show && in_space->size() > 1;
   facts.nothing_compared = !closest->has_value() && !several_drones && facts.low_count == 0;
+  facts.never_known = recording.missing.shared > 0 || recording.missing.nowhere > 0;
   const auto kept =
       kept_by_height(recording, options, request.tolerance_m, recorded->conflicts, low.left_out);
   if (!kept) return kept.error();

@@ -11,6 +11,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cstdint>
 #include <cstring>
 #include <utility>
 
@@ -36,6 +37,12 @@ Error system_error(ErrorCode code, const std::string& what, const std::string& s
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::uint64_t micros_since_1970() {
+  const auto since = std::chrono::system_clock::now().time_since_epoch();
+  return static_cast<std::uint64_t>(
+      std::chrono::duration_cast<std::chrono::microseconds>(since).count());
 }
 
 }  // namespace
@@ -65,10 +72,11 @@ LineSource::LineSource(LineSource&& other) noexcept
       buffer_(std::move(other.buffer_)),
       begin_(other.begin_),
       compressed_(other.compressed_),
-      telemetry_(other.telemetry_),
+      coming_(other.coming_),
       unpacking_(std::move(other.unpacking_)),
       packed_(std::move(other.packed_)),
-      damaged_(other.damaged_) {
+      damaged_(other.damaged_),
+      stamped_(std::move(other.stamped_)) {
 }
 
 LineSource::~LineSource() {
@@ -106,7 +114,7 @@ bool LineSource::take_frame(std::string_view& frame) {
   while (true) {
     const std::string_view rest = std::string_view(buffer_).substr(begin_);
     const std::string_view ahead = rest.substr(damaged_);
-    const auto size = io::logged_frame_size(ahead);
+    const auto size = frame_size(ahead);
     const bool over = ended_ && ahead.empty();
     if ((size || over || damaged_ >= kLongest) && damaged_ > 0) {
       frame = rest.substr(0, std::exchange(damaged_, 0));
@@ -116,10 +124,14 @@ bool LineSource::take_frame(std::string_view& frame) {
     if (size) {
       frame = ahead.substr(0, *size);
       begin_ += *size;
+      if (without_times()) {
+        stamped_ = io::logged_frame(frame, micros_since_1970());
+        frame = stamped_;
+      }
       return true;
     }
     if (over) return false;
-    if (ended_ && damaged_ == 0 && io::may_be_cut_frame(ahead)) {
+    if (ended_ && damaged_ == 0 && may_be_cut(ahead)) {
       begin_ = buffer_.size();  // the last frame is cut short
       return false;
     }
@@ -129,13 +141,29 @@ bool LineSource::take_frame(std::string_view& frame) {
 }
 
 bool LineSource::comes_in_frames() {
-  if (telemetry_) return *telemetry_;
+  if (coming_ != Coming::kNotKnown) return coming_ != Coming::kText;
   const std::string_view front = std::string_view(buffer_).substr(begin_);
   // Text is known by its first byte, so that a short line need not wait for more.
-  const bool may_be = front.empty() || front.front() == '\0';
-  if (may_be && front.size() < io::kTelemetryFront && !ended_) return false;
-  telemetry_ = io::begins_as_telemetry_log(front);
-  return *telemetry_;
+  const bool may_be_log = front.empty() || front.front() == '\0';
+  if (may_be_log && front.size() < io::kTelemetryFront && !ended_) return false;
+  if (io::begins_as_telemetry_log(front)) {
+    coming_ = Coming::kLog;
+  } else if (io::streamed_frame_size(front)) {
+    coming_ = Coming::kStream;
+  } else if (!ended_ && io::may_be_cut_streamed_frame(front)) {
+    return false;
+  } else {
+    coming_ = Coming::kText;
+  }
+  return coming_ != Coming::kText;
+}
+
+std::optional<std::size_t> LineSource::frame_size(std::string_view bytes) const {
+  return without_times() ? io::streamed_frame_size(bytes) : io::logged_frame_size(bytes);
+}
+
+bool LineSource::may_be_cut(std::string_view bytes) const {
+  return without_times() ? io::may_be_cut_streamed_frame(bytes) : io::may_be_cut_frame(bytes);
 }
 
 Status LineSource::add(std::string_view bytes) {
@@ -164,8 +192,9 @@ Status LineSource::add(std::string_view bytes) {
 
 Result<LineSource::Got> LineSource::next(std::string_view& line, int patience_ms) {
   while (!interrupted()) {
-    if (comes_in_frames() ? take_frame(line) : telemetry_ && take_line(line)) {
-      return *telemetry_ ? Got::kFrame : Got::kLine;
+    const bool frames = comes_in_frames();
+    if (frames ? take_frame(line) : coming_ == Coming::kText && take_line(line)) {
+      return frames ? Got::kFrame : Got::kLine;
     }
     if (ended_) return Got::kEnd;
     buffer_.erase(0, begin_);

@@ -1,5 +1,6 @@
 // Lines as they come from a file or standard input, without waiting for more than there is; of a
-// telemetry log its frames. What is compressed is unpacked as it comes.
+// telemetry log its frames, and of a stream of MAVLink without times, as it comes over the air, its
+// frames behind the time of this machine. What is compressed is unpacked as it comes.
 #pragma once
 
 #include "io/bytes/byte_source.hpp"
@@ -36,6 +37,9 @@ class LineSource {
   // end too. Error: kReadFailed.
   Result<Got> next(std::string_view& line, int patience_ms);
 
+  // Whether the frames are those of a stream without times: each has the time when it was read.
+  [[nodiscard]] bool without_times() const { return coming_ == Coming::kStream; }
+
   // Whether it comes as things happen: from a pipe, a terminal, a connection; not from a file.
   [[nodiscard]] bool live() const { return live_; }
   // When it was read last, or nothing was found there: seconds by a clock that never goes back.
@@ -45,8 +49,13 @@ class LineSource {
 
  private:
   LineSource(std::string name, int descriptor, bool owned);
-  // Whether a telemetry log comes: once enough is there to tell.
+  enum class Coming { kNotKnown, kText, kLog, kStream };
+
+  // Whether frames come: once enough is there to tell.
   bool comes_in_frames();
+  // Of a log and of a stream; see telemetry_log.hpp.
+  [[nodiscard]] std::optional<std::size_t> frame_size(std::string_view bytes) const;
+  [[nodiscard]] bool may_be_cut(std::string_view bytes) const;
   bool take_line(std::string_view& line);
   bool take_frame(std::string_view& frame);
   // Behind what is there, unpacked. Errors: those of Unpacking.
@@ -62,10 +71,11 @@ class LineSource {
   std::string buffer_;
   std::size_t begin_ = 0;
   std::optional<bool> compressed_;  // once it is known
-  std::optional<bool> telemetry_;   // the same
+  Coming coming_ = Coming::kNotKnown;
   std::optional<io::Unpacking> unpacking_;
   std::string packed_;       // what is to be unpacked
   std::size_t damaged_ = 0;  // bytes at begin_ that are no frame
+  std::string stamped_;      // the frame of a stream that was taken last, behind its time
 };
 
 }  // namespace beespace::cli

@@ -140,7 +140,8 @@ void append_missing(std::string& out, const io::MissingRecords& missing) {
   if (missing.jumping > 0) {
     append_summary_line(out, "jumps",
                         red(printable(first_ids(missing.jumping_ids, missing.jumping))) +
-                            ": faster than anything that flies, or than it says itself");
+                            ": faster than anything that flies, than it says itself, or, there and "
+                            "back, than it ever moves elsewhere");
   }
   if (missing.files > 0) {
     append_summary_line(out, "not read",

@@ -11,7 +11,7 @@
 
 namespace beespace::cli {
 
-// Faster than anything flies, or than it says itself.
+// Faster than anything flies, than it says itself, or than it ever moved before, and back.
 std::string jump_text(const std::string& bee, const std::string& line, double time_s);
 // Out of a place that it had left before.
 std::string thawed_text(const std::string& bee, const std::string& line, double time_s);

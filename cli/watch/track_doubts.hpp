@@ -3,6 +3,7 @@
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"
+#include "io/recording/excursions.hpp"
 #include "io/recording/jumps.hpp"
 #include "io/recording/shared_id.hpp"
 
@@ -23,13 +24,15 @@ class TrackDoubts {
     bool shared = false;
   };
 
-  // `as_told` is where it says that it is, in that frame; `fix` the same in metres.
+  // `as_told` is where it says that it is, in that frame; `fix` the same in metres. Of aircraft
+  // excursions are not looked for.
   Found take(AgentId bee, const Fix& as_told, io::Frame frame, const Fix& fix,
-             const Velocity* velocity) {
+             const Velocity* velocity, bool of_aircraft) {
     if (bee >= tracks_.size()) tracks_.resize(bee + 1);
     Track& track = tracks_[bee];
     Found found;
-    found.jumps = track.jumps.take(fix, velocity) && !std::exchange(track.jumping, true);
+    const bool leaps = !of_aircraft && track.excursions.take(fix, io::Frame::kMetres);
+    found.jumps = (track.jumps.take(fix, velocity) || leaps) && !std::exchange(track.jumping, true);
     if (track.shared.found()) return found;
     track.shared.take(as_told, frame);
     found.shared = track.shared.found().has_value();
@@ -45,6 +48,7 @@ class TrackDoubts {
   struct Track {
     io::SharedId shared = {};
     io::Jumps jumps = {};
+    io::ExcursionWatch excursions = {};
     bool jumping = false;
   };
 

@@ -19,6 +19,7 @@
 #include "cli/watch/watch_tally.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/live/report_lines.hpp"
+#include "io/mavlink/telemetry_log.hpp"
 #include "io/recording/frozen_places.hpp"
 
 #include <algorithm>
@@ -65,6 +66,7 @@ class Watch {
       came_s_ = source->looked_s();
       if (*got == LineSource::Got::kLine || *got == LineSource::Got::kFrame) {
         const bool frame = *got == LineSource::Got::kFrame;
+        if (source->without_times() && !request_.by_arrival) return without_times();
         if (frame) take_default_of_drones();
         const auto read = frame ? lines_.take_frame(line) : lines_.take(line);
         if (const Status done = take(read); !done) return done.error();
@@ -318,6 +320,15 @@ class Watch {
     return placed(own_clocks_problem(*own_clock_of_, at, live_));
   }
 
+  // Frames of MAVLink as they come over the air, whose times are asked for.
+  [[nodiscard]] Error without_times() const {
+    return {ErrorCode::kUnsupportedFormat,
+            live_ ? "this is " + std::string(io::kStreamOverTheAir) +
+                        "; to take the time at which each frame comes, add --clock arrival"
+                  : "this is " + std::string(io::kStreamWithoutTimes),
+            {request_.input == "-" ? "<stdin>" : request_.input}};
+  }
+
   // Where the report is that was read last.
   [[nodiscard]] Error placed(Error error) const {
     error.location.source = request_.input == "-" ? "<stdin>" : request_.input;
@@ -346,7 +357,7 @@ class Watch {
   void look_for_doubt(AgentId number, const io::ReportLine& at, const Fix& fix,
                       const Velocity* velocity) {
     const auto [jumps, shared] =
-        tracks_.take(number, {fix.time_s, at.position}, at.frame, fix, velocity);
+        tracks_.take(number, {fix.time_s, at.position}, at.frame, fix, velocity, of_aircraft_);
     if (jumps || shared) doubt_places();
     const std::string& id = feed_->name(number).id;
     if (jumps && is_said(++left_out_.jumping)) say(jump_text(id, line_text(), fix.time_s));

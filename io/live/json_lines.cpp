@@ -16,6 +16,7 @@
 #include "io/recording/ros_frames.hpp"
 #include "io/table/coordinate_units.hpp"
 #include "io/tracks/known_tables.hpp"
+#include "io/tracks/listed_places.hpp"
 #include "io/tracks/places_in_one.hpp"
 #include "io/tracks/ros_table.hpp"
 #include "io/tracks/track_aircraft.hpp"
@@ -194,6 +195,9 @@ class JsonLines final : public LineReader {
     if (auto problem = place_in_one_value(record, table, JsonFrom::kLines)) {
       problem->location.column.reset();
       return problem;
+    }
+    if (const auto listed = listed_places(object)) {
+      return places_in_list(*listed, JsonFrom::kLines);
     }
     for (const auto [key, value] : object) {
       if (value.is_object()) return places_within_objects(JsonFrom::kLines);

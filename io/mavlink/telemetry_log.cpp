@@ -85,6 +85,29 @@ bool may_be_cut_frame(std::string_view bytes) {
          (may_begin(bytes, 0) && !read_mavlink_frame(bytes.substr(kStamp)));
 }
 
+std::optional<std::size_t> streamed_frame_size(std::string_view bytes) {
+  if (bytes.empty() || !is_mavlink_magic(bytes.front())) return std::nullopt;
+  const auto frame = read_mavlink_frame(bytes);
+  if (!frame || frame->checksum == Checksum::kWrong) return std::nullopt;
+  const bool followed = bytes.size() == frame->size || is_mavlink_magic(bytes[frame->size]);
+  if (frame->checksum == Checksum::kUnknown && !followed) return std::nullopt;
+  return frame->size;
+}
+
+bool may_be_cut_streamed_frame(std::string_view bytes) {
+  return bytes.empty() || (is_mavlink_magic(bytes.front()) && !read_mavlink_frame(bytes));
+}
+
+std::string logged_frame(std::string_view frame, std::uint64_t micros) {
+  std::string logged;
+  logged.reserve(kStamp + frame.size());
+  for (std::size_t i = 0; i < kStamp; ++i) {
+    logged += static_cast<char>(micros >> (8u * (kStamp - 1 - i)) & 0xFFu);
+  }
+  logged += frame;
+  return logged;
+}
+
 bool TelemetryWalk::take(std::size_t at) {
   const auto frame = frame_at(bytes_, at);
   if (!frame) return false;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace beespace::io {
@@ -16,7 +17,9 @@ bool is_telemetry_log(std::string_view bytes);
 // Whether it is a stream as it comes over the air, without these times: in a log a frame is
 // followed by 0, the first byte of one.
 bool is_stream_without_times(std::string_view bytes);
-// What to say of one.
+// What to say of one: as it comes, and of a file.
+inline constexpr std::string_view kStreamOverTheAir =
+    "a stream of MAVLink without the times of a log";
 inline constexpr std::string_view kStreamWithoutTimes =
     "a stream of MAVLink without the times of a log, as MAVProxy writes it to .tlog.raw; name the "
     ".tlog beside it, which has them; where there is none, play the stream into MAVProxy or "
@@ -34,6 +37,12 @@ inline constexpr std::size_t kLongestLogged = 8 + 280;
 std::optional<std::size_t> logged_frame_size(std::string_view bytes);
 // Whether all of `bytes`, which are no frame, may be the beginning of one.
 bool may_be_cut_frame(std::string_view bytes);
+
+// The same two of a stream without times.
+std::optional<std::size_t> streamed_frame_size(std::string_view bytes);
+bool may_be_cut_streamed_frame(std::string_view bytes);
+// `frame`, one of such a stream, as a log has it: behind that time, in microseconds since 1970.
+std::string logged_frame(std::string_view frame, std::uint64_t micros);
 
 // A walk over the frames of a log. What is no frame, or one with a wrong checksum, is passed over
 // byte by byte until the next one.

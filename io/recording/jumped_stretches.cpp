@@ -1,8 +1,11 @@
 #include "io/recording/jumped_stretches.hpp"
 
+#include "io/recording/excursions.hpp"
 #include "io/recording/jumps.hpp"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 namespace beespace::io {
 namespace {
@@ -39,21 +42,62 @@ std::size_t way_back(const RecordedBee& bee, Frame frame, const std::vector<std:
   return out;
 }
 
+std::vector<Excursion> excursions_of(const RecordedBee& bee, const JumpsOf& of) {
+  return of.aircraft ? std::vector<Excursion>() : excursions(bee.fixes, of.frame);
+}
+
+// Those that begin within another one are part of it.
+std::vector<JumpedStretch> joined(std::vector<JumpedStretch> some) {
+  std::sort(some.begin(), some.end(), [](const JumpedStretch& a, const JumpedStretch& b) {
+    return std::tie(a.before, b.behind) < std::tie(b.before, a.behind);
+  });
+  std::vector<JumpedStretch> joined;
+  for (const JumpedStretch& stretch : some) {
+    if (joined.empty() || stretch.before >= joined.back().behind) {
+      joined.push_back(stretch);
+      continue;
+    }
+    if (stretch.behind <= joined.back().behind) continue;
+    joined.back().behind = stretch.behind;
+    joined.back().comes_back = joined.back().comes_back && stretch.comes_back;
+  }
+  return joined;
+}
+
 }  // namespace
 
-std::vector<JumpedStretch> jumped_stretches(const RecordedBee& bee, Frame frame) {
-  const std::vector<std::size_t> jumps = jumps_of(bee, frame);
+std::vector<JumpedStretch> jumped_stretches(const RecordedBee& bee, const JumpsOf& of) {
+  const std::vector<std::size_t> jumps = jumps_of(bee, of.frame);
   std::vector<JumpedStretch> stretches;
   for (std::size_t i = 0; i < jumps.size(); ++i) {
-    const std::size_t back = way_back(bee, frame, jumps, i);
+    const std::size_t back = way_back(bee, of.frame, jumps, i);
     stretches.push_back({jumps[i] - 1, jumps[back], back > i});
     i = back;
   }
-  return stretches;
+  const std::vector<Excursion> away = excursions_of(bee, of);
+  if (away.empty()) return stretches;
+  for (const Excursion& excursion : away) {
+    stretches.push_back({excursion.before, excursion.behind, true});
+  }
+  return joined(std::move(stretches));
 }
 
-std::vector<TimeSpan> jumping_legs(const RecordedBee& bee, Frame frame) {
-  const std::vector<std::size_t> jumps = jumps_of(bee, frame);
+std::optional<std::size_t> first_jump(const RecordedBee& bee, const JumpsOf& of) {
+  const std::vector<std::size_t> jumps = jumps_of(bee, of.frame);
+  const std::vector<Excursion> away = excursions_of(bee, of);
+  std::optional<std::size_t> first;
+  if (!jumps.empty()) first = jumps.front();
+  if (!away.empty()) first = std::min(first.value_or(bee.fixes.size()), away.front().before + 1);
+  return first;
+}
+
+std::vector<TimeSpan> jumping_legs(const RecordedBee& bee, const JumpsOf& of) {
+  std::vector<std::size_t> jumps = jumps_of(bee, of.frame);
+  for (const Excursion& excursion : excursions_of(bee, of)) {
+    jumps.insert(jumps.end(), excursion.leaps.begin(), excursion.leaps.end());
+  }
+  std::sort(jumps.begin(), jumps.end());
+  jumps.erase(std::unique(jumps.begin(), jumps.end()), jumps.end());
   std::vector<TimeSpan> legs;
   legs.reserve(jumps.size());
   for (const std::size_t to : jumps) {
@@ -67,9 +111,9 @@ bool is_spike(const RecordedBee& bee, const JumpedStretch& stretch) {
          bee.fixes[stretch.behind].time_s - bee.fixes[stretch.before].time_s <= kLongestSpike_s;
 }
 
-std::vector<bool> fixes_in_spikes(const RecordedBee& bee, Frame frame) {
+std::vector<bool> fixes_in_spikes(const RecordedBee& bee, const JumpsOf& of) {
   std::vector<bool> in_spikes;
-  for (const JumpedStretch& stretch : jumped_stretches(bee, frame)) {
+  for (const JumpedStretch& stretch : jumped_stretches(bee, of)) {
     if (!is_spike(bee, stretch)) continue;
     in_spikes.resize(bee.fixes.size(), false);
     for (std::size_t i = stretch.before + 1; i < stretch.behind; ++i) in_spikes[i] = true;

@@ -24,6 +24,17 @@ bool are_several(const std::set<double>& times_s, const TimeSpan& between) {
   return first != behind && std::next(first) != behind;
 }
 
+// What to do where two have one id. Vehicles say their numbers themselves.
+std::string_view own_id_advice(std::string_view description) {
+  if (description.starts_with("MAVLink")) {
+    return "give each vehicle a number of its own (MAV_SYS_ID of PX4, SYSID_THISMAV or MAV_SYSID "
+           "of ArduPilot), and of this flight read the logs of the vehicles themselves (.ulg, "
+           ".bin)";
+  }
+  return "give each an id of its own, in a column that --columns id=... names, or in a file of its "
+         "own";
+}
+
 }  // namespace
 
 WallClock RecordingAssembly::common_clock(const WallClock& clock) const {
@@ -252,8 +263,8 @@ void RecordingAssembly::share(const SharedTrack& track) {
   missing.shared_ids.push_back(track.id);
   note("bee " + excerpt(track.id) + " is at two places in turn, from " + place_text(track.first) +
        " on, " + moment_text(track.time_s, recording_) +
-       ", as if two or more had this id: where they are is not known; give each an id of its "
-       "own, in a column that --columns id=... names, or in a file of its own");
+       ", as if two or more had this id: where they are is not known; " +
+       std::string(own_id_advice(facts_ ? facts_->description : std::string())));
 }
 
 void RecordingAssembly::jump(const SharedTrack& track) {
@@ -262,8 +273,9 @@ void RecordingAssembly::jump(const SharedTrack& track) {
   missing.jumping_ids.push_back(track.id);
   note("bee " + excerpt(track.id) + " jumps to where it is in " + place_text(track.first) + ", " +
        moment_text(track.time_s, recording_) +
-       ", faster than anything that flies, or than it says itself: a place or a time is wrong, "
-       "and where it is is not known; correct such records, or leave them out");
+       ", faster than anything that flies, than it says itself, or, there and back, than it ever "
+       "moves elsewhere: a place or a time is wrong, and where it is is not known; correct such "
+       "records, or leave them out");
 }
 
 std::optional<Error> RecordingAssembly::bad(Error error, std::string_view id) {

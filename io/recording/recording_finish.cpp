@@ -46,7 +46,7 @@ void RecordingAssembly::find_doubtful_tracks() {
     if (!shared.insert(conflict.id).second) continue;
     share({conflict.id, conflict.time_s, conflict.second});
   }
-  for (const SharedTrack& track : tracks_.jumping(recording_.frame)) {
+  for (const SharedTrack& track : tracks_.jumping({recording_.frame, recording_.of_aircraft})) {
     if (!shared.contains(track.id)) jump(track);
   }
   if (recording_.missing.jumping > 0) leave_out_spikes(shared);

@@ -107,18 +107,18 @@ void RecordingAssembly::leave_out_frozen_places() {
 
 // Once it is known who jumps; of an id that two share none of both places is wrong.
 void RecordingAssembly::leave_out_spikes(const std::unordered_set<std::string>& shared) {
-  const Frame frame = recording_.frame;
+  const JumpsOf of{recording_.frame, recording_.of_aircraft};
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     const RecordedBee& bee = tracks_.recorded(i);
     if (shared.contains(bee.id)) continue;
-    for (const JumpedStretch& stretch : jumped_stretches(bee, frame)) {
+    for (const JumpedStretch& stretch : jumped_stretches(bee, of)) {
       if (!is_spike(bee, stretch)) continue;
       lose(bee.id, {bee.fixes[stretch.before].time_s, bee.fixes[stretch.behind].time_s});
     }
   }
   tracks_.leave_out(
-      [&shared, frame](const RecordedBee& bee) {
-        return shared.contains(bee.id) ? std::vector<bool>() : fixes_in_spikes(bee, frame);
+      [&shared, &of](const RecordedBee& bee) {
+        return shared.contains(bee.id) ? std::vector<bool>() : fixes_in_spikes(bee, of);
       },
       [this](const std::string& id, const Fix& fix) {
         leave_out(kSpike, id);

@@ -2,7 +2,7 @@
 
 #include "io/frames/track_domain.hpp"
 #include "io/recording/flat_distance.hpp"
-#include "io/recording/jumps.hpp"
+#include "io/recording/jumped_stretches.hpp"
 #include "io/recording/overlapping_files.hpp"
 #include "io/recording/shared_id.hpp"
 
@@ -271,18 +271,12 @@ std::vector<TimeConflict> TrackGathering::contradicting(Frame frame) const {
   return found;
 }
 
-std::vector<SharedTrack> TrackGathering::jumping(Frame frame) const {
+std::vector<SharedTrack> TrackGathering::jumping(const JumpsOf& of) const {
   std::vector<SharedTrack> jumping;
   for (const Bee& bee : bees_) {
-    const RecordedBee& recorded = bee.recorded;
-    Jumps jumps(recorded.fixes, recorded.velocities, frame);
-    for (std::size_t i = 0; i < recorded.fixes.size(); ++i) {
-      const Velocity* const velocity =
-          recorded.velocities.empty() ? nullptr : &recorded.velocities[i];
-      if (!jumps.take(recorded.fixes[i], velocity, frame)) continue;
-      jumping.push_back({recorded.id, recorded.fixes[i].time_s, bee.origins[i]});
-      break;
-    }
+    const auto at = first_jump(bee.recorded, of);
+    if (!at) continue;
+    jumping.push_back({bee.recorded.id, bee.recorded.fixes[*at].time_s, bee.origins[*at]});
   }
   return jumping;
 }

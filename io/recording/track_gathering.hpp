@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"
+#include "io/recording/jumped_stretches.hpp"
 #include "io/recording/recording.hpp"
 
 #include <beespace/mover.hpp>
@@ -112,7 +113,7 @@ class TrackGathering {
 
   // Once all is settled; of each bee the first jump.
   [[nodiscard]] std::vector<SharedTrack> shared(Frame frame) const;
-  [[nodiscard]] std::vector<SharedTrack> jumping(Frame frame) const;
+  [[nodiscard]] std::vector<SharedTrack> jumping(const JumpsOf& of) const;
   // The same of who is in several sources at the same time, at places that do not go together.
   [[nodiscard]] std::vector<TimeConflict> contradicting(Frame frame) const;
   // Whether times are rounded, or those of arrival.

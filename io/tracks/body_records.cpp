@@ -47,6 +47,7 @@ bool has_unclear_names(const std::vector<BodyColumns>& bodies) {
 LongRecords body_records(std::string_view rows, const BodyTable& table) {
   LongRecords records;
   records.names = {"time_s", "id", "x_" + table.unit, "y_" + table.unit, "z_" + table.unit};
+  records.unit_reason = "exports of " + std::string(table.program) + " have them so";
   records.lines_before = table.lines_before;
   records.per_line = table.bodies.size();
   std::string& out = records.text;

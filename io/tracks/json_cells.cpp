@@ -67,6 +67,8 @@ std::optional<Error> JsonCells::learn(std::string_view name) {
 }
 
 std::optional<Error> JsonCells::learn(JsonMap record) {
+  if (!looked_for_lists_) listed_ = listed_places(record);
+  looked_for_lists_ = true;
   std::size_t expected = 0;
   for (const auto [key, value] : record) {
     if (expected < names_.size() && names_[expected] == key) {

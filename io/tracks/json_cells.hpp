@@ -3,6 +3,7 @@
 
 #include "io/json/json_document.hpp"
 #include "io/table/table_layout.hpp"
+#include "io/tracks/listed_places.hpp"
 
 #include <beespace/result.hpp>
 
@@ -47,6 +48,8 @@ class JsonCells {
   [[nodiscard]] const std::string& text() const { return text_; }
   // Whether a value is an object within its record, of which a cell keeps nothing.
   [[nodiscard]] bool has_objects() const { return has_objects_; }
+  // Of the first record: what makes records of a list that it holds.
+  [[nodiscard]] const std::optional<ListedPlaces>& listed() const { return listed_; }
   // The place of learn_id().
   [[nodiscard]] std::optional<std::size_t> id_place() const { return id_place_; }
 
@@ -70,6 +73,8 @@ class JsonCells {
   std::vector<Shortened> shortened_;  // in the order of the rows
   std::optional<std::size_t> id_place_;
   bool has_objects_ = false;
+  bool looked_for_lists_ = false;
+  std::optional<ListedPlaces> listed_;
   std::string text_;
 };
 

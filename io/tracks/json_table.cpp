@@ -281,7 +281,9 @@ std::optional<Error> nested_places(const JsonCells& cells, const RecordingOption
   const bool of_messages = has("msg") || has("meta");  // of rosbridge, of mavlogdump
   const std::vector<std::string_view> keys(cells.names().begin(), cells.names().end());
   const bool named = keys_name_position(keys) || !options.columns.empty();
-  if (named || of_messages || !cells.has_objects()) return std::nullopt;
+  if (named) return std::nullopt;
+  if (cells.listed()) return places_in_list(*cells.listed(), JsonFrom::kFile);
+  if (of_messages || !cells.has_objects()) return std::nullopt;
   return places_within_objects(JsonFrom::kFile);
 }
 

@@ -84,6 +84,12 @@ std::optional<Error> place_in_one_value(std::string_view text, const TableLayout
   return std::nullopt;
 }
 
+bool holds_objects(std::string_view text, const TableLayout& table, std::string_view name) {
+  const auto at = std::find(table.names.begin(), table.names.end(), name);
+  return at != table.names.end() &&
+         begins_with(table, text, static_cast<std::size_t>(at - table.names.begin()), "an object");
+}
+
 Error places_within_objects(JsonFrom from) {
   constexpr std::string_view kUnnest =
       "[paths(scalars) as $p | {key: ($p | map(tostring) | join(\".\")), value: getpath($p)}] | "
@@ -92,6 +98,11 @@ Error places_within_objects(JsonFrom from) {
       "no key names a position, but there are objects within these objects; bring what is in them "
       "up, with names as pose.x, and read that: " +
       jq_line(kUnnest, "flat.ndjson", from));
+}
+
+Error places_in_list(const ListedPlaces& listed, JsonFrom from) {
+  return missing_column(listed.what + "; make an object of each: " +
+                        jq_line(listed.program, "flat.ndjson", from) + listed.more);
 }
 
 std::optional<Error> columns_of_pandas(std::string_view text, const TableLayout& table) {

@@ -212,10 +212,37 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
   return slots;
 }
 
+namespace {
+
+// "px,py,pz" are a place beside "vx", as states in robotics have them; two of them alone may be
+// pixels. What to say of them with --columns; nothing where others are named, or asked for.
+std::optional<std::string> columns_of_p_axes(const RecordingOptions& options,
+                                             const TableLayout& table) {
+  if (!options.columns.empty()) return std::nullopt;
+  std::array<std::optional<std::size_t>, 3> axes;
+  for (std::size_t column = 0; column < table.names.size(); ++column) {
+    const std::string name = plain_name(table.names[column]);
+    if (is_one_of("x y z lon lat longitude latitude", name)) return std::nullopt;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (name == std::array{"px", "py", "pz"}[axis]) axes[axis] = column;
+    }
+  }
+  if (!axes[0] || !axes[1] || !axes[2]) return std::nullopt;
+  return "x=" + std::to_string(*axes[0] + 1) + ",y=" + std::to_string(*axes[1] + 1) +
+         ",z=" + std::to_string(*axes[2] + 1);
+}
+
+}  // namespace
+
 Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text,
                                         const RecordingOptions& options, SeenRecords seen) {
   TrackLayout layout;
   layout.table = std::move(table);
+  if (auto columns = columns_of_p_axes(options, layout.table)) {
+    RecordingOptions named = options;
+    named.columns = *std::move(columns);
+    return choose_track_layout(std::move(layout.table), text, named, seen);
+  }
   const auto overrides = find_overrides(track_columns(), options, layout.table);
   if (!overrides) return overrides.error();
   const Header header(track_columns(), options, layout.table, *overrides);

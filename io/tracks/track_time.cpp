@@ -142,6 +142,13 @@ bool have_fractions(const FirstFields& times) {
   });
 }
 
+// The client of Crazyflie logs whole milliseconds beside its estimate, since that was switched on.
+bool has_estimate_of_crazyflie(const TableLayout& table) {
+  return std::any_of(table.names.begin(), table.names.end(), [](const std::string& name) {
+    return plain_name(name).starts_with("stateestimate");
+  });
+}
+
 // A time of aircraft, or of ROS, that counts from 1970 tells its unit by its size, and so does one
 // that is `dated` by the others beside it; elsewhere microseconds since a boot may look the same,
 // but no nanoseconds since one do, nor what can be milliseconds alone.
@@ -167,6 +174,9 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
   if (time.unit == Unit::kUnstated && tells) {
     time.unit = by_size;
     time.by_size = by_size != Unit::kUnstated;
+  }
+  if (time.unit == Unit::kUnstated && has_estimate_of_crazyflie(table) && !have_fractions(times)) {
+    time.unit = Unit::kMillisecond;
   }
   time.since_1970 = time.since_1970 || (by_size != Unit::kUnstated && by_size == time.unit);
   time.unit_is_asked = asked != Unit::kUnstated && by_size == Unit::kUnstated &&
@@ -308,6 +318,8 @@ bool counts_from_start(const TableLayout& table, const TimeChoice& time) {
   if (time.since_1970 || time.form != TimeForm::kNumbers || time.column >= table.names.size()) {
     return false;
   }
+  if (has_estimate_of_crazyflie(table) && time.named && time.unit == Unit::kMillisecond)
+    return true;
   const auto words = split_words(table.names[time.column]);
   return std::any_of(words.begin(), words.end(),
                      [](const std::string& word) { return is_one_of("boot uptime", word); });

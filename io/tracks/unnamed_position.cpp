@@ -17,15 +17,18 @@ namespace beespace::io {
 namespace {
 
 // Messages in objects within objects, which no column names.
-std::optional<Error> nested_problem(const TableLayout& table) {
+std::optional<Error> nested_problem(std::string_view text, const TableLayout& table) {
   const auto has = [&table](std::string_view name) {
     return std::find(table.names.begin(), table.names.end(), name) != table.names.end();
   };
   if (has("meta") && has("data")) return dumped_json_problem();
-  if (!has("op") || !has("topic") || !has("msg")) return std::nullopt;
+  if (!has("topic") || !has("msg") || (!has("op") && !holds_objects(text, table, "msg"))) {
+    return std::nullopt;
+  }
   return Error{ErrorCode::kUnsupportedFormat,
                "these are messages of rosbridge, whose positions are nested; make an object a line "
-               "of them, and read that: jq -c 'select(.op == \"publish\" and .msg.pose) | "
+               "of them, and read that: jq -c 'select((.op // \"publish\") == \"publish\" and "
+               ".msg.pose) | "
                "(.msg.pose.pose // .msg.pose).position as $p | .msg.header as $h | {id: .topic, "
                "time_s: (($h.stamp.sec // $h.stamp.secs) + ($h.stamp.nanosec // $h.stamp.nsecs) * "
                "1e-9), \"header.frame_id\": $h.frame_id, x: $p.x, y: $p.y, z: $p.z}' FILE "
@@ -71,7 +74,7 @@ std::optional<Error> nameless_position(std::string_view text, const Header& head
         "sed 's/\"//g; 1s/" +
         table.names[*joined] + "/latitude,longitude/' FILE > split.csv, and read that");
   }
-  if (auto problem = nested_problem(table)) return problem;
+  if (auto problem = nested_problem(text, table)) return problem;
   if (auto problem = lights_problem(table)) return problem;
   // "header:", the first line of most messages, or that of a list of transforms.
   const bool echoed = table.names.size() == 1 && table.names.front().ends_with(':');
@@ -114,7 +117,9 @@ std::optional<Error> nameless_position(std::string_view text, const Header& head
 Error with_position_problem(Error time, std::string_view text, const Header& header) {
   if (time.code != ErrorCode::kInvalidArgument || header.table().names.empty()) return time;
   auto position = joined_place_of(header) ? std::nullopt : nameless_position(text, header);
-  if (!position || !position->message.starts_with("the header names no position")) return time;
+  if (!position) return time;
+  const bool in_one = place_in_one_value(text, header.table(), JsonFrom::kFile).has_value();
+  if (!in_one && !position->message.starts_with("the header names no position")) return time;
   position->message += "; and " + time.message;
   return *std::move(position);
 }

@@ -92,6 +92,10 @@ std::string findings_of(const RecordingFacts& facts) {
   if (facts.low_count > 0) {
     but_for += (but_for.empty() ? ", but for " : " and ") + facts.low_text;
   }
+  if (facts.conflict_count == 0 && facts.never_known && !facts.unknown.empty()) {
+    return text + "Not seen as a whole: " + facts.unknown + "; no others come " +
+           too_close(facts.swarm) + " in the known time" + but_for + ".";
+  }
   if (facts.conflict_count == 0 && !facts.unknown.empty()) {
     return text + "No two come " + too_close(facts.swarm) + " in the known time" + but_for + "; " +
            facts.unknown + ".";

@@ -42,9 +42,9 @@ Axis axis_upwards(const char* name, const Scale& scale, const AxisUnit& unit) {
 }
 
 std::string stretch_label(double stretch) {
-  if (std::abs(stretch - 1.0) < 0.01) return {};
   const bool larger = stretch > 1.0;
   const double times = larger ? stretch : 1.0 / stretch;
+  if (times < 1.05) return {};  // it would be told as 1.0
   return ", heights drawn " + decimal_label(times, times < 10.0 ? 1 : 0) + "\u00d7 " +
          (larger ? "larger" : "smaller");
 }

@@ -200,6 +200,18 @@ TEST(FigureWords, WhatIsUnknownIsHatched) {
   EXPECT_LT(highest_in_the_chart(figure_of(facts)), foot - 80.0);
 }
 
+// Where some are never known, the first words are no verdict on all.
+TEST(FigureWords, WhoIsNeverKnownIsSaidFirst) {
+  RecordingFacts facts = crossing();
+  facts.conflicts.clear();
+  facts.conflict_count = facts.pair_count = 0;
+  facts.unknown = "1 id seems to be of two drones";
+  EXPECT_FALSE(says(texts_of(figure_of(facts)), "Not seen as a whole"));
+  facts.never_known = true;
+  EXPECT_TRUE(
+      says(texts_of(figure_of(facts)), "Not seen as a whole: 1 id seems to be of two drones; no"));
+}
+
 // What is below a limit is never rounded up to it.
 TEST(FigureWords, NothingBelowALimitLooksAsIfItWereNot) {
   SwarmFacts swarm = crossing().swarm;

@@ -324,6 +324,14 @@ TEST(Coverage, WhereFixesFailedItIsUnknownUnlessTheGapIsAskedFor) {
   EXPECT_FALSE(coverage_of(recording, {}, {50.0, std::nullopt, true}).may_hide_conflicts());
 }
 
+TEST(Coverage, TwoOfOneIdAreNeverKnown) {
+  io::Recording recording;
+  recording.bees = {bee_at("a", {0, 10, 40}), bee_at("b", {0, 10, 40})};
+  recording.missing.shared = 1;
+  recording.missing.shared_ids = {"b"};
+  EXPECT_EQ(unknown_spans(recording, {}, {50.0, 10.0}), (std::vector<Gap>{{1, 0.0, 40.0}}));
+}
+
 TEST(Coverage, TellsWhenItIsNotKnownWhereABeeIs) {
   io::Recording recording;
   recording.frame = io::Frame::kMetres;

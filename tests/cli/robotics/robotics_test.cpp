@@ -123,6 +123,36 @@ TEST(Robotics, ATelemetryLogHasOneDefaultThreshold) {
                {"threshold  7 m (closer than)\n"});
 }
 
+// The frames of a log, as they come over the air: without the eight bytes of a time before each.
+std::string stream_of(const std::string& log) {
+  std::string stream;
+  for (std::size_t at = 0; at + 8 < log.size();) {
+    const auto magic = static_cast<unsigned char>(log[at + 8]);
+    const std::size_t beside = magic == 0xFD ? 12 : 8;
+    const std::size_t size = beside + static_cast<unsigned char>(log[at + 9]);
+    stream += log.substr(at + 8, size);
+    at += 8 + size;
+  }
+  return stream;
+}
+
+TEST(MavlinkOverTheAir, IsWatchedByTheTimeOfArrival) {
+  const std::string stream = stream_of(content_of("both.tlog"));
+  const Finished watched = run({"watch", "--clock", "arrival", "--threshold", "5"}, stream);
+  expect_parts(watched.err, {"MAVLink telemetry"});
+  EXPECT_EQ(watched.err.find("no frame of MAVLink"), std::string::npos) << watched.err;
+  EXPECT_NE(watched.exit_code, 3);
+  const Finished unasked = run({"watch", "--threshold", "5"}, stream);
+  EXPECT_EQ(unasked.exit_code, 3);
+  expect_parts(unasked.err, {"a stream of MAVLink without the times of a log", "--clock arrival"});
+  const TemporaryFolder folder;
+  const std::string file = folder.file("raw.mav", stream);
+  const Finished of_file = run({"watch", file, "--threshold", "5"});
+  EXPECT_EQ(of_file.exit_code, 3);
+  expect_parts(of_file.err, {"name the .tlog beside it"});
+  EXPECT_EQ(of_file.err.find("no text"), std::string::npos) << of_file.err;
+}
+
 // Drone 2 tells no position but that of its satellites; 3 one for unmanned traffic, and a receiver
 // hears of an aircraft. None of the ground station and the devices is missed.
 TEST(Robotics, PositionsByOtherMessagesOfMavlinkAreRead) {

@@ -106,7 +106,10 @@ TEST(ZeroRuns, AtOneNumberForAllCoordinatesAreLeftOutLikewise) {
     EXPECT_EQ(read.missing.count, 4u) << none;
     EXPECT_EQ(read.missing.jumping, 0u) << none;
   }
-  EXPECT_TRUE(recording_of(record(with_zeros(5, 9, "-999,-998,0"))).missing.count == 0);
+  // Somewhere else for a while, and back, is known for what it is.
+  const auto other = recording_of(record(with_zeros(5, 9, "-999,-998,0")));
+  EXPECT_FALSE(has_note(other, "at one number for all coordinates"));
+  EXPECT_EQ(other.missing.jumping, 1u);
 }
 
 // What a stream says at its end; its fixes are of no account.
@@ -243,6 +246,31 @@ TEST(JumpsOfTracks, ToAndFroWithinAMinuteAreLeftOutAndLost) {
   EXPECT_EQ(away.bees[0].fixes.size(), 8u);
   EXPECT_EQ(away.missing.jumping, 1u);
   EXPECT_EQ(away.missing.count, 0u);
+}
+
+// Motion capture takes one body for another for a while.
+TEST(JumpsOfTracks, AwayAndBackAreLeftOutAndLost) {
+  const auto with_height = [](const std::string& away, const std::string& header) {
+    std::string text = header + "\n";
+    for (int i = 0; i < 100; ++i) {
+      const std::string at = std::to_string(i / 2) + (i % 2 == 0 ? "0" : "5");
+      text += "a," + std::to_string(100 + i) + ",1." + (at.size() < 3 ? "0" : "") + at + ",2," +
+              (i >= 40 && i < 50 ? away : "1") + "\n";
+    }
+    return text;
+  };
+  const std::string table = with_height("31", "id,time_ms,x_m,y_m,z_m");
+  const auto read = recording_of(record(table));
+  EXPECT_EQ(read.bees[0].fixes.size(), 90u);
+  EXPECT_EQ(read.missing.count, 10u);
+  EXPECT_EQ(read.missing.jumping, 1u);
+  EXPECT_EQ(read.bees[0].lost.size(), 1u);
+  EXPECT_TRUE(has_note(read, "there and back, than it ever moves elsewhere"));
+  EXPECT_EQ(streamed(table).missing.jumping, 1u);
+  // Heights of aircraft go in steps.
+  const auto of_aircraft = recording_of(record(with_height("31", "icao24,time_ms,x_m,y_m,z_m")));
+  EXPECT_TRUE(of_aircraft.of_aircraft);
+  EXPECT_EQ(of_aircraft.missing.jumping, 0u);
 }
 
 void expect_one_left_out(const std::string& header, const std::string& good,

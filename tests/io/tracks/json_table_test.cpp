@@ -221,5 +221,32 @@ TEST(JsonTable, PlacesInObjectsWithinObjectsAreNamed) {
                {ErrorCode::kMissingColumn, "bees.csv", "| from_entries' FILE > flat.ndjson"});
 }
 
+TEST(JsonTable, ListsOfAllThatIsSomewhereAtOneTimeAreNamed) {
+  expect_error(record("{\"t\":0,\"agents\":[{\"id\":1,\"pos\":[1,2,3]}]}\n"
+                      "{\"t\":1,\"agents\":[{\"id\":1,\"pos\":[1,2,3]}]}\n"),
+               {ErrorCode::kMissingColumn, "bees.csv",
+                "jq -c '. as $all | .agents[] | ($all | del(.agents)) + . | . + {x: .pos[0], y: "
+                ".pos[1], z: .pos[2]} | del(.pos)' FILE > flat.ndjson; and in which unit is 't'"});
+  const std::string pose =
+      "{\"header\":{\"stamp\":{\"nsec\":0}},\"pose\":[{\"name\":\"x500_1\",\"position\":{}}]}\n";
+  expect_error(record(pose + pose), {ErrorCode::kMissingColumn, "bees.csv",
+                                     "x: (.position.x // 0), y: (.position.y // 0)"});
+}
+
+TEST(JsonTable, MessagesOfRosbridgeAreKnownByTheirTopics) {
+  const std::string line =
+      "{\"topic\":\"/cf1/pose\",\"msg\":{\"pose\":{\"position\":{\"x\":1,\"y\":2,\"z\":3}}}}\n";
+  expect_error(record(line + line), {ErrorCode::kUnsupportedFormat, "bees.csv",
+                                     "select((.op // \"publish\") == \"publish\" and .msg.pose)"});
+}
+
+TEST(JsonTable, WhatIsAskedOfTheTimeIsAskedBesideThePlace) {
+  expect_error(record("{\"time\":0,\"id\":1,\"position\":[1,2,3]}\n"
+                      "{\"time\":1,\"id\":1,\"position\":[1,2,3]}\n"),
+               {ErrorCode::kMissingColumn, "bees.csv",
+                "> xyz.ndjson (or lon, lat, height, where these are degrees); and column 1 'time' "
+                "holds the time, but in which unit?"});
+}
+
 }  // namespace
 }  // namespace beespace::io

@@ -42,6 +42,22 @@ std::string take(const std::string& unit, const std::string& second = "uav2") {
          "2,1.000000,0,0,0,1,1.7,2,3,0.001,0,0,0,1,4,2.5,0.5,0.001,9,9,9\n";
 }
 
+TEST(MotiveTable, NotesNameNoColumnsThatTheFileHasNot) {
+  const auto recording = recording_of(record(take("Meters")));
+  for (const std::string& note : recording.notes) {
+    EXPECT_EQ(note.find("read from column"), std::string::npos) << note;
+  }
+  ASSERT_FALSE(recording.units.empty());
+  EXPECT_EQ(recording.units.front().reason, "exports of Motive (OptiTrack) have them so");
+}
+
+TEST(MotiveTable, ARowThatIsCutOffIsSaidSo) {
+  expect_error(record(take("Meters") + "3,1.500000,0,0\n"),
+               {ErrorCode::kColumnCount, "bees.csv:11",
+                "this row has another number of values than the table has columns, 4, as where a "
+                "file was cut off"});
+}
+
 TEST(MotiveTable, RigidBodiesAreBees) {
   const auto recording = recording_of(record(take("Meters")));
   ASSERT_EQ(ids_of(recording), (Ids{"uav1", "uav2"}));

@@ -239,6 +239,7 @@ TEST(SharedId, TwoDronesWhosePositionsComeTogetherAreFound) {
   }
   const auto recording = recording_of(load_recording_from_memory(log, "one.tlog", {}));
   EXPECT_EQ(recording.missing.shared_ids, std::vector<std::string>{"1"});
+  EXPECT_TRUE(has_note(recording, "give each vehicle a number of its own (MAV_SYS_ID of PX4"));
 }
 
 }  // namespace

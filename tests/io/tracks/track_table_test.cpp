@@ -27,6 +27,15 @@ TEST(TrackTable, ReadsBeesByTheNamesOfTheColumns) {
   EXPECT_TRUE(has_note(recording, "x, y, z are read from column 2 'x', column 3 'y', column 1"));
 }
 
+// As states of robots are written; two of them alone may be pixels.
+TEST(TrackTable, ThreeAxesWithAPAreAPlace) {
+  const auto recording =
+      recording_of(record("time_s,id,px,py,pz,vx,vy,vz\n0,a,1,2,3,0,0,0\n1,a,1,2,4,0,0,1\n"));
+  EXPECT_EQ(recording.bees[0].fixes, (Fixes{{0, {1, 2, 3}}, {1, {1, 2, 4}}}));
+  EXPECT_FALSE(recording.bees[0].velocities.empty());
+  EXPECT_FALSE(record("time_s,id,px,py\n0,a,1,2\n1,a,1,2\n"));
+}
+
 TEST(TrackTable, DegreesStayAsTheyAre) {
   const auto recording = recording_of(
       record("id;time_s;lat;lon;alt\na;0;6.3161;-75.5499;1683.7\na;1;6.3162;-75.5499;1684\n"));
