@@ -9,9 +9,9 @@
 #include "io/table/column_choice.hpp"
 #include "io/table/column_overrides.hpp"
 #include "io/table/fields.hpp"
+#include "io/table/header_words.hpp"
 #include "io/table/position_columns.hpp"
 #include "io/table/record_walk.hpp"
-#include "io/table/table_sources.hpp"
 #include "io/tracks/track_columns.hpp"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "io/bytes/characters.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/table/coordinate_units.hpp"
+#include "io/table/header_words.hpp"
 #include "io/table/position_columns.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/table/table_sources.hpp"

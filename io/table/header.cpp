@@ -2,6 +2,7 @@
 #include "io/bytes/characters.hpp"
 #include "io/table/column_choice.hpp"
 #include "io/table/column_names.hpp"
+#include "io/table/header_words.hpp"
 #include "io/table/position_columns.hpp"
 #include "io/table/table_sources.hpp"
 

@@ -1,5 +1,5 @@
-// Tables of known sources, told by their whole header, and the words of aviation: what a header
-// says of units without naming them. Both are data (table_sources.cpp).
+// Tables of known sources, told by their whole header: what it says of units without naming them.
+// They are data (table_sources.cpp).
 #pragma once
 
 #include "io/table/column_schema.hpp"
@@ -53,27 +53,5 @@ inline constexpr std::string_view kQGroundControl = "QGroundControl";
 // The source whose documented header this is: all its columns are there, and none that it never
 // has. In any case.
 const TableSource* source_of(const std::vector<std::string>& names);
-
-// Whether a column is one that tables of aircraft have and others do not: "icao24", "squawk".
-bool speaks_of_aviation(std::string_view name);
-
-// The first columns that do, at most three: "'icao24' and 'groundspeed'"; empty where none does.
-std::string words_of_aviation(const std::vector<std::string>& names);
-
-// Whether it says which study, trial or video a record is of, within which ids are unique.
-bool names_set(std::string_view column);
-// Whether it says which session or run a record is of, as numbers of time begin again with each.
-bool names_session(std::string_view column);
-// Whether it says in which zone eastings and northings are counted.
-bool names_zone(std::string_view column);
-// Of sets: places beside each other, which have one clock.
-bool names_arena(std::string_view column);
-// Whether it says in front of which camera, on which side of a comb or in which arena a place is:
-// each may have an origin of its own, and who is in one does not meet who is in another.
-bool names_scene(std::string_view column);
-
-// Whether a name speaks of something that is measured beside places and is none: "speed",
-// "likelihood", "temperature".
-bool names_other_quantity(std::string_view name);
 
 }  // namespace beespace::io

@@ -1,6 +1,7 @@
 #include "io/table/unit_choice.hpp"
 
 #include "io/problems/excerpt.hpp"
+#include "io/table/header_words.hpp"
 #include "io/table/record_problems.hpp"
 
 #include <algorithm>

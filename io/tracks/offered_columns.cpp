@@ -1,7 +1,7 @@
 #include "io/tracks/offered_columns.hpp"
 
 #include "io/bytes/characters.hpp"
-#include "io/table/table_sources.hpp"
+#include "io/table/header_words.hpp"
 
 #include <array>
 #include <cstddef>

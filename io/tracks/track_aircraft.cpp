@@ -4,6 +4,7 @@
 #include "io/problems/unplaced.hpp"
 #include "io/recording/address_names.hpp"
 #include "io/table/column_overrides.hpp"
+#include "io/table/header_words.hpp"
 #include "io/table/table_sources.hpp"
 
 #include <algorithm>

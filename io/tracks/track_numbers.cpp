@@ -3,8 +3,8 @@
 #include "io/points/record_reading.hpp"
 #include "io/table/column_overrides.hpp"
 #include "io/table/fields.hpp"
+#include "io/table/header_words.hpp"
 #include "io/table/record_walk.hpp"
-#include "io/table/table_sources.hpp"
 
 #include <unordered_map>
 #include <unordered_set>

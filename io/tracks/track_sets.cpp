@@ -1,7 +1,7 @@
 #include "io/tracks/track_sets.hpp"
 
 #include "io/table/column_overrides.hpp"
-#include "io/table/table_sources.hpp"
+#include "io/table/header_words.hpp"
 
 #include <algorithm>
 

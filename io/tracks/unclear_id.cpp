@@ -5,8 +5,8 @@
 #include "io/recording/flat_distance.hpp"
 #include "io/table/column_overrides.hpp"
 #include "io/table/fields.hpp"
+#include "io/table/header_words.hpp"
 #include "io/table/record_walk.hpp"
-#include "io/table/table_sources.hpp"
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_record.hpp"
 

@@ -5,8 +5,8 @@
 #include "io/points/record_reading.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/table/column_names.hpp"
+#include "io/table/header_words.hpp"
 #include "io/table/record_walk.hpp"
-#include "io/table/table_sources.hpp"
 #include "io/tracks/first_fields.hpp"
 
 #include <algorithm>
