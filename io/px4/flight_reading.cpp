@@ -154,7 +154,7 @@ class FlightReading {
           "clock is ahead, awk -F, -v ahead_s=SECONDS "
           "'NR==1{for(i=1;i<=NF;i++)c[$i]=i;print\"time_s,x_m,y_m,z_m\";next}"
           "{printf\"%.6f,%s,%s,%.9g\\n\",$c[\"timestamp\"]/"
-          "1e6+ahead_s,$c[\"y\"],$c[\"x\"],-$c[\"z\"]}' "
+          "1e6-ahead_s,$c[\"y\"],$c[\"x\"],-$c[\"z\"]}' "
           "FILE_vehicle_local_position_0.csv > NAME.csv (all must count metres from one place)",
           {}};
     }

@@ -21,6 +21,25 @@ bool is_decimal_comma(std::string_view text) {
   return parse_number(point, value) == NumberKind::kNumber;
 }
 
+std::size_t numbers_between(const std::vector<std::string_view>& lines, char delimiter) {
+  std::size_t numeric = 0;
+  for (const auto line : lines) numeric += count_fields(line, delimiter).numeric;
+  return numeric;
+}
+
+// Whether tabs separate all lines alike, though blanks would, too: between two of them may be
+// nothing, or a text of several words.
+bool tabs_separate(const std::vector<std::string_view>& lines) {
+  const auto tabs_in = [](std::string_view line) {
+    return std::count(line.begin(), line.end(), '\t');
+  };
+  const auto tabs = tabs_in(lines.front());
+  if (tabs == 0) return false;
+  const bool alike = std::all_of(lines.begin(), lines.end(),
+                                 [&](std::string_view line) { return tabs_in(line) == tabs; });
+  return alike && 2 * numbers_between(lines, '\t') >= numbers_between(lines, ' ');
+}
+
 bool is_delimiter(char c) {
   return std::find(std::begin(kDelimiters), std::end(kDelimiters), c) != std::end(kDelimiters);
 }
@@ -68,6 +87,7 @@ char find_delimiter(const std::vector<std::string_view>& lines) {
       splitting = delimiter;
     }
   }
+  if (best == ' ' && tabs_separate(lines)) return '\t';
   if (best != '\0') return best;
   return splitting != '\0' ? splitting : ',';
 }

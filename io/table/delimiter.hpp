@@ -24,8 +24,9 @@ struct FieldCount {
 
 FieldCount count_fields(std::string_view line, char delimiter);
 
-// The delimiter that makes the most numbers of the first lines, and the least else; where none
-// does, the first that splits the first line.
+// The delimiter that makes the most numbers of the first lines, and the least else, but tabs before
+// blanks where there are as many tabs in each line; where none does, the first that splits the
+// first line.
 char find_delimiter(const std::vector<std::string_view>& lines);
 
 // The delimiter that a first line as Excel writes it names, "sep=;". Nothing for other lines.
