@@ -16,6 +16,8 @@
 #include "io/tracks/wall_times.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -149,6 +151,24 @@ bool has_estimate_of_crazyflie(const TableLayout& table) {
   });
 }
 
+// Of units of time: the finer, the more.
+std::size_t fineness(Unit unit) {
+  constexpr std::array kUnits = {Unit::kSecond, Unit::kMillisecond, Unit::kMicrosecond,
+                                 Unit::kNanosecond};
+  const auto* const found = std::find(kUnits.begin(), kUnits.end(), unit);
+  return static_cast<std::size_t>(found - kUnits.begin());
+}
+
+// A finer unit, since 1970, fits these numbers: in the one that was asked for they are dates tens
+// of thousands of years ahead.
+Error finer_unit(const TableLayout& table, std::size_t column, Unit by_size) {
+  return at_column(ErrorCode::kInvalidArgument,
+                   column_text(table, column) + " counts " + std::string(symbol_of(by_size)) +
+                       " since 1970, as the size of its numbers tells, and not what --time-unit "
+                       "says; leave --time-unit out",
+                   column);
+}
+
 // A time of aircraft, or of ROS, that counts from 1970 tells its unit by its size, and so does one
 // that is `dated` by the others beside it; elsewhere microseconds since a boot may look the same,
 // but no nanoseconds since one do, nor what can be milliseconds alone.
@@ -164,6 +184,10 @@ Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
                      time.column);
   }
   const Unit by_size = common_unit_since_1970(times);
+  if (asked != Unit::kUnstated && by_size != Unit::kUnstated &&
+      fineness(by_size) > fineness(asked)) {
+    return finer_unit(table, time.column, by_size);
+  }
   const bool of_ros = std::any_of(table.names.begin(), table.names.end(), is_of_ros);
   // No counter of microseconds has fractions.
   const bool fractions = by_size == Unit::kSecond && have_fractions(times);

@@ -336,5 +336,23 @@ TEST(BadTrack, WhereEveryRecordIsBadTheFirstIsShown) {
                {ErrorCode::kNoPoints, "bees.csv", "the only record is bad: '?' is not a number"});
 }
 
+TEST(BadTrack, AUnitInWhichTimesAreTensOfThousandsOfYearsAheadIsNotTheirs) {
+  for (const char* const digits : {"1777629600000", "1777629600000000", "1777629600000000000"}) {
+    const std::string text = std::string("timestamp,id,x,y,z\n") + digits + ",a,1,2,3\n";
+    RecordingOptions options;
+    options.time_unit = Unit::kSecond;
+    const auto refused = record(text, options);
+    ASSERT_FALSE(refused) << digits;
+    EXPECT_NE(refused.error().message.find("seconds since 1970, as the size of its numbers tells, "
+                                           "and not what --time-unit says"),
+              std::string::npos)
+        << refused.error().message;
+  }
+  // Of a clock that began lately.
+  RecordingOptions options;
+  options.time_unit = Unit::kMicrosecond;
+  EXPECT_TRUE(record("timestamp,id,x,y,z\n1777629600,a,1,2,3\n", options));
+}
+
 }  // namespace
 }  // namespace beespace::io
