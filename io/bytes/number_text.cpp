@@ -85,9 +85,9 @@ namespace {
 
 // Below a millimetre: "0.0837 mm", with three digits that say something, down to micrometres.
 std::string small_length_below(double limit_m, double metres) {
-  constexpr double kLeast_mm = 0.001;
+  constexpr double kLeastMillimetres = 0.001;
   const double millimetres = metres / kMillimetre_m;
-  if (millimetres < kLeast_mm) return "under 0.001 mm";
+  if (millimetres < kLeastMillimetres) return "under 0.001 mm";
   const int decimals = 2 - static_cast<int>(std::floor(std::log10(millimetres)));
   return without_zeros(grouped_below(limit_m / kMillimetre_m, millimetres, decimals)) + " mm";
 }
