@@ -142,18 +142,26 @@ bool would_be_closer(Engine& engine, std::vector<Point>& known, const std::vecto
 }  // namespace
 
 std::vector<Moment> separation_over_time(const Findings& findings, double every_s) {
-  std::vector<Moment> moments;
+  std::vector<double> times_s;
   const auto time = time_of(findings.tracks);
-  if (!time) return moments;
+  if (!time) return {};
+  const double lasts = time->ends_s - time->begins_s;
+  for (std::uint64_t i = 0; static_cast<double>(i) * every_s <= lasts; ++i) {
+    times_s.push_back(time->begins_s + static_cast<double>(i) * every_s);
+  }
+  return separation_at(findings, times_s);
+}
+
+std::vector<Moment> separation_at(const Findings& findings, const std::vector<double>& times_s) {
+  std::vector<Moment> moments;
+  moments.reserve(times_s.size());
   Engine engine;
   const std::vector<Standing> standing = standing_in(findings.recording);
   const std::vector<Gap> jumps = doubtful_spans(findings.recording, findings.coverage.max_gap);
   Places flying;
   Places on_ground;
   std::vector<Point> in_gaps;
-  const double lasts = time->ends_s - time->begins_s;
-  for (std::uint64_t i = 0; static_cast<double>(i) * every_s <= lasts; ++i) {
-    const double now = time->begins_s + static_cast<double>(i) * every_s;
+  for (const double now : times_s) {
     flying.clear();
     on_ground.clear();
     in_gaps.clear();

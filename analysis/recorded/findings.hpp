@@ -105,5 +105,7 @@ struct Moment {
   bool open = false;
 };
 std::vector<Moment> separation_over_time(const Findings& findings, double every_s);
+// The same at those times.
+std::vector<Moment> separation_at(const Findings& findings, const std::vector<double>& times_s);
 
 }  // namespace beespace::analysis

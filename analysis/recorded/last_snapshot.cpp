@@ -240,6 +240,7 @@ MoversView Snapshot::view() const {
 Snapshot Snapshot::present() const {
   Snapshot all;
   all.time_s = time_s;
+  all.with_heights = with_heights;
   all.movers = movers;
   all.heights_m = heights_m;
   all.climbs_mps = climbs_mps;
@@ -247,7 +248,7 @@ Snapshot Snapshot::present() const {
   for (const Placed& placed : unmoving) {
     all.movers.push_back({placed.position, {}});
     all.bees.push_back(placed.bee);
-    if (heights_m.empty()) continue;
+    if (!with_heights) continue;
     all.heights_m.push_back(placed.height_m);
     all.climbs_mps.push_back(0.0);
   }
@@ -260,6 +261,7 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
   if (!now) return now.error();
   Snapshot snapshot;
   snapshot.time_s = *now;
+  snapshot.with_heights = geometry != Geometry::kSpace;
   snapshot.passed_over_since_s = passed_over_since(recording, *now);
   std::optional<Error> no_velocity;
   for (std::size_t i = 0; i < recording.bees.size(); ++i) {
@@ -285,7 +287,7 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
       const auto at = in_metres(bee.fixes[last].position, std::nullopt, recording.frame, geometry,
                                 stated_height(recording, bee, last));
       if (!at) return of_bee(at.error(), bee);
-      snapshot.unmoving.push_back({static_cast<std::uint32_t>(i), at->position, at->height_m});
+      snapshot.unmoving.push_back({static_cast<std::uint32_t>(i), at->position, at->height_m, age});
       if (!no_two_fixes(bee, max_age_s)) {
         ++snapshot.climbless;
       } else if (!bee.velocities.empty() && known_over_ground(bee.velocities[last])) {
@@ -308,7 +310,7 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
     snapshot.heights_m.push_back(state->height_m);
     snapshot.climbs_mps.push_back(state->climb_mps);
   }
-  const bool now_will_do = wanted == Wanted::kMotionOrNow && has_velocities(recording);
+  const bool now_will_do = wanted != Wanted::kMotion && has_velocities(recording);
   if (snapshot.movers.empty() && no_velocity && !now_will_do) return *std::move(no_velocity);
   return snapshot;
 }

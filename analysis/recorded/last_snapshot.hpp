@@ -42,8 +42,10 @@ struct Snapshot {
     std::uint32_t bee = 0;
     Point position = {};
     double height_m = 0.0;  // apart, as above
+    double age_s = 0.0;     // how long before that it was there
   };
   std::vector<Placed> unmoving;
+  bool with_heights = false;    // whether they are kept apart, of movers and unmoving ones
   std::uint64_t climbless = 0;  // of these: those of which only the climb rate is not known
   // Likewise, but of those that have one fix only.
   std::uint64_t level_only = 0;
@@ -84,7 +86,7 @@ Result<FlownOn> flown_on(const io::Recording& recording, const io::RecordedBee& 
 enum class Wanted : std::uint8_t {
   kMotion,
   kMotionOrNow,  // where the input has velocities, of which none is known, the present moment alone
-  kPlaces,
+  kPlaces,       // likewise
 };
 
 // Errors: kMissingColumn where no bee has a velocity that is wanted, or two fixes to tell it from.

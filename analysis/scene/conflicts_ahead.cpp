@@ -30,7 +30,7 @@ class PlacesAhead {
 
   // Its number among the positions of the facts.
   [[nodiscard]] PointId shown(std::uint32_t bee) const {
-    return static_cast<PointId>(std::lower_bound(bees_.begin(), bees_.end(), bee) - bees_.begin());
+    return static_cast<PointId>(std::find(bees_.begin(), bees_.end(), bee) - bees_.begin());
   }
 
   [[nodiscard]] Point after(std::uint32_t bee, double seconds) const {

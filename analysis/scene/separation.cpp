@@ -151,8 +151,7 @@ SeparationOverTime nearest_to_conflict(const Findings& findings, const Uprights&
 
 // Of conflicts that begin and end between two moments none would be seen: of each moment the
 // closest that is nearer in time to it than to others, where it is closest.
-void insert_conflicts(const Findings& findings, const TimeSpan& time,
-                      std::vector<report::Separation>& known) {
+std::vector<Conflict> conflicts_between(const Findings& findings, const TimeSpan& time) {
   const double step_s = every_s(time);
   std::map<std::int64_t, const Conflict*> closest;
   for (const Conflict& conflict : findings.recorded.conflicts) {
@@ -160,8 +159,73 @@ void insert_conflicts(const Findings& findings, const TimeSpan& time,
     const auto [at, is_new] = closest.emplace(moment, &conflict);
     if (!is_new && conflict.closest_m < at->second->closest_m) at->second = &conflict;
   }
-  for (const auto& [moment, conflict] : closest) {
-    insert({conflict->closest_s, {conflict->first, conflict->second, conflict->closest_m}}, known);
+  std::vector<Conflict> all;
+  all.reserve(closest.size() + 1);
+  for (const auto& [moment, conflict] : closest) all.push_back(*conflict);
+  if (findings.closest) all.push_back(*findings.closest);
+  return all;
+}
+
+// Others may be closer just then, as far as the curve goes: a pair that is closest for a while is
+// not where another one passes at a greater distance.
+void insert_conflicts(const Findings& findings, const TimeSpan& time,
+                      std::vector<report::Separation>& known) {
+  const std::vector<Conflict> conflicts = conflicts_between(findings, time);
+  std::vector<double> times_s;
+  times_s.reserve(conflicts.size());
+  for (const Conflict& conflict : conflicts) times_s.push_back(conflict.closest_s);
+  const std::vector<Moment> then = separation_at(findings, times_s);
+  for (std::size_t i = 0; i < conflicts.size(); ++i) {
+    const Conflict& conflict = conflicts[i];
+    ClosestPair closest{conflict.first, conflict.second, conflict.closest_m};
+    if (then[i].distance_m < closest.distance_m) {
+      const auto [first, second] = std::minmax(then[i].first, then[i].second);
+      closest = {first, second, then[i].distance_m};
+    }
+    insert({conflict.closest_s, closest}, known);
+  }
+}
+
+// Where the closest two become others, or cease to approach, between two moments: a straight line
+// from one to the next may be above how close they are there by more than its width.
+std::vector<double> times_of_turns(const std::vector<report::Separation>& known, double step_s) {
+  const auto falls_to = [&known](std::size_t i) {
+    return known[i].closest.distance_m < known[i - 1].closest.distance_m;
+  };
+  std::vector<double> times_s;
+  for (std::size_t i = 1; i < known.size(); ++i) {
+    const ClosestPair& before = known[i - 1].closest;
+    const ClosestPair& after = known[i].closest;
+    const double lasts_s = known[i].time_s - known[i - 1].time_s;
+    if (lasts_s > 1.5 * step_s) continue;  // something between is not known
+    const bool others =
+        std::pair(before.first, before.second) != std::pair(after.first, after.second);
+    const bool turns_before = i > 1 && falls_to(i - 1) && !falls_to(i);
+    const bool turns_behind = i + 1 < known.size() && falls_to(i) && !falls_to(i + 1);
+    if (others || turns_before || turns_behind) {
+      times_s.push_back(known[i - 1].time_s + 0.5 * lasts_s);
+    }
+  }
+  return times_s;
+}
+
+void insert_turns(const Findings& findings, double step_s, std::vector<report::Separation>& known) {
+  constexpr int kRounds = 4;
+  constexpr double kVisible = 0.005;
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<report::Separation> lower;
+    std::size_t next = 0;
+    for (const Moment& moment : separation_at(findings, times_of_turns(known, step_s))) {
+      if (moment.open || !std::isfinite(moment.distance_m)) continue;
+      while (known[next].time_s < moment.time_s) ++next;
+      const double line_m =
+          0.5 * (known[next - 1].closest.distance_m + known[next].closest.distance_m);
+      if (moment.distance_m >= (1.0 - kVisible) * line_m) continue;
+      const auto [first, second] = std::minmax(moment.first, moment.second);
+      lower.push_back({moment.time_s, {first, second, moment.distance_m}});
+    }
+    if (lower.empty()) return;
+    for (const report::Separation& at : lower) insert(at, known);
   }
 }
 
@@ -175,11 +239,7 @@ SeparationOverTime closest_two(const Findings& findings, const TimeSpan& time) {
     over_time.known.push_back({moment.time_s, {first, second, moment.distance_m}});
   }
   insert_conflicts(findings, time, over_time.known);
-  if (findings.closest) {
-    const Conflict& closest = *findings.closest;
-    insert({closest.closest_s, {closest.first, closest.second, closest.closest_m}},
-           over_time.known);
-  }
+  insert_turns(findings, step_s, over_time.known);
   return over_time;
 }
 

@@ -166,11 +166,15 @@ void note_skipped(std::uint64_t count, std::vector<std::string>& notes) {
 std::string unknown_text(const Snapshot& snapshot, const io::Recording& recording) {
   const io::RecordedNoun noun = io::noun_of(recording);
   std::string text;
-  if (const std::uint64_t unseen = snapshot.stale + snapshot.unmoving.size(); unseen > 0) {
-    text = noun.counted(unseen) + (unseen == 1 ? " is" : " are") + " left out";
+  if (const std::uint64_t count = snapshot.unmoving.size(); count > 0) {
+    text = noun.counted(count) + (count == 1 ? " is" : " are") +
+           " checked for now only, where last heard of";
   }
+  const std::uint64_t stale = snapshot.stale;
+  const std::string left_out =
+      stale > 0 ? noun.counted(stale) + (stale == 1 ? " is" : " are") + " left out" : "";
   for (const std::string& more :
-       {missing_text(recording.missing, noun), passed_over_text(snapshot, recording)}) {
+       {left_out, missing_text(recording.missing, noun), passed_over_text(snapshot, recording)}) {
     if (!text.empty() && !more.empty()) text += ", ";
     text += more;
   }
@@ -192,14 +196,17 @@ void note_ages(const Snapshot& snapshot, std::vector<std::string>& notes) {
     notes.push_back(io::grouped(snapshot.stale) + " left out: not heard of for " +
                     io::exact(kMaxAgeShown_s) + " s");
   }
-  if (!snapshot.unmoving.empty()) {
-    notes.push_back(
-        io::grouped(snapshot.unmoving.size()) +
-        " left out: neither a velocity (speed, direction and climb) nor two fixes tell "
-        "how fast they "
-        "go" +
-        (snapshot.climbless + snapshot.level_only > 0 ? ", or nothing how fast they climb" : ""));
+  if (snapshot.unmoving.empty()) return;
+  double oldest_s = 0.0;
+  for (const Snapshot::Placed& placed : snapshot.unmoving) {
+    oldest_s = std::max(oldest_s, placed.age_s);
   }
+  notes.push_back(
+      io::grouped(snapshot.unmoving.size()) + " shown where last heard of, up to " +
+      io::grouped(oldest_s, 2) +
+      " s before: neither a velocity (speed, direction and climb) nor two fixes tell how fast "
+      "they go" +
+      (snapshot.climbless + snapshot.level_only > 0 ? ", or nothing how fast they climb" : ""));
 }
 
 }  // namespace
@@ -259,25 +266,29 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
   note_ages(*snapshot, swarm.notes);
   facts.unknown = unknown_text(*snapshot, recording);
   note_unknown(facts.unknown, swarm.notes);
+  // Whom a search must not look ahead of is there all the same.
+  const Snapshot present = snapshot->present();
   std::vector<Point> points;
-  for (const Mover& mover : snapshot->movers) points.push_back(mover.position);
+  points.reserve(present.movers.size());
+  for (const Mover& mover : present.movers) points.push_back(mover.position);
   GroundPlaces apart;
   const Geometry geometry = geometry_for(recording, request.vertical);
   apart.vertical_m = vertical_in(geometry, request.vertical, recording.height_unit);
   if (heights_apart(geometry)) {
-    auto on_ground = snapshot_of(recording, geometry, kMaxAgeShown_s, Wanted::kPlaces);
-    if (!on_ground) return on_ground.error();
-    for (const Mover& mover : on_ground->movers) apart.ground.push_back(mover.position);
-    apart.heights_m = std::move(on_ground->heights_m);
+    const auto in_cylinders = snapshot_of(recording, geometry, kMaxAgeShown_s, Wanted::kPlaces);
+    if (!in_cylinders) return in_cylinders.error();
+    Snapshot on_ground = in_cylinders->present();
+    for (const Mover& mover : on_ground.movers) apart.ground.push_back(mover.position);
+    apart.heights_m = std::move(on_ground.heights_m);
   }
   const Status found = search(points, apart, {request.threads, request.stop}, facts);
   if (!found) return found.error();
-  for (const std::uint32_t bee : snapshot->bees) {
+  for (const std::uint32_t bee : present.bees) {
     swarm.names.texts.push_back(text_of(name_of(bee, recording)));
   }
   place(points, recording.frame, facts);
   facts.moment = io::moment_text(snapshot->time_s, recording);
-  if (Status looked = look_ahead(recording, snapshot->bees, request, facts); !looked) {
+  if (Status looked = look_ahead(recording, present.bees, request, facts); !looked) {
     return looked.error();
   }
   return facts;

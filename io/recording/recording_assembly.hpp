@@ -256,6 +256,7 @@ class RecordingAssembly {
  private:
   [[nodiscard]] std::string place_text(Origin origin) const;
   std::optional<Error> settle_times();
+  [[nodiscard]] std::optional<Error> settle_restart() const;
   [[nodiscard]] std::optional<Error> settle_files() const;
   [[nodiscard]] std::optional<Error> settle_midnights() const;
   [[nodiscard]] std::optional<Error> settle_heightless() const;

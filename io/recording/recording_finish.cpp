@@ -2,7 +2,6 @@
 #include "io/bytes/number_text.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/problems/left_out.hpp"
-#include "io/problems/skipped_records.hpp"
 #include "io/problems/unplaced.hpp"
 #include "io/recording/doubled_drones.hpp"
 #include "io/recording/local_topics.hpp"
@@ -24,15 +23,6 @@
 #include <vector>
 
 namespace beespace::io {
-namespace {
-
-// Two bees of one id, or times that stand still.
-constexpr LeftOutReason kElsewhere = {
-    "with another place for a time at which the same bee has been heard elsewhere, farther away "
-    "than it gets while times are rounded,",
-    "if another column has the time of the position, name it with --columns time=..."};
-
-}  // namespace
 
 // Once all is settled.
 void RecordingAssembly::find_doubtful_tracks() {
@@ -65,65 +55,6 @@ MissingRecords RecordingAssembly::missing() const {
     if (missing.nowhere_ids.size() < MissingRecords::kMostNamed) missing.nowhere_ids.push_back(id);
   }
   return missing;
-}
-
-Error RecordingAssembly::conflict_error(const TimeConflict& conflict) const {
-  const std::string first = place_text(conflict.first);
-  std::string message = "bee " + excerpt(conflict.id) + " is at another place at the same time";
-  if (facts_ && facts_->has_time) {
-    const Calendar calendar{facts_->since_1970, options_.time_zone, facts_->clock};
-    const std::string date = calendar.text(conflict.time_s);
-    message += ", " + (date.empty() ? exact(conflict.time_s) + " s" : date) + ", in " + first +
-               "; correct one of them, or name the column that tells the bees apart with "
-               "--columns id=...";
-  } else {
-    message = "bee " + excerpt(conflict.id) + " comes twice, before in " + first +
-              "; without a time each bee has one record";
-  }
-  return {ErrorCode::kTimeOrder, message + std::string(kOrLeaveOut), location_of(conflict.second)};
-}
-
-std::optional<Error> RecordingAssembly::settle_times() {
-  std::vector<TimeConflict> conflicts;
-  tracks_.settle(
-      facts_ ? facts_->frame : recording_.frame,
-      [&conflicts](const TimeConflict& conflict) { conflicts.push_back(conflict); },
-      [this](const TimeConflict& conflict) { leave_out(kElsewhere, conflict.id); });
-  std::sort(conflicts.begin(), conflicts.end(), [](const TimeConflict& a, const TimeConflict& b) {
-    if (a.second.source != b.second.source) return a.second.source < b.second.source;
-    return a.second.line < b.second.line;
-  });
-  for (const TimeConflict& conflict : conflicts) {
-    if (auto error = bad(conflict_error(conflict), conflict.id)) return error;
-  }
-  return std::nullopt;
-}
-
-// Of one id in several files at once: two trials, or two animals, are not one.
-std::optional<Error> RecordingAssembly::settle_files() const {
-  if (!facts_ || frame_is_settled_ || tracks_.rounds_times()) return std::nullopt;
-  const std::vector<TimeConflict> conflicts = tracks_.contradicting(facts_->frame);
-  if (conflicts.empty()) return std::nullopt;
-  const TimeConflict& conflict = conflicts.front();
-  return Error{ErrorCode::kTimeOrder,
-               "bee " + excerpt(conflict.id) +
-                   " is in several files at the same time, and its place here, at " +
-                   exact(conflict.time_s) + " s, does not go with that in " +
-                   place_text(conflict.first) +
-                   ": are they two? Give each an id of its own; files that are of different "
-                   "trials are read each for itself",
-               location_of(conflict.second)};
-}
-
-// Days without a time of day that may not be their midnights.
-std::optional<Error> RecordingAssembly::settle_midnights() const {
-  const auto doubt = bare_midnights_.doubt(tracks_);
-  if (!doubt) return std::nullopt;
-  return Error{ErrorCode::kNotANumber,
-               "the time is a day alone, as R writes midnight, but " + doubt->why +
-                   ": is it midnight? Write times out, as 2015-09-10 00:00:00 (in R: format(time, "
-                   "\"%Y-%m-%d %H:%M:%S\")), or take the record out",
-               location_of(doubt->origin)};
 }
 
 // Some have heights, and others have none at all.
@@ -351,6 +282,7 @@ Result<Recording> RecordingAssembly::finish() {
   }
   leave_out_zeros();
   if (tracks_.empty()) return nothing_left();
+  if (auto error = settle_restart()) return *std::move(error);
   if (auto error = settle_times()) return *std::move(error);
   if (auto error = settle_files()) return *std::move(error);
   if (auto error = settle_midnights()) return *std::move(error);

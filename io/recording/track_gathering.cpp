@@ -4,6 +4,7 @@
 #include "io/recording/flat_distance.hpp"
 #include "io/recording/jumped_stretches.hpp"
 #include "io/recording/overlapping_files.hpp"
+#include "io/recording/restarted_clock.hpp"
 #include "io/recording/shared_id.hpp"
 
 #include <algorithm>
@@ -269,6 +270,13 @@ std::vector<TimeConflict> TrackGathering::contradicting(Frame frame) const {
                      bee.origins[at->fix]});
   }
   return found;
+}
+
+std::optional<RestartedClock> TrackGathering::restarted(Frame frame) const {
+  std::vector<InInputOrder> bees;
+  bees.reserve(bees_.size());
+  for (const Bee& bee : bees_) bees.push_back({bee.recorded.fixes, bee.origins});
+  return restarted_clock(bees, frame);
 }
 
 std::vector<SharedTrack> TrackGathering::jumping(const JumpsOf& of) const {

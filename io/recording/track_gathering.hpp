@@ -42,6 +42,8 @@ struct SharedTrack {
   Origin first;
 };
 
+struct RestartedClock;
+
 class TrackGathering {
  public:
   // A fix of that bee. Without velocity, or with one that may hold not-a-numbers. `stated_height`
@@ -116,6 +118,8 @@ class TrackGathering {
   [[nodiscard]] std::vector<SharedTrack> jumping(const JumpsOf& of) const;
   // The same of who is in several sources at the same time, at places that do not go together.
   [[nodiscard]] std::vector<TimeConflict> contradicting(Frame frame) const;
+  // Before settle(): where the clock of all begins again.
+  [[nodiscard]] std::optional<RestartedClock> restarted(Frame frame) const;
   // Whether times are rounded, or those of arrival.
   [[nodiscard]] bool rounds_times() const { return repeat_s_.has_value(); }
 

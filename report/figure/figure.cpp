@@ -55,8 +55,8 @@ std::string findings_now(const SnapshotFacts& facts) {
   text += facts.moment.empty() ? ". " : " at " + facts.moment + ". ";
   const std::string now = facts.moment.empty() ? "" : " at this moment";
   if (facts.at_risk.empty() && !facts.unknown.empty()) {
-    return text + "Of those that are known none is " + too_close(facts.swarm) + " to another" +
-           now + "; " + facts.unknown + ".";
+    return text + "Not known of all: " + facts.unknown + "; of those that are known none is " +
+           too_close(facts.swarm) + " to another" + now + ".";
   }
   if (facts.at_risk.empty()) {
     return text + "No " + facts.swarm.noun.one + " is " + too_close(facts.swarm) + " to another" +

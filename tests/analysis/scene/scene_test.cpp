@@ -87,6 +87,22 @@ TEST_F(SceneTest, ARecordingIsLoaded) {
   EXPECT_TRUE(is_risky(scene));
 }
 
+// Two hover 0.5 m apart while two others pass each other at 1.5 m, between two moments.
+TEST_F(SceneTest, TheClosestTwoAreNeverAnotherPairFartherApart) {
+  const Scene scene =
+      loaded(file("four.csv",
+                  "id,time_s,x,y,z\na,0,0,0,0\na,60,0,0,0\nb,0,0.5,0,0\nb,60,0.5,0,0\n"
+                  "c,0,-500,90,0\nc,60,499.137,90,0\nd,0,500,91.5,0\nd,60,-499.137,91.5,0\n"));
+  const auto& facts = std::get<report::RecordingFacts>(scene);
+  EXPECT_EQ(facts.conflict_count, 2U);
+  ASSERT_GT(facts.separation.size(), 600U);
+  for (const report::Separation& at : facts.separation) {
+    EXPECT_DOUBLE_EQ(at.closest.distance_m, 0.5) << at.time_s;
+    EXPECT_EQ(at.closest.first, 0U);
+    EXPECT_EQ(at.closest.second, 1U);
+  }
+}
+
 TEST_F(SceneTest, TheVerticalThresholdAndTheDefaultOneCount) {
   SceneRequest request;
   request.vertical = io::StatedLength{1.0, 1.0, io::Unit::kMetre};

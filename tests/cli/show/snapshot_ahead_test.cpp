@@ -101,6 +101,61 @@ TEST_F(SnapshotAhead, ALookOfAReceiverNamesItsTime) {
                 R"("ahead":"flying straight on, 1 conflict within 300 s: )"});
 }
 
+// One heard a second ago that tells no climb rate, and is too close to another.
+TEST_F(SnapshotAhead, WhoTellsNoClimbRateIsThereWhereLastHeardOf) {
+  const auto aircraft = [this](const std::string& height_ft, const std::string& rate) {
+    return folder_.file(
+        "aircraft.json",
+        R"({"now": 1717581840.0, "aircraft": [)"
+        R"({"hex": "3944ef", "flight": "AFR123", "alt_baro": 35000, "gs": 450, "track": 90, )" +
+            rate + R"("lat": 48.0, "lon": 1.8, "seen_pos": 1.0}, )" +
+            R"({"hex": "4008f6", "flight": "BAW456", "alt_baro": )" + height_ft +
+            R"(, "gs": 430, "track": 90, "baro_rate": 0, )" +
+            R"("lat": 48.01, "lon": 1.8, "seen_pos": 0.5}, )" +
+            R"({"hex": "4b1814", "flight": "SWR22K", "alt_baro": 33000, "gs": 430, "track": 0, )" +
+            rate + R"("lat": 50.01, "lon": 5.8, "seen_pos": 0.5}]})");
+  };
+  const Finished near = plot(aircraft("35000", ""), {"--fail-on-risk"});
+  EXPECT_EQ(near.exit_code, 1) << near.err;
+  expect_parts(near.err, {"at risk    2 of 3: 1 pair in 1 group; 2 aircraft are checked for now "
+                          "only, where last heard of\n",
+                          "2 shown where last heard of, up to 1.00 s before"});
+  expect_parts(folder_.read("p.svg"), {"4008f6 (BAW456) \u2013 3944ef (AFR123)",
+                                       "2 are at risk: 1 pair closer than 5 NM across"});
+  const std::string table = folder_.path("t.csv");
+  run({"export", folder_.path("aircraft.json"), "--separation", "enroute", "-o", table});
+  EXPECT_EQ(rows_of(folder_.read("t.csv"), ',').size(), 2u);
+  // Kept apart in height, it may climb.
+  const Finished apart = plot(aircraft("37000", ""), {"--fail-on-risk"});
+  EXPECT_EQ(apart.exit_code, 1) << apart.err;
+  expect_parts(folder_.read("p.svg"),
+               {"3 aircraft at 2024-06-05T10:04:00.000Z. Not known of all: 2 "
+                "aircraft are checked for now only"});
+  const Finished known = plot(aircraft("37000", R"("baro_rate": 0, )"), {"--fail-on-risk"});
+  EXPECT_EQ(known.exit_code, 0) << known.err;
+  expect_parts(folder_.read("p.svg"), {"No aircraft is closer than 5 NM across"});
+}
+
+// Of none is it known: they are compared all the same, at their heights.
+TEST_F(SnapshotAhead, WhereNoneTellsAClimbRateHeightsCount) {
+  const auto aircraft = [this](const std::string& height_ft) {
+    return folder_.file("aircraft.json",
+                        R"({"now": 1717581840.0, "aircraft": [)"
+                        R"({"hex": "3944ef", "alt_baro": 35000, "gs": 450, "track": 90, )"
+                        R"("lat": 48.0, "lon": 1.8, "seen_pos": 1.0}, )"
+                        R"({"hex": "4008f6", "alt_baro": )" +
+                            height_ft +
+                            R"(, "gs": 430, "track": 90, "lat": 48.01, "lon": 1.8, )"
+                            R"("seen_pos": 0.5}]})");
+  };
+  expect_parts(plot(aircraft("35100")).err, {"at risk    2 of 2: 1 pair in 1 group"});
+  expect_parts(plot(aircraft("37000")).err,
+               {"at risk    none of those that are known; 2 aircraft"});
+  const Finished predicted =
+      run({"predict", aircraft("37000"), "--separation", "enroute", "--csv"});
+  EXPECT_EQ(rows_of(predicted.out, ',').size(), 1u) << predicted.out << predicted.err;
+}
+
 TEST_F(SnapshotAhead, WhatIsNotKnownIsSaidToBe) {
   const std::string file = folder_.file(
       "aircraft.json",

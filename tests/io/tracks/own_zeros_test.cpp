@@ -362,5 +362,70 @@ TEST(OwnClocks, TheUnitThatTheCallerAloneSaysIsNoWordOfTheZero) {
   }
 }
 
+// ---- A simulation that was started again --------------------------------------------------------
+
+// Two fly at each other, record by record.
+std::string run_of(double from_s, double begun_s, double until_s, double step_s = 1.0) {
+  std::string text;
+  for (int i = 0; from_s + i * step_s <= until_s; ++i) {
+    const double time_s = from_s + i * step_s;
+    const double east = 0.1 * (time_s - begun_s);
+    const std::string time = std::to_string(time_s);
+    text += "a," + time + "," + std::to_string(east) + ",0,9\n";
+    text += "b," + time + "," + std::to_string(9.0 - east) + ",0.2,9\n";
+  }
+  return text;
+}
+
+constexpr const char* kOfRuns = "id,time_s,x_m,y_m,z_m\n";
+
+TEST(RestartedClocks, InOneFileAreAskedAbout) {
+  const std::string first = run_of(0.0, 0.0, 60.0, 10.0);
+  const auto twice = several({kOfRuns + first + run_of(3.0, 0.0, 63.0, 10.0)});
+  expect_problem(twice, "times begin again here: 2 bees go back at once, from 60 s to 3 s");
+  expect_problem(twice, "read each for itself, the first as 'head -n 15' of this file");
+  EXPECT_EQ(twice.error().location.line, 16U);
+  // With the same times, too, where before leaving out the second run was advised.
+  const auto same = several({kOfRuns + first + run_of(0.0, 5.0, 60.0, 10.0)});
+  expect_problem(same, "times begin again here");
+  EXPECT_TRUE(several({kOfRuns + first + run_of(3.0, 0.0, 63.0, 10.0)}, on_one_clock()));
+  // One of them flies as before.
+  std::string other;
+  for (int t = 0; t <= 60; t += 10) {
+    other += "a," + std::to_string(1.0 * t) + "," + std::to_string(0.1 * t) + ",0,9\n";
+    other += "b," + std::to_string(1.0 * t) + "," + std::to_string(5.0 - 0.1 * t) + ",0.2,9\n";
+  }
+  expect_problem(several({kOfRuns + first + other}), "times begin again here");
+}
+
+TEST(RestartedClocks, InSeveralFilesAreAskedAbout) {
+  const std::string first = kOfRuns + run_of(0.0, 0.0, 60.0, 10.0);
+  const std::string second = kOfRuns + run_of(3.0, 3.0, 63.0, 10.0);
+  for (const auto& texts : {Texts{first, second}, Texts{second, first}}) {
+    expect_problem(several(texts),
+                   "as of two runs: then they cannot be compared; read the files "
+                   "each for itself, or, if all have one clock, say so with "
+                   "--one-clock");
+  }
+  EXPECT_TRUE(several({first, second}, on_one_clock()));
+  // Two logs of one run say the same.
+  EXPECT_TRUE(several({first, kOfRuns + run_of(3.0, 0.0, 63.0, 10.0)}));
+}
+
+TEST(RestartedClocks, AreNotWhatIsOnlyInNoOrder) {
+  const std::string early = run_of(0.0, 0.0, 50.0);
+  const std::string late = run_of(51.0, 0.0, 90.0);
+  EXPECT_TRUE(several({kOfRuns + late + early}));
+  EXPECT_TRUE(several({kOfRuns + late, kOfRuns + early}));
+  EXPECT_TRUE(several({kOfRuns + early + early}));  // written twice
+  EXPECT_TRUE(several({kOfRuns + early + run_of(50.0, 0.0, 51.0) + late}));
+  // Some packets that came late; one bee by itself.
+  EXPECT_TRUE(several({kOfRuns + early + run_of(48.5, 0.0, 49.0) + late}));
+  EXPECT_TRUE(several({kOfRuns + early + "a,3.5,0.35,0,9\na,4.5,0.45,0,9\na,5.5,0.55,0,9\n"}));
+  std::string backwards;
+  for (int t = 90; t >= 0; --t) backwards += run_of(t, 0.0, t);
+  EXPECT_TRUE(several({kOfRuns + backwards}));
+}
+
 }  // namespace
 }  // namespace beespace::io

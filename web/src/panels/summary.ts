@@ -128,6 +128,10 @@ function headline(shown: Shown): HTMLElement {
   }
   const count = head.kind === 'snapshot' ? head.risk.at_risk : head.risk.bees;
   const whole = head.risk.unknown === undefined;
+  if (head.kind === 'snapshot' && !whole && count === 0) {
+    const then = head.moment === undefined ? '' : ` at ${head.moment}`;
+    return element('p', { class: 'headline' }, element('strong', {}, 'Not known of all'), `: of ${counted(head.count, nounOf(head))} none is known to be at risk${then}`);
+  }
   const known = head.kind === 'recording' && !whole ? ' in the known time' : '';
   const when = shown.label ? 'in conflict' : 'in conflict at some time';
   const risk = whole ? 'at risk' : 'that are known at risk';
