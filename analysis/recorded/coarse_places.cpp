@@ -80,8 +80,8 @@ void PlaceSteps::take(const Fix& fix) {
     ++triples_;
     bends_ += bends_x || bends_y ? 1 : 0;
   }
-  moves_ = moves_ || (fixes_ > 0 &&
-                      (fix.position.x != last_.position.x || fix.position.y != last_.position.y));
+  // Who only climbs or sinks is where somebody wrote it to be.
+  moves_ = moves_ || (fixes_ > 0 && !(fix.position == last_.position));
   reach_ = std::max({reach_, std::abs(fix.position.x), std::abs(fix.position.y)});
   last_ = fix;
   last_s_ = seconds;

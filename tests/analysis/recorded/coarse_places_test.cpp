@@ -53,6 +53,9 @@ TEST(CoarsePlaces, WhoNeverMovesInDegreesHasTheDecimalsOfTheOthers) {
   const std::size_t three = on_a_way(1e-3, 1.0, 60.0).decimals();
   EXPECT_NEAR(still.coarse_m(io::Frame::kWgs84, three), 111.195 * std::hypot(0.5, 1.0), 0.1);
   EXPECT_EQ(alone_m(still, io::Frame::kMetres), 0.0);
+  PlaceSteps climbing;
+  for (int i = 0; i < 60; ++i) climbing.take({i * 1.0, {8.5, 60.0, 2.0 * i}});
+  EXPECT_EQ(climbing.coarse_m(io::Frame::kWgs84, three), 0.0);
 }
 
 TEST(CoarsePlaces, MatterWhereTwoMayBeCloserThanTheThreshold) {
