@@ -1,6 +1,7 @@
 // Which agents of a recording came too close to each other: what `beespace replay` says.
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/recorded/all_conflicts.hpp"
+#include "analysis/recorded/coarse_places.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/gaps.hpp"
@@ -157,8 +158,10 @@ Result<std::unique_ptr<beespace_io_conflicts>> find(const beespace_io_recording&
           : tracks;
   if (!in_space) return in_space.error();
 
-  const analysis::Coverage coverage =
-      analysis::coverage_of(recording, found->recorded.gaps, max_gap);
+  analysis::Coverage coverage = analysis::coverage_of(recording, found->recorded.gaps, max_gap);
+  analysis::judge_places(
+      recording, analysis::coarse_question(options, found->recorded.conflicts, found->closest),
+      coverage);
   const bool compared = analysis::has_encounters(*found, recording, *in_space, options);
   analysis::Findings findings{recording,      *tracks,  *in_space, found->recorded,
                               found->closest, coverage, compared};

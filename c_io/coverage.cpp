@@ -81,7 +81,7 @@ beespace_io_coverage as_struct(const analysis::Coverage& coverage) {
   into.jumping = number(missing.jumping);
   into.swapped = number(missing.swapped);
   into.untimed = number(missing.untimed);
-  into.rough = number(missing.rough);
+  into.rough = number(missing.rough + coverage.coarse);
   into.agents_unplaced = number(coverage.bees_unplaced);
   into.agents_on_ground = number(coverage.unseen.size());
   into.agents_alone = number(coverage.compared_with_none() ? coverage.alone.size() : 0);

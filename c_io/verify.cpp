@@ -1,5 +1,6 @@
 // Whether the agents of a recording kept their distance and their limits, along the curves of a
 // show or between their fixes: what `beespace verify` says.
+#include "analysis/recorded/coarse_places.hpp"
 #include "analysis/recorded/common_times.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/earth_flights.hpp"
@@ -232,7 +233,8 @@ Result<std::unique_ptr<beespace_io_verdict>> verify(const io::Recording& recordi
   const auto found = analysis::verify_paths(recording, question);
   if (!found) return found.error();
 
-  const analysis::Coverage coverage = analysis::coverage_of(recording, found->gaps, max_gap);
+  analysis::Coverage coverage = analysis::coverage_of(recording, found->gaps, max_gap);
+  analysis::judge_places(recording, analysis::coarse_question(*found, question), coverage);
   const bool compared = analysis::compares(recording, *found, question);
   facts.holds = found->holds() && !coverage.may_hide_conflicts() && compared ? 1 : 0;
   facts.motion = *motion;

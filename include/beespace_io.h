@@ -381,9 +381,9 @@ typedef struct beespace_io_coverage {
   int64_t files;       ///< How many files and folders beside those that were read were left out.
   int64_t jumping;     ///< How many agents jump faster than anything flies, or than they say.
   int64_t swapped;  ///< Of how many agents longitude and latitude seem to be the other way round.
-  int64_t agents_unplaced;   ///< Of agents_partly: there then, in records without a place.
-  int64_t untimed;           ///< Of how many agents it is not known when they were where they say.
-  int64_t rough;             ///< How many agents have places off by kilometres, as those of Argos.
+  int64_t agents_unplaced;  ///< Of agents_partly: there then, in records without a place.
+  int64_t untimed;          ///< Of how many agents it is not known when they were where they say.
+  int64_t rough;  ///< How many agents have places too rough: by Argos, or of too few decimals.
   int64_t agents_on_ground;  ///< Of agents_partly: on the ground by all their records, which do not
                              ///< reach as far as others fly.
   int64_t agents_alone;      ///< How many drones fly while no other is known: compared with none.

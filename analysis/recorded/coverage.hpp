@@ -74,6 +74,11 @@ struct Coverage {
   // Of the times before and after in which some are there: the longest, at most kMostNamed.
   std::vector<Gap> longest_outside = {};
   io::MissingRecords missing;
+  // Whose places are written so coarsely that two may be too close after all (see
+  // coarse_places.hpp), and how far apart two that can be written are, at most.
+  std::size_t coarse = 0;
+  double coarse_m = 0.0;
+  std::string whole_seconds = {};  // what is to be said of times that may be cut off
 
   static constexpr std::size_t kMostNamed = 3;
 
@@ -86,7 +91,7 @@ struct Coverage {
   // Whether a bee was there, but it is not known where.
   [[nodiscard]] bool may_hide_conflicts() const {
     return gaps > 0 || !missing.none() || bees_cut_off > 0 || bees_unplaced > 0 || instants_only ||
-           !unseen.empty() || compared_with_none();
+           !unseen.empty() || compared_with_none() || coarse > 0;
   }
 };
 

@@ -102,6 +102,10 @@ std::string unknown_text(const Coverage& coverage, const io::Recording* recordin
            (one ? " flies" : " fly") + " while no other is known");
   }
   append(missing_text(coverage.missing, noun));
+  if (coverage.coarse > 0) {
+    append(noun.counted(coverage.coarse) + (coverage.coarse == 1 ? " has" : " have") +
+           " places written in steps of up to " + io::length(coverage.coarse_m));
+  }
   return text;
 }
 
@@ -139,7 +143,7 @@ std::string missing_text(const io::MissingRecords& missing, const io::RecordedNo
   if (missing.rough > 0) {
     if (!text.empty()) text += ", ";
     text += noun.counted(missing.rough) + (missing.rough == 1 ? " has" : " have") +
-            " places off by kilometres";
+            " places too rough to tell";
   }
   if (missing.count == 0) return text;
   if (!text.empty()) text += ", ";

@@ -1,4 +1,5 @@
 #include "analysis/scene/recording_facts.hpp"
+#include "analysis/recorded/coarse_places.hpp"
 
 #include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/above_fl410.hpp"
@@ -380,7 +381,9 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
     facts.closest->closest_m = std::max(facts.closest->closest_m, options.threshold_m);
   }
   facts.gaps = recorded->gaps;
-  const Coverage coverage = coverage_of(recording, facts.gaps, max_gap);
+  Coverage coverage = coverage_of(recording, facts.gaps, max_gap);
+  judge_places(recording, coarse_question(options, recorded->conflicts, facts.closest), coverage);
+  if (!coverage.whole_seconds.empty()) swarm.notes.push_back(coverage.whole_seconds);
   const auto uprights = Uprights::of(recording, *in_space, max_gap.seconds);
   if (!uprights) return uprights.error();
   facts.unknown_spans = unknown_spans(recording, facts.gaps, max_gap);

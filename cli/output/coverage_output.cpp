@@ -89,6 +89,17 @@ void append_coverage(std::string& out, const analysis::Coverage& coverage,
     }
   }
   append_missing(out, coverage.missing);
+  if (coverage.coarse > 0) {
+    append_summary_line(out, "coarse",
+                        red(io::counted(coverage.coarse, "bee has", "bees have")) +
+                            " places written with few decimals, in steps of up to " +
+                            io::length(coverage.coarse_m) +
+                            ": two may be closer than the threshold; read places with all their "
+                            "decimals, or ask about a greater threshold");
+  }
+  if (!coverage.whole_seconds.empty()) {
+    append_summary_line(out, "note", coverage.whole_seconds);
+  }
 }
 
 void write_coverage(io::JsonWriter& json, const analysis::Coverage& coverage,
@@ -106,6 +117,7 @@ void write_coverage(io::JsonWriter& json, const analysis::Coverage& coverage,
   json.member("before_first_and_after_last_s", coverage.outside_s);
   json.new_line();
   write_missing(json, coverage.missing);
+  json.member("coarse_places", coverage.coarse);
   json.new_line();
   json.begin_array("longest_gaps", io::JsonLayout::kRows);
   for (const Gap& gap : coverage.longest) {

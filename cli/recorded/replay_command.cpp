@@ -4,6 +4,7 @@
 #include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/above_fl410.hpp"
 #include "analysis/recorded/all_conflicts.hpp"
+#include "analysis/recorded/coarse_places.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
@@ -152,8 +153,10 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   const auto in_space =
       apart ? tracks_of(*recording, analysis::Geometry::kSpace, request.tolerance_m) : tracks;
   if (!in_space) return in_space.error();
-  const analysis::Coverage coverage =
-      analysis::coverage_of(*recording, found->recorded.gaps, max_gap);
+  analysis::Coverage coverage = analysis::coverage_of(*recording, found->recorded.gaps, max_gap);
+  analysis::judge_places(
+      *recording, analysis::coarse_question(options, found->recorded.conflicts, found->closest),
+      coverage);
   analysis::Findings findings{*recording,
                               *tracks,
                               *in_space,

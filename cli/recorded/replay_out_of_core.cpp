@@ -2,6 +2,7 @@
 
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/geometry/scale_doubt.hpp"
+#include "analysis/recorded/coarse_places.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
@@ -146,6 +147,9 @@ class Replaying {
       if (!at) return analysis::of_bee(at.error(), {stream_.id(each.bee), {}});
       ends_.add(each.bee, each.fix);
       spread_.add(each.fix.position);
+      const auto bee = static_cast<std::size_t>(each.bee);
+      if (bee >= steps_.size()) steps_.resize(bee + 1);
+      steps_[bee].take(each.fix);
       bees.push_back(each.bee);
       times_s.push_back(each.fix.time_s);
       positions.push_back(at->position);
@@ -213,8 +217,11 @@ class Replaying {
   }
 
   Result<ExitCode> write() {
-    const analysis::Coverage coverage =
+    analysis::Coverage coverage =
         analysis::coverage_of(recording_, found_.gaps, max_gap_, intervals_);
+    // Who is closest of those without a conflict is not looked for.
+    analysis::judge_places(steps_, recording_.frame,
+                           {threshold_m_, !found_.conflicts.empty(), threshold_m_}, coverage);
     analysis::Findings findings{recording_, tracks_,  tracks_,          found_,
                                 closest_,   coverage, facts_.encounters};
     findings.velocities_passed_over = any_velocity_ && !request_.straight;
@@ -252,7 +259,8 @@ class Replaying {
   std::optional<Conflict> closest_;  // of the conflicts
   RecordingOutOfCoreFacts facts_;    // of the search
   Distances distances_;
-  analysis::Spread spread_;  // of places as they are read
+  analysis::Spread spread_;                  // of places as they are read
+  std::vector<analysis::PlaceSteps> steps_;  // of places as they are read, by bee
   bool any_velocity_ = false;
   Stopwatch watch_;
   double read_s_ = 0.0;

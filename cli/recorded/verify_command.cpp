@@ -1,6 +1,7 @@
 #include "cli/recorded/verify_command.hpp"
 
 #include "analysis/geometry/scale_doubt.hpp"
+#include "analysis/recorded/coarse_places.hpp"
 #include "analysis/recorded/common_times.hpp"
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/earth_flights.hpp"
@@ -247,7 +248,8 @@ Result<ExitCode> verify_along_curves(const VerifyRequest& request, const io::Rec
   const auto verdict = analysis::verify_paths(
       recording, question, [&progress](double share) { progress.set_share(share); });
   if (!verdict) return verdict.error();
-  const analysis::Coverage coverage = analysis::coverage_of(recording, verdict->gaps, max_gap);
+  analysis::Coverage coverage = analysis::coverage_of(recording, verdict->gaps, max_gap);
+  analysis::judge_places(recording, analysis::coarse_question(*verdict, question), coverage);
   const PathFindings findings{recording, question,           limits, *verdict,
                               coverage,  *std::move(motion), read_s, watch.lap()};
   const auto head = [&](io::JsonWriter& json) { write_verdict(json, findings, moving); };
@@ -307,8 +309,10 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
   const analysis::MaxGap max_gap = analysis::max_gap_of(*recording, request.max_gap_s);
   const auto verdict = verify_steps(*recording, *times_s, check, max_gap.seconds, progress);
   if (!verdict) return verdict.error();
-  const analysis::Coverage coverage = analysis::coverage_of(
+  analysis::Coverage coverage = analysis::coverage_of(
       *recording, gaps_of_all(*recording, *times_s, max_gap.seconds), max_gap);
+  analysis::judge_places(*recording, {check.threshold_m, verdict->losses > 0, verdict->closest_m},
+                         coverage);
   const Verification verification{*recording, *times_s, check,  *verdict,
                                   coverage,   *motion,  read_s, watch.lap()};
   const auto head = [&](io::JsonWriter& json) { write_verdict(json, verification, moving); };

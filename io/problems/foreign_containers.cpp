@@ -1,7 +1,10 @@
 #include "io/problems/foreign_containers.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstddef>
+#include <system_error>
 
 namespace beespace::io {
 namespace {
@@ -37,10 +40,11 @@ constexpr std::string_view kNpz =
     "that ask about arrays of tracks";
 constexpr std::string_view kTRexNpz =
     "a file of TRex (.npz), which is not read; let TRex write CSV (output_format csv), or make it "
-    "of each: pip install numpy pandas, then python3 -c \"import numpy, pandas; f = "
-    "numpy.load('FILE'); pandas.DataFrame({k + (' (cm)' if k[0] in 'XY' else ' (cm/s)' if k[:2] in "
-    "('VX', 'VY', 'SP') else ''): f[k] for k in f if "
-    "f[k].shape == f['time'].shape}).to_csv('FILE.csv', index=False)\"";
+    "of each: pip install numpy pandas, then python3 -c \"import numpy, pandas, sys; "
+    "[pandas.DataFrame({k + (' (cm)' if k[0] in 'XY' else ' (cm/s)' if k[:2] in ('VX', 'VY', 'SP') "
+    "else ''): f[k] for k in f if f[k].shape == f['time'].shape}).to_csv(n[:-3] + 'csv', "
+    "index=False) for n in sys.argv[1:] for f in [numpy.load(n)]]\" FILE, with the names of the "
+    "others behind the first one";
 constexpr std::string_view kExcel =
     "an Excel workbook (.xlsx), which is not read; save each of its sheets as CSV (File, Save As, "
     "CSV UTF-8) in one folder, or make them: pip install pandas openpyxl, then python3 -c "
@@ -54,12 +58,13 @@ constexpr std::string_view kOpenSheet =
 constexpr std::string_view kTrackMate =
     "a file of TrackMate (XML), which is not read; open it in TrackMate (Load a TrackMate file), "
     "and in its last panel choose Spots, then Export to CSV: that table is read";
+// In three pieces: what each spot says of its time stands between them.
 constexpr std::string_view kTrackMateTracks =
     "an XML file of tracks that TrackMate exported, which is not read; make a table of it: python3 "
-    "-c "
-    "\"import xml.etree.ElementTree as E; print('id,frame,x,y,z'); [print(i, *map(d.get, 'txyz'), "
-    "sep=',') for i, p in enumerate(E.parse('FILE').iter('particle')) for d in "
-    "p.iter('detection')]\" > tracks.csv, which is read with --fps and --scale";
+    "-c \"import xml.etree.ElementTree as E; print('";
+constexpr std::string_view kTrackMateSpots =
+    ", *map(d.get, 'xyz'), sep=',') for i, p in enumerate(E.parse('FILE').iter('particle')) for d "
+    "in p.iter('detection')]\" > tracks.csv";
 
 constexpr std::string_view kGpx =
     "a track of a GPS receiver (GPX), which is not read; make a table of it, and of all that are "
@@ -86,6 +91,67 @@ std::string_view first_name(std::string_view bytes) {
     return static_cast<std::size_t>(static_cast<unsigned char>(bytes[at]));
   };
   return bytes.substr(kName, byte(kNameSize) + (byte(kNameSize + 1) << 8U));
+}
+
+// What an element says of itself by that name; nothing where it does not.
+std::string_view attribute(std::string_view head, std::string_view name) {
+  const std::size_t at = head.find(name);
+  if (at == std::string_view::npos || at + name.size() + 2 > head.size()) return {};
+  const std::string_view rest = head.substr(at + name.size());
+  if (rest[0] != '=' || (rest[1] != '"' && rest[1] != '\'')) return {};
+  return rest.substr(2, rest.find(rest[1], 2) - 2);
+}
+
+// How names of columns call that unit; nothing of pixels, and of what is not known.
+std::string_view column_unit(std::string_view unit) {
+  struct Named {
+    std::string_view name;
+    std::string_view unit;
+  };
+  constexpr std::array kNamed = {
+      Named{"micron", "um"}, Named{"microns", "um"},    Named{"micrometer", "um"},
+      Named{"um", "um"},     Named{"\xC2\xB5m", "um"},  Named{"\xCE\xBCm", "um"},
+      Named{"mm", "mm"},     Named{"millimeter", "mm"}, Named{"cm", "cm"},
+      Named{"m", "m"},       Named{"sec", "s"},         Named{"s", "s"},
+      Named{"second", "s"},  Named{"seconds", "s"},     Named{"ms", "ms"},
+      Named{"msec", "ms"},   Named{"min", "min"}};
+  const auto* const found = std::find_if(kNamed.begin(), kNamed.end(),
+                                         [unit](const Named& named) { return named.name == unit; });
+  return found == kNamed.end() ? std::string_view() : found->unit;
+}
+
+bool is_positive_number(std::string_view text) {
+  double number = 0.0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  return read.ec == std::errc() && read.ptr == text.data() + text.size() && number > 0.0;
+}
+
+// Places and times are in the units that the file names: these are not left to be guessed.
+std::string words_of_tracks(std::string_view head) {
+  const std::string_view length = column_unit(attribute(head, " spaceUnits"));
+  const std::string_view interval = attribute(head, " frameInterval");
+  const std::string_view time = column_unit(attribute(head, " timeUnits"));
+  const bool timed = (time == "s" || time == "ms") && is_positive_number(interval);
+  std::string words(kTrackMateTracks);
+  words += timed ? "id,time_" : "id,frame";
+  if (timed) words += time;
+  for (const std::string_view axis : {",x", ",y", ",z"}) {
+    words += axis;
+    if (!length.empty()) words.append("_").append(length);
+  }
+  words += "'); [print(i, ";
+  if (timed) words.append("float(d.get('t')) * ").append(interval);
+  words += timed ? "" : "d.get('t')";
+  words += kTrackMateSpots;
+  const std::string_view unit = attribute(head, " spaceUnits");
+  if (length.empty()) {
+    words += ", which is read with --scale (how long one ";
+    words += unit.empty() ? "unit" : unit;
+    words += timed ? " is)" : " is) and --fps";
+  } else if (!timed) {
+    words += ", which is read with --fps";
+  }
+  return words;
 }
 
 }  // namespace
@@ -122,7 +188,7 @@ std::string words_of_xml(std::string_view bytes) {
   constexpr std::size_t kHead = 1024;
   const std::string_view head = bytes.substr(0, kHead);
   if (head.find("<TrackMate") != std::string_view::npos) return std::string(kTrackMate);
-  if (head.find("<Tracks ") != std::string_view::npos) return std::string(kTrackMateTracks);
+  if (head.find("<Tracks ") != std::string_view::npos) return words_of_tracks(head);
   if (head.find("<gpx") != std::string_view::npos) return std::string(kGpx);
   return {};
 }

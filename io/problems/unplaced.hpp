@@ -22,7 +22,9 @@ inline constexpr LeftOutReason kOutlier = {
     "marked as outliers (visible=false, ...-marked-outlier=true)", {}, true};
 // Of tags that write what they measure between their places in the same table.
 inline constexpr LeftOutReason kSensorsOnly = {
-    "of sensors alone (datatype SEN...), which never have a place", {}, true};
+    "of sensors alone (datatype SEN..., sensor-type acceleration), which never have a place",
+    {},
+    true};
 // By StalePlaces.
 inline constexpr LeftOutReason kStalePlace = {
     "whose place stays exactly the same for more than 3 s though their speed is more than 3 m/s",

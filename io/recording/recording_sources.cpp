@@ -216,16 +216,39 @@ bool is_bag_folder(const Listed& found, const std::string& folder) {
          });
 }
 
+// All files of a folder with the ending of that one, as a shell takes it.
+std::string all_alike(const std::string& path) {
+  const std::filesystem::path file(path);
+  const std::string folder = file.parent_path().string();
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./";
+  const bool plain = folder.find_first_not_of(kPlain) == std::string::npos;
+  return (plain ? folder : "'" + folder + "'") + "/*" + file.extension().string();
+}
+
+// Of lines that take several files: as if they had been told of all that are alike.
+bool name_all_alike(const std::string& first, std::string& message) {
+  constexpr std::string_view kFirst = "\" FILE";
+  constexpr std::string_view kOthers = ", with the names of the others behind the first one";
+  const std::size_t at = message.find(kFirst);
+  const std::size_t others = message.find(kOthers);
+  if (at == std::string::npos || others == std::string::npos) return false;
+  message.erase(others, kOthers.size());
+  message.replace(at, kFirst.size(), "\" " + all_alike(first));
+  return true;
+}
+
 // Of what other programs wrote, what to do with the first one, and so with the others.
 std::optional<Error> first_foreign(const std::vector<std::string>& others) {
-  constexpr std::size_t kHead = 4096;
+  // As much as names in it are looked for from the beginning on.
+  constexpr std::size_t kHead = std::size_t{1} << 22;
   std::string head(kHead, '\0');
   std::ifstream file(others.front(), std::ios::binary);
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
   if (!is_foreign_file(head)) return std::nullopt;
   std::string message = "this is " + words_of_signature(head);
-  if (others.size() > 1) {
+  if (others.size() > 1 && !name_all_alike(others.front(), message)) {
     message += "; likewise " + std::to_string(others.size() - 1) + " more in this folder";
   }
   return Error{ErrorCode::kUnsupportedFormat, std::move(message), {others.front()}};

@@ -60,6 +60,9 @@ void settle_animals(const Header& header, TrackLayout& layout) {
     const auto words = split_words(header.table().names[i]);
     if (words == std::vector<std::string>{"visible"}) layout.visible = i;
     if (words == std::vector<std::string>{"sensor", "type"}) layout.sensor = i;
+    if (words == std::vector<std::string>{"sensor", "type", "id"} && !layout.sensor) {
+      layout.sensor = i;
+    }
     // "Argos" or "FastGPS"
     const bool of_seals = source->name == "Wildlife Computers";
     if (of_seals && words == std::vector<std::string>{"type"}) layout.sensor = i;

@@ -10,6 +10,10 @@
 #include "io/table/record_problems.hpp"
 #include "io/tracks/track_aircraft.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace beespace::io {
@@ -27,6 +31,28 @@ bool is_of_sensors(std::string_view datatype) {
   return without_padding(datatype).starts_with("SEN");
 }
 
+// As Movebank calls what it has of a tag beside its places, and by the numbers of these kinds.
+bool is_beside_places(std::string_view sensor) {
+  constexpr std::array kKinds = {std::string_view("acceleration"),
+                                 std::string_view("accessory-measurements"),
+                                 std::string_view("accessory measurements"),
+                                 std::string_view("barometer"),
+                                 std::string_view("magnetometer"),
+                                 std::string_view("gyroscope"),
+                                 std::string_view("orientation"),
+                                 std::string_view("2365683"),
+                                 std::string_view("7842954")};
+  const std::string kind = lower_case(without_padding(sensor));
+  return std::find(kKinds.begin(), kKinds.end(), kind) != kKinds.end();
+}
+
+bool is_only_of_sensors(const TextInSlot& text_in) {
+  const std::string sensor = text_in(TrackSlot::kSensor);
+  if (is_of_sensors(sensor)) return true;
+  return is_beside_places(sensor) && is_unknown(without_padding(text_in(TrackSlot::kPosition))) &&
+         is_unknown(without_padding(text_in(TrackSlot::kPosition + 1)));
+}
+
 // As the owner of the data has marked it.
 bool is_outlier(const TrackLayout& layout, const TextInSlot& text_in) {
   if (layout.visible && says_no(text_in(TrackSlot::kVisible))) return true;
@@ -41,7 +67,7 @@ bool is_outlier(const TrackLayout& layout, const TextInSlot& text_in) {
 
 const LeftOutReason* reason_by_marks(const TrackLayout& layout, const TextInSlot& text_in) {
   if (is_outlier(layout, text_in)) return &kOutlier;
-  if (layout.sensor && is_of_sensors(text_in(TrackSlot::kSensor))) return &kSensorsOnly;
+  if (layout.sensor && is_only_of_sensors(text_in)) return &kSensorsOnly;
   if (layout.quality && says_no_fix(*layout.quality, text_in(TrackSlot::kQuality))) return &kNoFix;
   if (layout.place_known && says_no(text_in(TrackSlot::kPlaceKnown))) return &kDoubtedPlace;
   if (layout.height_known && says_no(text_in(TrackSlot::kHeightKnown))) return &kDoubtedHeight;

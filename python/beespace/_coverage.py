@@ -61,7 +61,8 @@ class Coverage:
         Of how many agents it is not known when they were where they say: their clocks do not go on
         as that of the log.
     rough_count : int
-        How many agents have places that are off by kilometres, as those of Argos are.
+        How many agents have places that are off by kilometres, as those of Argos are, or that are
+        written with so few decimals that some may be closer than the threshold after all.
 
     Examples
     --------

@@ -393,7 +393,7 @@ TEST(Animals, PlacesByArgosAreNoAllClear) {
   const Finished finished = run(replay, storks("argos-doppler-shift"));
   EXPECT_EQ(finished.exit_code, 1);
   expect_parts(finished.err, {"2 places are by the Doppler shift of Argos (sensor-type)",
-                              "no conflict in the known time; 1 bee has places off by kilometres"});
+                              "no conflict in the known time; 1 bee has places too rough to tell"});
 }
 
 // Collars of which some tell no height at all: over ground they can be compared.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -100,6 +101,33 @@ TEST(FormatsOfAnimals, RecordsOfSensorsAreNoLostPlaces) {
   EXPECT_TRUE(recording.bees[0].lost.empty());
   EXPECT_TRUE(recording.of_animals);
   EXPECT_TRUE(has_note(recording, "20 records of sensors alone"));
+}
+
+// Tags write accelerations between their places, which Movebank puts into the same table; a place
+// that is missing in a record of GPS is missing.
+TEST(FormatsOfAnimals, RecordsOfAccelerationAreNoLostPlaces) {
+  for (const auto& [column, gps, acceleration] :
+       {std::array<std::string, 3>{"sensor-type", "gps", "acceleration"},
+        std::array<std::string, 3>{"sensor-type-id", "653", "2365683"}}) {
+    std::string table = "timestamp,location-long,location-lat," + column +
+                        ",individual-local-identifier,study-name\n";
+    for (int minute = 10; minute < 20; ++minute) {
+      const std::string time = "2024-05-03 00:" + std::to_string(minute);
+      table += time;
+      table += ":00.000,9.0001,47.5001," + gps + ",deer,s\n";
+      for (const char* const second : {":20.000,,,", ":40.000,,,"}) {
+        table += time;
+        table += second;
+        table += minute == 15 ? gps : acceleration;
+        table += ",deer,s\n";
+      }
+    }
+    const auto recording = recording_of(record(table));
+    ASSERT_EQ(recording.bees.size(), 1U);
+    EXPECT_EQ(recording.bees[0].fixes.size(), 10U);
+    EXPECT_EQ(recording.bees[0].lost.size(), 1U) << column;
+    EXPECT_TRUE(has_note(recording, "18 records of sensors alone"));
+  }
 }
 
 const std::string kSeals =
