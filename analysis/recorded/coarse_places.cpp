@@ -128,6 +128,7 @@ void judge_places(const std::vector<PlaceSteps>& steps, io::Frame frame,
   double next_m = 0.0;
   std::size_t coarse = 0;
   for (const PlaceSteps& each : steps) {
+    if (!question.unmoved && !each.moves()) continue;
     const double each_m = each.coarse_m(frame, most_decimals);
     if (each_m > kCoarseShare * question.threshold_m) ++coarse;
     next_m = std::max(next_m, std::min(most_m, each_m));

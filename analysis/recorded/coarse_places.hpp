@@ -31,6 +31,7 @@ class PlaceSteps {
 
   // How many decimals its places have, as an index that is greater the more these are.
   [[nodiscard]] std::size_t decimals() const;
+  [[nodiscard]] bool moves() const { return moves_; }
   // How far apart two neighbouring places are at most that can be written; 0 where nothing shows
   // that places are rounded. `most_decimals` is the greatest of all bees.
   [[nodiscard]] double coarse_m(io::Frame frame, std::size_t most_decimals) const;
@@ -59,6 +60,9 @@ struct CoarseQuestion {
   bool conflicts;  // there are some: that is no all-clear in any case
   // Of all encounters; nothing where there is none, which leaves nothing to tell.
   std::optional<double> closest_m;
+  // Whether places that never change count: not where nobody looked for who is closest, as round
+  // ones of two who stand far apart hide nothing.
+  bool unmoved = true;
 };
 
 // Of a search. With a vertical threshold distances in space tell nothing: any two may be that

@@ -221,7 +221,8 @@ class Replaying {
         analysis::coverage_of(recording_, found_.gaps, max_gap_, intervals_);
     // Who is closest of those without a conflict is not looked for.
     analysis::judge_places(steps_, recording_.frame,
-                           {threshold_m_, !found_.conflicts.empty(), threshold_m_}, coverage);
+                           {threshold_m_, !found_.conflicts.empty(), threshold_m_, false},
+                           coverage);
     analysis::Findings findings{recording_, tracks_,  tracks_,          found_,
                                 closest_,   coverage, facts_.encounters};
     findings.velocities_passed_over = any_velocity_ && !request_.straight;
