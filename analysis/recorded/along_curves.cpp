@@ -133,7 +133,7 @@ Result<std::vector<Conflict>> along_curves(const Conflict& conflict, const Fligh
       if (!added) return added.error();
     }
   }
-  if (!together && conflict.certain) return std::vector{conflict};
+  if (!together) return std::vector{conflict};
   for (Conflict& one : found) {
     one.first = conflict.first;
     one.second = conflict.second;

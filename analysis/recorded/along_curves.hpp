@@ -15,7 +15,7 @@ namespace beespace::analysis {
 // may be closer for all that it knows, as where they hover exactly the threshold apart. Within a
 // piece of both curves all from the first to the last instant at which they are closer is one,
 // known to a microsecond and never too short. Where the two flights are not there at the same time,
-// the conflict as it is, if it is certain.
+// nothing excludes the conflict: it stays as it is.
 Result<std::vector<Conflict>> along_curves(const Conflict& conflict, const Flight& first,
                                            const Flight& second, double threshold_m);
 

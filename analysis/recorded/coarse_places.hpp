@@ -60,7 +60,7 @@ struct CoarseQuestion {
   bool conflicts;  // there are some: that is no all-clear in any case
   // Of all encounters; nothing where there is none, which leaves nothing to tell.
   std::optional<double> closest_m;
-  // Whether places that never change count: not where nobody looked for who is closest, as round
+  // Whether places that never change count: not where the closest two were not looked for, as round
   // ones of two who stand far apart hide nothing.
   bool unmoved = true;
 };

@@ -15,9 +15,8 @@ std::string jumps_in(const std::string& bee, const std::string& line, double tim
 
 std::string jump_text(const std::string& bee, const std::string& line, double time_s) {
   return jumps_in(bee, line, time_s) +
-         "faster than anything that flies, than it says itself, or, there and back, than it ever "
-         "moves "
-         "elsewhere: a place or a time is wrong\n";
+         "faster than anything that flies, than it says itself, "
+         "or, there and back, than it ever moves elsewhere: a place or a time is wrong\n";
 }
 
 std::string thawed_text(const std::string& bee, const std::string& line, double time_s) {

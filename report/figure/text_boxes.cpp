@@ -7,7 +7,6 @@
 
 namespace beespace::report {
 
-// What a text covers, without a margin.
 Box box_of_text(const Text& text) {
   constexpr double kBolder = 1.1;  // how much wider bold text is
   const double width = (text.bold ? kBolder : 1.0) * text_width(text.text, text.size);
