@@ -42,6 +42,11 @@ struct Unit {
   const char* name;
 };
 
+// Rounded once: so many small units make a metre, and that number is exact.
+double in_metres(double value, const Unit& unit) {
+  return unit.metres < 1.0 ? value / std::round(1.0 / unit.metres) : value * unit.metres;
+}
+
 // `usual` is what the length would be called, with this unit.
 std::string told_below(double limit_m, double metres, const std::string& usual, const Unit& unit) {
   constexpr std::size_t kMostDecimals = 17;
@@ -54,7 +59,7 @@ std::string told_below(double limit_m, double metres, const std::string& usual, 
         digits_of(metres / unit.metres, std::chars_format::fixed, static_cast<int>(decimals));
     double told = 0.0;
     std::from_chars(digits.data(), digits.data() + digits.size(), told);
-    if (told * unit.metres < limit_m) return first ? usual : grouped(digits) + ' ' + unit.name;
+    if (in_metres(told, unit) < limit_m) return first ? usual : grouped(digits) + ' ' + unit.name;
   }
   return grouped(digits_of(metres, std::chars_format::fixed)) + " m";
 }
@@ -119,7 +124,8 @@ std::string short_label(double value) {
 
 std::string length_label(double metres) {
   const double size = std::abs(metres);
-  if (size > 0.0 && size < 1e-6) return "under 0.001 mm";
+  if (size > 0.0 && size < 1e-6) return "under 1 \u00B5m";
+  if (size > 0.0 && size < kTiny_m) return short_label(metres * 1e6) + " \u00B5m";
   if (size > 0.0 && size < 0.1) return short_label(metres * 1e3) + " mm";
   if (size < 10'000.0) return short_label(metres) + " m";
   return short_label(metres / 1e3) + " km";
@@ -135,7 +141,7 @@ namespace {
 
 // In which lengths beside that limit are told, where both are small.
 std::optional<Unit> small_unit(double limit_m, double metres) {
-  if (limit_m < 1e-5 && metres < 1e-3) return Unit{1e-6, "\u00B5m"};
+  if (limit_m < kTiny_m && metres < 1e-3) return Unit{1e-6, "\u00B5m"};
   if (limit_m < 0.01 && metres < 1.0) return Unit{1e-3, "mm"};
   return std::nullopt;
 }
@@ -155,7 +161,8 @@ std::string in_small_unit(double limit_m, double metres, const Unit& unit) {
 std::string length_label_below(double limit_m, double metres) {
   if (is_next_to_nothing(limit_m, metres)) return kNextToNothing;
   if (const auto small = small_unit(limit_m, metres)) return in_small_unit(limit_m, metres, *small);
-  const Unit unit = metres < 0.1        ? Unit{1e-3, "mm"}
+  const Unit unit = metres < kTiny_m    ? Unit{1e-6, "\u00B5m"}
+                    : metres < 0.1      ? Unit{1e-3, "mm"}
                     : metres < 10'000.0 ? Unit{1.0, "m"}
                                         : Unit{1e3, "km"};
   return told_below(limit_m, metres, length_label(metres), unit);

@@ -15,10 +15,13 @@ std::string count_label(std::uint64_t count, std::string_view one, std::string_v
 // With a fixed number of decimals: "\u22121,234.50"; very large ones as "1.2e+15". Never "-0".
 std::string decimal_label(double value, int decimals);
 
+// Lengths below this are told in micrometres, as of cells.
+inline constexpr double kTiny_m = 1e-4;
+
 // With three digits that count, or all before the point: "0.0571", "57.3", "1,234".
 std::string short_label(double value);
 
-// A length with its unit: "0 m", "5 mm", "57.3 m", "12.4 km".
+// A length with its unit: "0 m", "6 µm", "5 mm", "57.3 m", "12.4 km".
 std::string length_label(double metres);
 
 // The same for lists: to a millimetre below 100 m.

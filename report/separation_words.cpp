@@ -12,7 +12,9 @@ constexpr AxisUnit kMile{1852.0, "NM"};
 constexpr AxisUnit kFoot{0.3048, "ft"};
 constexpr AxisUnit kKilometre{1e3, "km"};
 constexpr AxisUnit kMillimetre{1e-3, "mm"};
+constexpr AxisUnit kMicrometre{1e-6, "\u00B5m"};
 constexpr double kSmall_m = 0.1;  // what is shorter is told in millimetres
+constexpr double kLongInMicrometres_m = 0.01;
 constexpr double kLongInMillimetres_m = 10.0;
 
 // By a rounding of instants since 1970.
@@ -38,13 +40,15 @@ std::string in_unit(double metres, double limit_m, const AxisUnit& unit, int dec
   return decimal_label(value, decimals) + " " + unit.name;
 }
 
-// Of millimetres: what is less than one has two digits that say something.
-int small_decimals(double metres) {
+// What is less than one of a small unit has two digits that say something.
+int small_decimals(double metres, const AxisUnit& unit) {
   int decimals = 1;
-  for (double least_mm = 1.0; decimals < 5 && metres / kMillimetre.metres < least_mm; ++decimals) {
-    least_mm /= 10.0;
-  }
+  for (double least = 1.0; decimals < 5 && metres / unit.metres < least; ++decimals) least /= 10.0;
   return metres > 0.0 ? decimals : 1;
+}
+
+AxisUnit metric_unit(double limit_m) {
+  return limit_m < kTiny_m ? kMicrometre : limit_m < kSmall_m ? kMillimetre : AxisUnit{};
 }
 
 bool is_known(const std::optional<Apart>& apart) {
@@ -54,19 +58,21 @@ bool is_known(const std::optional<Apart>& apart) {
 }  // namespace
 
 AxisUnit distance_unit(const SwarmFacts& swarm) {
-  if (!swarm.aviation) return swarm.threshold_m < kSmall_m ? kMillimetre : AxisUnit{};
+  if (!swarm.aviation) return metric_unit(swarm.threshold_m);
   return swarm.threshold_m >= kMile.metres ? kMile : kFoot;
 }
 
 AxisUnit height_unit(const SwarmFacts& swarm) {
   if (swarm.aviation) return kFoot;
-  return swarm.vertical_m.value_or(swarm.threshold_m) < kSmall_m ? kMillimetre : AxisUnit{};
+  return metric_unit(swarm.vertical_m.value_or(swarm.threshold_m));
 }
 
 AxisUnit axis_unit(const SwarmFacts& swarm, double length_m) {
   if (swarm.aviation) return length_m >= 5.0 * kMile.metres ? kMile : distance_unit(swarm);
   if (length_m >= 20.0 * kKilometre.metres) return kKilometre;
-  return length_m < kLongInMillimetres_m ? distance_unit(swarm) : AxisUnit{};
+  if (length_m >= kLongInMillimetres_m) return AxisUnit{};
+  const AxisUnit unit = distance_unit(swarm);
+  return unit.metres == kMicrometre.metres && length_m >= kLongInMicrometres_m ? kMillimetre : unit;
 }
 
 std::string distance_words(const SwarmFacts& swarm, double metres) {
@@ -103,9 +109,10 @@ std::string listed_apart(const SwarmFacts& swarm, double metres,
                          const std::optional<Apart>& apart) {
   if (!swarm.vertical_m || !is_known(apart)) {
     if (swarm.aviation) return distance_words(swarm, metres);
-    const bool small = distance_unit(swarm).metres == kMillimetre.metres;
-    return small ? in_unit(metres, swarm.threshold_m, kMillimetre, small_decimals(metres))
-                 : listed_length_below(swarm.threshold_m, metres);
+    const AxisUnit unit = distance_unit(swarm);
+    return unit.metres < 1.0
+               ? in_unit(metres, swarm.threshold_m, unit, small_decimals(metres, unit))
+               : listed_length_below(swarm.threshold_m, metres);
   }
   if (swarm.aviation) {
     return distance_words(swarm, apart->horizontal_m) + ", " + height_words(swarm, apart->height_m);

@@ -120,6 +120,22 @@ CoarseQuestion coarse_question(const PathVerdict& verdict, const PathQuestion& q
   return {question.threshold_m, !verdict.losses.empty(), closest_m};
 }
 
+void judge_accuracy(const io::StatedAccuracy& accuracy, const CoarseQuestion& question,
+                    Coverage& coverage) {
+  double most_m = 0.0;
+  double next_m = 0.0;
+  std::size_t coarse = 0;
+  for (const double each_m : accuracy.medians_m) {
+    if (each_m > kCoarseShare * question.threshold_m) ++coarse;
+    next_m = std::max(next_m, std::min(most_m, each_m));
+    most_m = std::max(most_m, each_m);
+  }
+  if (coarse == 0 || !may_be_closer(question, most_m + next_m)) return;
+  coverage.coarse = coarse;
+  coverage.coarse_m = most_m;
+  coverage.coarse_by = accuracy.column;
+}
+
 void judge_places(const std::vector<PlaceSteps>& steps, io::Frame frame,
                   const CoarseQuestion& question, Coverage& coverage) {
   std::size_t most_decimals = 0;
@@ -148,6 +164,7 @@ void judge_places(const io::Recording& recording, const CoarseQuestion& question
     for (const Fix& fix : recording.bees[i].fixes) steps[i].take(fix);
   }
   judge_places(steps, recording.frame, question, coverage);
+  if (coverage.coarse == 0) judge_accuracy(recording.accuracy, question, coverage);
   // Pictures of a film are not cut off.
   if (recording.y_is_down) return;
   const auto speed_mps = speed_of_whole_seconds(recording);

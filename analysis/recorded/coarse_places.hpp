@@ -12,6 +12,7 @@
 #include "analysis/recorded/verify_paths.hpp"
 #include "io/frames/coordinate_frame.hpp"
 #include "io/recording/recording.hpp"
+#include "io/recording/stated_accuracy.hpp"
 
 #include <beespace/conflict.hpp>
 #include <beespace/find_conflicts.hpp>
@@ -76,7 +77,11 @@ CoarseQuestion coarse_question(const PathVerdict& verdict, const PathQuestion& q
 // `steps` of each bee.
 void judge_places(const std::vector<PlaceSteps>& steps, io::Frame frame,
                   const CoarseQuestion& question, Coverage& coverage);
-// The same of a recording with all its fixes, and of its times.
+// The same of places that are written finely, but are that far off by the table itself: half of
+// them, of each bee, or more.
+void judge_accuracy(const io::StatedAccuracy& accuracy, const CoarseQuestion& question,
+                    Coverage& coverage);
+// Both of a recording with all its fixes, and of its times.
 void judge_places(const io::Recording& recording, const CoarseQuestion& question,
                   Coverage& coverage);
 

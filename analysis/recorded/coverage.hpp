@@ -78,6 +78,8 @@ struct Coverage {
   // coarse_places.hpp), and how far apart two that can be written are, at most.
   std::size_t coarse = 0;
   double coarse_m = 0.0;
+  // Or the column by which they are off: half of the places of one of them by that much, or more.
+  std::string coarse_by = {};
   std::string whole_seconds = {};  // what is to be said of times that may be cut off
 
   static constexpr std::size_t kMostNamed = 3;

@@ -104,7 +104,9 @@ std::string unknown_text(const Coverage& coverage, const io::Recording* recordin
   append(missing_text(coverage.missing, noun));
   if (coverage.coarse > 0) {
     append(noun.counted(coverage.coarse) + (coverage.coarse == 1 ? " has" : " have") +
-           " places written in steps of up to " + io::length(coverage.coarse_m));
+           (coverage.coarse_by.empty() ? " places written in steps of up to "
+                                       : " places that are off by up to ") +
+           io::length(coverage.coarse_m));
   }
   return text;
 }

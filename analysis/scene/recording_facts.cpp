@@ -384,6 +384,10 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   Coverage coverage = coverage_of(recording, facts.gaps, max_gap);
   judge_places(recording, coarse_question(options, recorded->conflicts, facts.closest), coverage);
   if (!coverage.whole_seconds.empty()) swarm.notes.push_back(coverage.whole_seconds);
+  if (coverage.bridged) {
+    swarm.notes.push_back("shorter gaps are bridged by straight lines; the longest of these: " +
+                          bridged_text(coverage, recording));
+  }
   const auto uprights = Uprights::of(recording, *in_space, max_gap.seconds);
   if (!uprights) return uprights.error();
   facts.unknown_spans = unknown_spans(recording, facts.gaps, max_gap);

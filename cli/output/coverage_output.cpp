@@ -3,6 +3,7 @@
 #include "cli/console/summary_line.hpp"
 #include "cli/console/terminal.hpp"
 #include "io/bytes/number_text.hpp"
+#include "io/problems/excerpt.hpp"
 
 #include <cstdint>
 #include <string>
@@ -17,6 +18,19 @@ std::string first_ids(const std::vector<std::string>& ids, std::uint64_t count) 
   for (const std::string& id : ids) text += (text.empty() ? "" : ", ") + id;
   if (count > ids.size()) text += ", ...";
   return text;
+}
+
+std::string coarse_text(const analysis::Coverage& coverage) {
+  std::string text = red(io::counted(coverage.coarse, "bee has", "bees have"));
+  if (coverage.coarse_by.empty()) {
+    return text + " places written with few decimals, in steps of up to " +
+           io::length(coverage.coarse_m) +
+           ": two may be closer than the threshold; read places with all their decimals, or ask "
+           "about a greater threshold";
+  }
+  return text + " places of which half or more are off by up to " + io::length(coverage.coarse_m) +
+         " by " + io::excerpt(coverage.coarse_by) +
+         ": two may be closer than the threshold; ask about a greater one";
 }
 
 }  // namespace
@@ -89,14 +103,7 @@ void append_coverage(std::string& out, const analysis::Coverage& coverage,
     }
   }
   append_missing(out, coverage.missing);
-  if (coverage.coarse > 0) {
-    append_summary_line(out, "coarse",
-                        red(io::counted(coverage.coarse, "bee has", "bees have")) +
-                            " places written with few decimals, in steps of up to " +
-                            io::length(coverage.coarse_m) +
-                            ": two may be closer than the threshold; read places with all their "
-                            "decimals, or ask about a greater threshold");
-  }
+  if (coverage.coarse > 0) append_summary_line(out, "coarse", coarse_text(coverage));
   if (!coverage.whole_seconds.empty()) {
     append_summary_line(out, "note", coverage.whole_seconds);
   }

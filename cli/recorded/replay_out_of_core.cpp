@@ -223,6 +223,11 @@ class Replaying {
     analysis::judge_places(steps_, recording_.frame,
                            {threshold_m_, !found_.conflicts.empty(), threshold_m_, false},
                            coverage);
+    if (coverage.coarse == 0) {
+      analysis::judge_accuracy(recording_.accuracy,
+                               {threshold_m_, !found_.conflicts.empty(), threshold_m_, false},
+                               coverage);
+    }
     analysis::Findings findings{recording_, tracks_,  tracks_,          found_,
                                 closest_,   coverage, facts_.encounters};
     findings.velocities_passed_over = any_velocity_ && !request_.straight;

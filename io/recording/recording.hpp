@@ -6,6 +6,7 @@
 
 #include "io/frames/coordinate_frame.hpp"
 #include "io/recording/show_facts.hpp"
+#include "io/recording/stated_accuracy.hpp"
 #include "io/recording/wall_clock.hpp"
 #include "io/units/heights.hpp"
 #include "io/units/time_zone.hpp"
@@ -140,6 +141,7 @@ struct Recording {
   std::vector<Error> skipped;          // with skip_bad: the first bad records
   std::uint64_t skipped_count = 0;
   MissingRecords missing;  // bad records that were skipped are among them
+  StatedAccuracy accuracy = {};
   std::uint64_t bytes = 0;
   // Where of each bee the ends alone are kept: the least and the greatest coordinates of all
   // places.

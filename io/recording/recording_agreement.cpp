@@ -44,6 +44,10 @@ std::string clock_words(const SourceFacts& facts) {
   return facts.clock->dated ? "dates without a time zone" : "times of day without a date";
 }
 
+std::string zero_words(const SourceFacts& facts) {
+  return facts.since_1970 ? "counted from 1970, or of a known time zone" : clock_words(facts);
+}
+
 // As ulog2csv names tables of topics: "drone6_vehicle_gps_position_0.csv".
 bool are_topics_of_px4(std::string_view one, std::string_view other) {
   constexpr std::string_view kTopic = "_vehicle_";
@@ -112,12 +116,10 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   }
   if (facts.since_1970 != facts_->since_1970) {
     return disagree(ErrorCode::kInvalidArgument,
-                    std::string("times here ") +
-                        (facts.since_1970 ? "are counted from 1970" : "have a zero of their own") +
-                        ", but those of " + facts_source_ +
-                        (facts.since_1970 ? " have a zero of their own" : " do not") +
+                    "times here are " + zero_words(facts) + ", but those of " + facts_source_ +
+                        " are " + zero_words(*facts_) +
                         (facts.clock || facts_->clock
-                             ? "; say of dates without a time zone which it is, with --time-zone"
+                             ? "; say which time zone it is, with --time-zone UTC, or Europe/Madrid"
                          : are_topics_of_px4(facts_source_, sources_.back())
                              ? "; tables of topics, as ulog2csv makes them, are no bees each: read "
                                "the logs themselves (.ulg)"

@@ -18,6 +18,7 @@
 #include "io/recording/recording_options.hpp"
 #include "io/recording/ros_frames.hpp"
 #include "io/recording/set_names.hpp"
+#include "io/recording/stated_accuracy.hpp"
 #include "io/recording/track_gathering.hpp"
 #include "io/units/heights.hpp"
 #include "io/units/unit_taken.hpp"
@@ -208,6 +209,10 @@ class RecordingAssembly {
   }
   // A place of that bee is one of Argos' Doppler shifts, which may be off by kilometres.
   void take_rough(std::string_view id);
+  // A place of that bee may be off by so much, as that column says.
+  void take_accuracy(std::string_view id, double off_m, std::string_view column) {
+    accuracy_.take(id, off_m, column);
+  }
   // A report of an aircraft, in a format in which it may say that it is on the ground: where it is
   // kept, and where it is not since it says so, which is counted once it is known whether it flies.
   void flies_at(std::string_view id, const Fix& fix);
@@ -306,6 +311,7 @@ class RecordingAssembly {
   std::unordered_set<std::string> on_surface_;                   // by id
   std::uint64_t kept_in_flight_ = 0;
   std::uint64_t doubted_standing_ = 0;
+  AccuracyGathering accuracy_;
   std::uint64_t rough_records_ = 0;
   std::unordered_set<std::string> rough_ids_;
   std::uint64_t missing_ = 0;  // records

@@ -311,6 +311,7 @@ Result<Recording> RecordingAssembly::finish() {
   }
   if (!frame_is_settled_) find_doubtful_tracks();
   recording_.missing = missing();
+  recording_.accuracy = accuracy_.found();
   recording_.bees = tracks_.release();
   if (auto error = own_grounds()) return *std::move(error);
   for (RecordedBee& bee : recording_.bees) {

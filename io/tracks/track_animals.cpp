@@ -5,6 +5,8 @@
 #include "io/table/table_sources.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,20 @@ bool names_collars(const Header& header) {
     }
   }
   return false;
+}
+
+// How the animal is called whose collar the id is of: "AnimalID" beside "CollarID", "Device Name"
+// beside "Device ID".
+std::optional<std::size_t> names_of_animals(const Header& header, std::size_t id) {
+  const auto is_of_animal = [&header](std::size_t column) {
+    const auto words = split_words(header.table().names[column]);
+    return !words.empty() && (words.front().starts_with("animal") || words.back() == "name");
+  };
+  if (is_of_animal(id)) return std::nullopt;
+  for (const std::size_t other : header.columns(Role::kId)) {
+    if (other != id && is_of_animal(other)) return other;
+  }
+  return std::nullopt;
 }
 
 // In the words of --columns.
@@ -51,6 +67,10 @@ void settle_animals(const Header& header, TrackLayout& layout) {
   layout.of_animals = of_animals || names_collars(header);
   layout.y_is_down =
       (of_animals && source->name == "TRex") || layout.table.choice.units.front() == Unit::kPixel;
+  const auto& id_column = layout.table.choice.id;
+  if (layout.of_animals && id_column && !header.override_of(Role::kId)) {
+    layout.label = names_of_animals(header, *id_column);
+  }
   if (!of_animals) return;
   layout.no_height = &kUnknownHeight;
   layout.height_columns = height_columns(header, layout);
@@ -78,9 +98,8 @@ void settle_animals(const Header& header, TrackLayout& layout) {
       layout.marked.push_back(i);
     }
     if (words == std::vector<std::string>{"manually", "marked", "valid"}) layout.marked_valid = i;
-    const auto& id = layout.table.choice.id;
     const bool is_tag = words == std::vector<std::string>{"tag", "local", "identifier"};
-    if (is_tag && id && id != i && !header.override_of(Role::kId)) layout.tag = i;
+    if (is_tag && id_column && id_column != i && !header.override_of(Role::kId)) layout.tag = i;
     if (layout.infinite_is_unknown && words == std::vector<std::string>{"missing"}) {
       layout.not_seen = i;
     }

@@ -23,6 +23,7 @@
 #include "io/tracks/ros_table.hpp"
 #include "io/tracks/scaled_degrees.hpp"
 #include "io/tracks/several_vehicles.hpp"
+#include "io/tracks/track_accuracy.hpp"
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_animals.hpp"
 #include "io/tracks/track_columns.hpp"
@@ -178,6 +179,7 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
     if (layout.off_m[i]) fill(*layout.off_m[i], TrackSlot::kOff + i);
   }
   if (layout.sensor) fill(*layout.sensor, TrackSlot::kSensor);
+  if (layout.accuracy) fill(layout.accuracy->column, TrackSlot::kAccuracy);
   if (layout.zone) fill(*layout.zone, TrackSlot::kZone);
   for (std::size_t i = 0; i < layout.sides.size(); ++i) {
     if (layout.sides[i]) fill(*layout.sides[i], TrackSlot::kSide + i);
@@ -324,6 +326,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   if (auto error = doubly_used(track_columns(), columns_read(layout))) return *std::move(error);
   settle_aircraft(header, options, layout);
   settle_animals(header, layout);
+  settle_accuracy(header, layout);
   settle_sets(header, layout);
   settle_scenes(header, options, layout);
   layout.quality = find_fix_quality(text, layout.table);

@@ -92,6 +92,11 @@ struct LocalOrigin {
   std::vector<std::size_t> known = {};
 };
 
+struct AccuracyColumn {
+  std::size_t column;
+  Unit unit;
+};
+
 struct TrackLayout {
   TableLayout table = {};  // the position in table.choice, and the id
   Frame frame = Frame::kAuto;
@@ -139,6 +144,7 @@ struct TrackLayout {
   std::array<std::optional<std::size_t>, 2> off_m = {};  // of PX4: by how much it may be off
   std::optional<std::size_t> not_seen = {};              // of TRex: "missing"
   std::optional<std::size_t> sensor = {};                // of Movebank: which found the place
+  std::optional<AccuracyColumn> accuracy = {};           // how far off each place may be
   std::optional<std::size_t> zone = {};                  // of UTM, in which x and y are counted
   Sides sides = {};                                      // of degrees without a sign
   std::optional<std::size_t> age = {};                   // of aircraft: how old the place is
@@ -203,8 +209,9 @@ struct TrackSlot {
   static constexpr std::size_t kMostScenes = 3;
   static constexpr std::size_t kDue = kScenes + kMostScenes;
   static constexpr std::size_t kLost = kDue + 1;
-  static constexpr std::size_t kOff = kLost + 1;     // two of them
-  static constexpr std::size_t kNothing = kOff + 2;  // where columns go that are not asked for
+  static constexpr std::size_t kOff = kLost + 1;  // two of them
+  static constexpr std::size_t kAccuracy = kOff + 2;
+  static constexpr std::size_t kNothing = kAccuracy + 1;  // where columns go that are not asked for
 };
 
 // By column: which slot it fills. An id may be read from a column that is something else too, but

@@ -330,6 +330,16 @@ void TrackRecordReader::read_claim(TrackRecord& record) {
   record.claim_is_placed = !read_time(record) && !read_position(record);
 }
 
+// What cannot be read is not said.
+void TrackRecordReader::read_accuracy(TrackRecord& record) const {
+  record.off_m = 0.0;
+  if (!layout_.accuracy) return;
+  double value = 0.0;
+  const std::string_view text = without_padding(fields_[TrackSlot::kAccuracy].text);
+  if (is_unknown(text) || read_number(text, value) != NumberKind::kNumber) return;
+  record.off_m = in_metric(value, layout_.accuracy->unit);
+}
+
 std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord& record) {
   record.late_height = {};
   record.is_timed = false;
@@ -389,6 +399,7 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   if (auto problem = read_position(record)) return problem;
   if (auto problem = read_velocity(record)) return problem;
   record.is_timed = false;
+  read_accuracy(record);
   return std::nullopt;
 }
 

@@ -36,9 +36,11 @@ struct TrackRecord {
   std::string_view id = {};      // as long as the line and the reader live
   double time_s = 0.0;           // 0 where there is no time
   std::optional<Doubled> doubled = {};
-  bool is_bare_midnight = false;     // the time is a day alone, taken for its midnight,
-  bool is_midnight = false;          // or midnight, written out
-  bool is_rough = false;             // a place of Argos' Doppler shifts
+  bool is_bare_midnight = false;  // the time is a day alone, taken for its midnight,
+  bool is_midnight = false;       // or midnight, written out
+  bool is_rough = false;          // a place of Argos' Doppler shifts
+  // How far off the place may be by the table itself; 0 where that is not said.
+  double off_m = 0.0;
   bool is_timed = false;             // of one that is left out, or bad: its time is known
   Point position = {};               // metres, or degrees and a height in metres
   double stated_height = 0.0;        // or z, as the input has it
@@ -80,6 +82,7 @@ class TrackRecordReader {
   std::optional<Error> read_position(TrackRecord& record);
   std::optional<Error> read_velocity(TrackRecord& record);
   void read_claim(TrackRecord& record);
+  void read_accuracy(TrackRecord& record) const;
 
   const TrackLayout& layout_;
   bool names_aircraft_;       // which stand on the ground only

@@ -343,6 +343,9 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
       }
     }
     if (record.is_rough) assembly.take_rough(record.id);
+    if (record.off_m > 0.0) {
+      assembly.take_accuracy(record.id, record.off_m, layout.table.names[layout.accuracy->column]);
+    }
     if (record.flies_on_ground) assembly.keep_in_flight();
     if (record.doubts_standing) assembly.doubt_standing();
     if (layout.on_ground && layout.time) {

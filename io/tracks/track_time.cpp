@@ -378,12 +378,13 @@ std::string time_note(const TableLayout& table, const TimeChoice& time, bool ask
   }
   if (time.date) text += " and the day from " + column_text(table, *time.date);
   if (time.clock) {
-    text += time.clock->dated ? " as dates and times of one clock, whose time zone is not known"
-                              : " as times of day of one clock";
+    text += time.clock->dated ? " as dates and times" : " as times of day of one clock";
     text += dates_note(time);
-    return text + (time.clock->dated
-                       ? " and which is not turned; --time-zone UTC, or Europe/Madrid, would say it"
-                       : "");
+    return text +
+           (time.clock->dated
+                ? "; their time zone is not known, so that they are taken for one clock that "
+                  "is never turned (--time-zone UTC, or Europe/Madrid, would say which)"
+                : "");
   }
   if (time.form != TimeForm::kNumbers) {
     text += " as dates and times";

@@ -30,6 +30,8 @@ struct WideLayout {
   TableLayout table;
   std::optional<std::size_t> time;  // none: rows are frames
   std::vector<AnimalColumns> animals;
+  std::size_t ends = 0;  // behind the last column of theirs
+  bool with_probabilities = false;
 };
 
 // "12" of "x12", where the letter is that; of AnimalTA "Arena0_Ind1" of "X_Arena0_Ind1".
@@ -52,6 +54,19 @@ std::string number_behind(char letter, std::string_view name) {
   return known ? std::string(without_padding(name).substr(2)) : std::string();
 }
 
+// idTracker tells beside each how sure it is of the animal: "ProbId12".
+bool is_probability_of(std::string_view number, std::string_view name) {
+  constexpr std::string_view kProbability = "probid";
+  const std::string lower = lower_case(without_padding(name));
+  return lower.starts_with(kProbability) && lower.substr(kProbability.size()) == number;
+}
+
+// UMATracker calls the number of the picture "position".
+bool counts_pictures(std::string_view name) {
+  return read_column_name(track_columns(), name).role == Role::kFrame ||
+         lower_case(without_padding(name)) == "position";
+}
+
 std::optional<WideLayout> wide_layout(std::string_view text) {
   auto table = find_table(text, false);
   if (!table || table->names.size() < 4) return std::nullopt;
@@ -60,17 +75,23 @@ std::optional<WideLayout> wide_layout(std::string_view text) {
   // A time, or the number of the picture, or both.
   std::size_t first = 0;
   while (first < 2 && number_behind('x', names[first]).empty()) {
-    const Role role = read_column_name(track_columns(), names[first]).role;
-    if (role != Role::kTime && role != Role::kFrame) return std::nullopt;
-    if (!wide.time || role == Role::kTime) wide.time = first;
+    const bool time = read_column_name(track_columns(), names[first]).role == Role::kTime;
+    if (!time && !counts_pictures(names[first])) return std::nullopt;
+    if (!wide.time || time) wide.time = first;
     ++first;
   }
-  if ((names.size() - first) % 2 != 0 || names.size() - first < 4) return std::nullopt;
-  for (std::size_t i = first; i < names.size(); i += 2) {
+  for (std::size_t i = first; i + 1 < names.size(); i += 2) {
     std::string number = number_behind('x', names[i]);
     if (number.empty() || number != number_behind('y', names[i + 1])) return std::nullopt;
-    wide.animals.push_back({std::move(number), i, i + 1});
+    wide.animals.push_back({number, i, i + 1});
+    wide.ends = i + 2;
+    if (wide.ends < names.size() && is_probability_of(number, names[wide.ends])) {
+      wide.with_probabilities = true;
+      ++wide.ends;
+      ++i;
+    }
   }
+  if (wide.ends != names.size() || wide.animals.size() < 2) return std::nullopt;
   return wide;
 }
 
@@ -121,7 +142,8 @@ std::optional<Error> read_wide_table(std::string_view text, RecordingAssembly& a
   if (auto error = no_record_problem(text, wide->table)) return error;
   LongRecords records;
   records.text = long_text(text, *wide);
-  records.names = {wide->time ? wide->table.names[*wide->time] : "frame", "id", "x", "y"};
+  const bool pictures = !wide->time || counts_pictures(wide->table.names[*wide->time]);
+  records.names = {pictures ? "frame" : wide->table.names[*wide->time], "id", "x", "y"};
   // idtracker.ai and AnimalTA count seconds.
   const std::string time = lower_case(without_padding(records.names.front()));
   const bool unsaid = assembly.options().time_unit == Unit::kUnstated;
@@ -129,9 +151,11 @@ std::optional<Error> read_wide_table(std::string_view text, RecordingAssembly& a
   records.lines_before = wide->table.lines_before;
   records.per_line = wide->animals.size();
   const bool of_animalta = wide->animals.front().number.starts_with("Arena");
+  const char* const written_by = of_animalta                ? "AnimalTA"
+                                 : wide->with_probabilities ? "idTracker"
+                                                            : "idtracker.ai";
   records.note = "columns of " + std::to_string(wide->animals.size()) +
-                 " animals stand beside each other, as " +
-                 (of_animalta ? "AnimalTA" : "idtracker.ai") + " writes them" +
+                 " animals stand beside each other, as " + written_by + " writes them" +
                  (wide->time ? "" : "; there is no time: rows are taken for frames");
   records.description = "text, columns for each animal";
   records.of_animals = true;

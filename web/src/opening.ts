@@ -26,13 +26,20 @@ function selectedBy(swarmAt: number, [bee, other = null]: (number | null)[], { s
   return { swarm: swarmAt, bee, other: other === bee ? null : other, place: place < 0 ? null : place };
 }
 
+/** Of few it is seen at once where each came from; of many the trails would hide them. */
+const kFew = 20;
+
+function showsTrails({ swarms }: Pick<Opening, 'swarms'>): boolean {
+  return swarms.every(({ kind, head }) => kind === 'recording' && head.count <= kFew);
+}
+
 /** Sets the time, the filter and the camera; returns who is to be selected once names are known. */
 export function open(opening: Opening, usualLift: number): Selected | null {
   const { swarms, choices, times } = opening;
   const address = readAddress(location.hash);
   choices.lift.set(address.lift ?? usualLift);
   choices.filter.set({ atRiskOnly: address.atRiskOnly, group: address.group });
-  choices.trails.set(address.trails);
+  choices.trails.set(address.trails ?? showsTrails(opening));
   choices.vectors.set(address.vectors);
   choices.colourBy.set(address.colourBy);
   if (address.time_s !== null) times.clock.go(address.time_s);
@@ -68,6 +75,7 @@ export function linkTo({ swarms, views, choices, times }: Opening, usualLift: nu
     time: moving ? times.clock.time : null,
     playing: moving ? times.clock.playing : null,
     camera: () => views[0]?.sight.camera ?? null,
+    usualTrails: showsTrails({ swarms }),
     usualLift,
   };
   return {

@@ -178,7 +178,7 @@ TEST(Animals, TrackdfHasNaAndTimesOfAClock) {
   expect_closest(finished, "1", "2", 43246.791501, 27.968892);
   expect_closest(finished, "1", "3", 43252.000000, 18.673202);
   expect_parts(finished.err, {"22 records without a place (empty, NA or NaN) are left out",
-                              "1 bee in 1 gap", "one clock, whose time zone is not known",
+                              "1 bee in 1 gap", "their time zone is not known",
                               "from       2021-03-01 12:00:00.000 to 2021-03-01 12:01:14.000",
                               "at 2021-03-01 12:00:52.000"});
   const Finished zoned =
@@ -215,6 +215,58 @@ TEST(Animals, IdtrackerHasColumnsForEachAnimal) {
   const Finished rows = run({"replay", "--scale", "1", "--fps", "2", "--threshold", "9"},
                             "x1,y1,x2,y2\n0,0,8,0\n2,0,6,0\n");
   expect_parts(rows.err, {"rows are taken for frames", "4.000 m apart at 0.50 s"});
+  const Finished sure = run({"replay", "--scale", "1", "--fps", "2", "--threshold", "9"},
+                            "X1\tY1\tProbId1\tX2\tY2\tProbId2\n0\t0\t0.99\t8\t0\t0.9\n"
+                            "2\t0\t0.99\t6\t0\tNaN\n");
+  expect_parts(sure.err, {"2 animals stand beside each other, as idTracker writes them",
+                          "4.000 m apart at 0.50 s"});
+  const Finished pictures = run({"replay", "--scale", "1", "--fps", "2", "--threshold", "9"},
+                                "position,x0,y0,x1,y1\n0,0,0,8,0\n1,2,0,6,0\n");
+  expect_parts(pictures.err, {"4.000 m apart at 0.50 s"});
+}
+
+// A collar is one animal's after another's, so that its number stays the id.
+TEST(Animals, CollarsAreCalledAfterTheirAnimals) {
+  const Finished finished = run({"replay", "--threshold", "50", "--report", "pairs", "--csv"},
+                                "CollarID,UTC_Date,UTC_Time,Latitude [°],Longitude [°],AnimalID\n"
+                                "32145,24.10.2024,00:00:00,52.8970,9.0970,F1\n"
+                                "32146,24.10.2024,00:00:00,52.8971,9.0970,M3\n"
+                                "32145,24.10.2024,00:10:00,52.8970,9.0970,F1\n"
+                                "32146,24.10.2024,00:10:00,52.8971,9.0970,M3\n");
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_parts(finished.err, {"'CollarID', not from column 6 'AnimalID'", "32145 (F1)"});
+  expect_parts(finished.out, {"F1", "M3"});
+}
+
+// By the estimate of the receiver itself.
+TEST(Animals, PlacesThatAreOffByTheirOwnAccuracyAreNoAllClear) {
+  const auto deer = [](const char* accuracy) {
+    std::string table =
+        "timestamp,location-long,location-lat,eobs:horizontal-accuracy-estimate,sensor-type,"
+        "individual-local-identifier\n";
+    for (const char* const name : {"A", "B"}) {
+      for (int i = 0; i < 24; ++i) {
+        table += "2024-05-03 00:" + std::to_string(10 + i) + ":00.000,9.20" +
+                 std::to_string(10'000 + 37 * i % 41) + (*name == 'A' ? ",47.7000" : ",47.7006") +
+                 std::to_string(100 + 53 * i % 61) + "," + accuracy + ",gps," + name + "\n";
+      }
+    }
+    return table;
+  };
+  const Arguments replay = {"replay", "--threshold", "50", "--fail-on-risk"};
+  const Finished rough = run(replay, deer("180.2"));
+  EXPECT_EQ(rough.exit_code, 1) << rough.err;
+  expect_parts(rough.err, {"2 bees have places that are off by up to 1",
+                           "by 'eobs:horizontal-accuracy-estimate'", "in the known time"});
+  for (const char* const accuracy : {"3.5", "", "NaN"}) {
+    const Finished fine = run(replay, deer(accuracy));
+    EXPECT_EQ(fine.exit_code, 0) << accuracy << fine.err;
+    expect_parts(fine.err, {"keeps its distance"});
+  }
+  const TemporaryFolder folder;
+  const Finished large = run({"replay", folder.file("deer.csv", deer("180.2")), "--threshold", "50",
+                              "--fail-on-risk", "--memory", "40MB"});
+  EXPECT_EQ(large.exit_code, 1) << large.err;
 }
 
 // A file an individual; where it was not seen it is at infinity.

@@ -139,8 +139,9 @@ TEST(RecordingFiles, FilesMustAgreeOnWhatTimesAre) {
   const std::string snapshot = folder.write("3.csv", "id,x,y,z,vx,vy,vz\nd,1,2,3,4,5,6\n");
   expect_error(load_recording({seconds, dates}),
                {ErrorCode::kInvalidArgument, dates, "times here are counted from 1970"});
-  expect_error(load_recording({dates, seconds}),
-               {ErrorCode::kInvalidArgument, seconds, "times here have a zero of their own"});
+  expect_error(
+      load_recording({dates, seconds}),
+      {ErrorCode::kInvalidArgument, seconds, "times here are counted from a zero of their own"});
   expect_error(load_recording({seconds, snapshot}),
                {ErrorCode::kMissingColumn, snapshot, "there is no time here, but one in"});
 }

@@ -59,7 +59,7 @@ function recordingRows(risk: RecordingRisk, count: number, duration_s: number, {
     ...(risk.possible > 0 ? [countRow('Of these only possible', risk.possible)] : []),
     countRow('Pairs in conflict', risk.pairs),
     {
-      label: `Time in conflict, all ${several}`,
+      label: `Time in conflict, summed over ${several}`,
       value: formatDuration(risk.bee_seconds),
       number: risk.bee_seconds,
       unit: 'seconds',

@@ -12,7 +12,8 @@ export interface Address {
   camera: number[] | null;
   atRiskOnly: boolean;
   group: { swarm: number; place: number } | null;
-  trails: boolean;
+  /** Null: as the page shows them by itself. */
+  trails: boolean | null;
   vectors: boolean;
   colourBy: ColourBy;
   lift: number | null;
@@ -25,7 +26,7 @@ const kPlain: Address = {
   camera: null,
   atRiskOnly: false,
   group: null,
-  trails: false,
+  trails: null,
   vectors: false,
   colourBy: 'nearest',
   lift: null,
@@ -54,7 +55,7 @@ export function readAddress(hash: string): Address {
     camera: numbersOf(given.get('camera'), [7]),
     atRiskOnly: given.get('only') === 'risk',
     group: group && group.every(isPlace) ? { swarm: group[0], place: group[1] } : null,
-    trails: given.get('trails') === '1',
+    trails: given.has('trails') ? given.get('trails') === '1' : null,
     vectors: given.get('vectors') === '1',
     colourBy: kColourings.find((one) => one === given.get('colour')) ?? 'nearest',
     lift: lift !== null && lift >= 1 ? lift : null,
@@ -70,7 +71,7 @@ export function writeAddress(address: Partial<Address>): string {
     bees.length > 0 ? `bees=${bees.join(',')}` : '',
     group ? `group=${group.swarm},${group.place}` : '',
     atRiskOnly ? 'only=risk' : '',
-    trails ? 'trails=1' : '',
+    trails === null ? '' : `trails=${trails ? 1 : 0}`,
     vectors ? 'vectors=1' : '',
     colourBy === 'nearest' ? '' : `colour=${colourBy}`,
     lift === null ? '' : `heights=${lift}`,
@@ -86,9 +87,10 @@ export interface Seen {
   camera: () => number[] | null;
   /** Heights are drawn so many times larger unless the reader wants it otherwise. */
   usualLift: number;
+  usualTrails: boolean;
 }
 
-export function addressNow({ choices, time, camera, usualLift }: Seen): string {
+export function addressNow({ choices, time, camera, usualLift, usualTrails }: Seen): string {
   const selected = choices.selected.value;
   const { atRiskOnly, group } = choices.filter.value;
   return writeAddress({
@@ -98,7 +100,7 @@ export function addressNow({ choices, time, camera, usualLift }: Seen): string {
     camera: camera(),
     atRiskOnly,
     group,
-    trails: choices.trails.value,
+    trails: choices.trails.value === usualTrails ? null : choices.trails.value,
     vectors: choices.vectors.value,
     colourBy: choices.colourBy.value,
     lift: choices.lift.value === usualLift ? null : choices.lift.value,

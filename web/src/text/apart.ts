@@ -1,7 +1,7 @@
 // How far apart two are, horizontally and in height, each below its own limit or not.
 import type { Head } from '../data/page';
 import { kFoot_m } from './heights';
-import { formatBelow, formatCount, formatDigits, formatExactly, formatMetres, formatTick, kSmall_m, readsBelow } from './numbers';
+import { formatBelow, formatCount, formatDigits, formatExactly, formatMetres, formatTick, kSmall_m, kTiny_m, readsBelow } from './numbers';
 
 export const kNauticalMile_m = 1852;
 
@@ -53,9 +53,10 @@ function inUnits(metres: number, name: string): AxisUnit {
   return { metres, text: (value) => `${number(value)}\u202f${name}` };
 }
 
-/** Metres, or millimetres where that is how far apart they must be; of aviation feet where that is less than a mile. */
+/** Metres, or milli- or micrometres where that is how far apart they must be; of aviation feet where that is less than a mile. */
 export function lengthUnit(head: Head): AxisUnit {
   if (head.aviation && isInFeet(head)) return inUnits(kFoot_m, 'ft');
+  if (head.threshold_m < kTiny_m) return inUnits(1e-6, 'µm');
   return head.threshold_m < kSmall_m ? inUnits(0.001, 'mm') : kInMetres;
 }
 

@@ -28,11 +28,19 @@ function inMillimetres(metres: number): boolean {
   return metres !== 0 && Math.abs(metres) < kSmall_m;
 }
 
-/** A distance: 9.12 mm, 12.34 m, 1,234 m, 12.34 km. */
+/** Below this, micrometres, as of cells. */
+export const kTiny_m = 1e-4;
+
+function inMicrometres(metres: number): boolean {
+  return metres !== 0 && Math.abs(metres) < kTiny_m;
+}
+
+/** A distance: 6 µm, 9.12 mm, 12.34 m, 1,234 m, 12.34 km. */
 export function formatMetres(metres: number, digits = 4): string {
   if (!Number.isFinite(metres)) return '–';
   if (metres !== 0 && Math.abs(metres) < 5e-7) return `<${kThin}1${kThin}µm`;
   if (Math.abs(metres) >= 20000) return `${formatDigits(metres / 1000, digits)}${kThin}km`;
+  if (inMicrometres(metres)) return `${formatDigits(metres * 1e6, digits)}${kThin}µm`;
   if (inMillimetres(metres)) return `${formatDigits(metres * 1000, digits)}${kThin}mm`;
   return `${formatDigits(metres, digits)}${kThin}m`;
 }
@@ -52,8 +60,10 @@ export function formatBelow(metres: number, limit_m: number, digits = 4): string
   if (!(metres < limit_m)) return formatMetres(metres, digits);
   // Beside metres what is less than a millimetre says nothing.
   if (limit_m >= 1 && metres > 0 && metres < 0.001) return `<${kThin}1${kThin}mm`;
-  const read = (text: string): number =>
-    parseFloat(text.replace(/,/g, '')) * (text.endsWith('km') ? 1000 : text.endsWith('mm') ? 0.001 : 1);
+  const read = (text: string): number => {
+    const value = parseFloat(text.replace(/,/g, ''));
+    return text.endsWith('km') ? value * 1000 : value / (text.endsWith('mm') ? 1000 : text.endsWith('µm') ? 1e6 : 1);
+  };
   for (let more = digits; more < 16; ++more) {
     const text = formatMetres(metres, more);
     if (text.startsWith('<') || read(text) < limit_m) return text;
@@ -61,13 +71,13 @@ export function formatBelow(metres: number, limit_m: number, digits = 4): string
   return `<${kThin}${formatExactly(limit_m)}`;
 }
 
-/** A setting as it was given: 5 m, 0.125 m, 3 mm. */
+/** A setting as it was given: 5 m, 0.125 m, 3 mm, 10 µm. */
 export function formatExactly(metres: number): string {
-  const small = inMillimetres(metres);
-  const value = small ? Number((metres * 1000).toPrecision(15)) : metres;
+  const [unit, perMetre] = inMicrometres(metres) ? ['µm', 1e6] as const : inMillimetres(metres) ? ['mm', 1000] as const : ['m', 1] as const;
+  const value = perMetre > 1 ? Number((metres * perMetre).toPrecision(15)) : metres;
   const [whole, ...fraction] = String(Math.abs(value)).split('.');
   const text = [/^\d+$/.test(whole) ? formatCount(Number(whole)) : whole, ...fraction].join('.');
-  return `${metres < 0 ? kMinus : ''}${text}${kThin}${small ? 'mm' : 'm'}`;
+  return `${metres < 0 ? kMinus : ''}${text}${kThin}${unit}`;
 }
 
 /** The same, for a scale: 500 m, 20 km. */

@@ -77,6 +77,7 @@ pageTest('it plays, steps, goes to conflicts and shows trails', 'recording', {},
   await page.keyboard.press(']');
   assert.ok(Math.abs((await kTime(page)) - last) < 1e-6);
 
+  assert.ok(!(await page.locator('#trails').isChecked()));
   await page.keyboard.press('l');
   assert.ok(await page.locator('#trails').isChecked());
 });
@@ -84,6 +85,17 @@ pageTest('it plays, steps, goes to conflicts and shows trails', 'recording', {},
 pageTest('at its end all bees are where their last fixes were', 'end', {}, async ({ page }) => {
   await page.keyboard.press('End');
   for (let bee = 0; bee < 4; ++bee) assert.ok(await projected(page, bee), `bee ${bee} is gone`);
+});
+
+pageTest('of few it opens with trails, and the address says where a reader wants none', 'again', {}, async ({ page }) => {
+  const trails = page.locator('#trails');
+  assert.ok(await trails.isChecked());
+  await page.keyboard.press('l');
+  assert.ok(!(await trails.isChecked()));
+  await page.waitForFunction(() => location.hash.includes('trails=0'));
+  await page.reload();
+  await page.waitForSelector('html[data-beespace="ready"]');
+  assert.ok(!(await trails.isChecked()));
 });
 
 pageTest('keys go through all conflicts of a pair', 'again', {}, async ({ page }) => {

@@ -26,6 +26,9 @@ test('what is below a limit reads as below it', () => {
   assert.equal(plain(numbers.formatBelow(24999.7, 25000)), '24.9997 km');
   assert.equal(plain(numbers.formatBelow(1e-9, 5)), '< 1 mm');
   assert.equal(plain(numbers.formatBelow(1e-9, 0.1)), '< 1 µm');
+  assert.equal(plain(numbers.formatBelow(5.9994e-6, 1e-5, 3)), '6.00 µm');
+  assert.equal(plain(numbers.formatBelow(9.99996e-6, 1e-5, 3)), '9.99996 µm');
+  assert.equal(plain(numbers.formatExactly(1e-5)), '10 µm');
   assert.equal(plain(numbers.formatBelow(0.0029999, 0.003)), '2.9999 mm');
 });
 
