@@ -42,9 +42,12 @@ struct Unit {
   const char* name;
 };
 
-// Rounded once: so many small units make a metre, and that number is exact.
+// Both rounded once: so many small units make a metre, and that number is exact.
 double in_metres(double value, const Unit& unit) {
   return unit.metres < 1.0 ? value / std::round(1.0 / unit.metres) : value * unit.metres;
+}
+double in_units(double metres, const Unit& unit) {
+  return unit.metres < 1.0 ? metres * std::round(1.0 / unit.metres) : metres / unit.metres;
 }
 
 // `usual` is what the length would be called, with this unit.
@@ -56,7 +59,7 @@ std::string told_below(double limit_m, double metres, const std::string& usual, 
   if (point != std::string::npos) decimals = usual.find(' ', point) - point - 1;
   for (bool first = true; decimals <= kMostDecimals; ++decimals, first = false) {
     const std::string digits =
-        digits_of(metres / unit.metres, std::chars_format::fixed, static_cast<int>(decimals));
+        digits_of(in_units(metres, unit), std::chars_format::fixed, static_cast<int>(decimals));
     double told = 0.0;
     std::from_chars(digits.data(), digits.data() + digits.size(), told);
     if (in_metres(told, unit) < limit_m) return first ? usual : grouped(digits) + ' ' + unit.name;

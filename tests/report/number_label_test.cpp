@@ -42,7 +42,8 @@ TEST(NumberLabel, LengthsBelowALimitAreNotRoundedUpToIt) {
   EXPECT_EQ(length_label_below(0.002, std::nextafter(0.002, 0.0)), "1.9999999999999996 mm");
   EXPECT_EQ(listed_length_below(2e-6, 1.2e-6), "1.2 \u00B5m");
   EXPECT_EQ(length_label_below(1e-5, 5.9994e-6), "6 \u00B5m");
-  EXPECT_EQ(length_label_below(1e-5, std::nextafter(1e-5, 0.0)), "9.999999999999998 \u00B5m");
+  EXPECT_EQ(length_label_below(1e-5, 9.99996e-6), "9.99996 \u00B5m");
+  EXPECT_EQ(length_label_below(1e-5, std::nextafter(1e-5, 0.0)), "0.000009999999999999999 m");
   EXPECT_EQ(length_label(1e-5), "10 \u00B5m");
   EXPECT_EQ(length_label(5e-10), "under 1 \u00B5m");
   EXPECT_EQ(listed_length_below(0.5, 0.00456), "0.005 m");
