@@ -17,6 +17,7 @@
 #include "analysis/recorded/velocity_curves.hpp"
 #include "analysis/scene/height_words.hpp"
 #include "analysis/scene/pair_ways.hpp"
+#include "analysis/scene/placed_tracks.hpp"
 #include "analysis/scene/separation.hpp"
 #include "analysis/scene/show_limits.hpp"
 #include "analysis/scene/uprights.hpp"
@@ -278,15 +279,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   swarm.vertical_m = request.vertical_m();
   swarm.inclusive = request.inclusive;
   if (recording.show && recording.show->place) {
-    const io::ShowPlace& place = *recording.show->place;
-    swarm.own_place = {{place.longitude_deg, place.latitude_deg, place.height_m.value_or(0.0)},
-                       place.heading_deg,
-                       place.y_to_the_right,
-                       place.height_m ? ", as the show says, whose heights are above mean sea level"
-                                      : ", as the show says, which gives no height: heights are "
-                                        "those above the place of take-off",
-                       place.height_m.has_value(),
-                       place.height_m.has_value()};
+    swarm.own_place = placement_of(*recording.show->place);
   }
   swarm.names = names_of(recording);
   note_units(recording.units, request.vertical, recording.height_unit, swarm.notes);

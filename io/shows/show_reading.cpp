@@ -56,7 +56,7 @@ class ShowReading {
     const auto invalid = [](std::string message) {
       return Error{ErrorCode::kInvalidArgument, std::move(message), {}};
     };
-    if (options.frame == Frame::kWgs84) {
+    if (options.frame == Frame::kWgs84 && !options.one_of_several) {
       return invalid("a Skybrush show is in metres, but --crs wgs84 is given; leave it out");
     }
     if (!options.columns.empty()) {
