@@ -70,7 +70,7 @@ class VvizReading {
     if (options.frame == Frame::kWgs84 && !options.one_of_several) {
       return invalid("a show as VVIZ is in metres, but --crs wgs84 is given; leave it out");
     }
-    if (!options.columns.empty()) {
+    if (!options.columns.empty() && !options.one_of_several) {
       return invalid("--columns is for text tables, but this is a show as VVIZ; leave it out");
     }
     UnitOverrides others = options.units;
@@ -161,11 +161,9 @@ class VvizReading {
       const std::string name = name_of(performance, index);
       ShowDrone drone;
       drone.name = name;
-      drone.index = index;
       drone.place = assembly_.source_name();
       if (auto error = read_drone(performance, drone)) {
         error->message = "drone " + excerpt(name) + ": " + error->message;
-        error->location.record = index;
         if (auto fatal = assembly_.bad(*std::move(error), name)) return fatal;
       } else {
         drones_.add(std::move(drone));
