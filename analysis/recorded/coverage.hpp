@@ -78,6 +78,7 @@ struct Coverage {
   // coarse_places.hpp), and how far apart two that can be written are, at most.
   std::size_t coarse = 0;
   double coarse_m = 0.0;
+  std::size_t begins_in_air = 0;   // drones that fly when the recording begins
   std::string whole_seconds = {};  // what is to be said of times that may be cut off
 
   static constexpr std::size_t kMostNamed = 3;

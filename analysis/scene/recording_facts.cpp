@@ -3,6 +3,7 @@
 
 #include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/above_fl410.hpp"
+#include "analysis/recorded/begins_in_air.hpp"
 #include "analysis/recorded/chords.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
@@ -376,6 +377,9 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.gaps = recorded->gaps;
   Coverage coverage = coverage_of(recording, facts.gaps, max_gap);
   judge_places(recording, coarse_question(options, recorded->conflicts, facts.closest), coverage);
+  if (std::string note = begins_in_air_text(coverage.begins_in_air); !note.empty()) {
+    swarm.notes.push_back(std::move(note));
+  }
   if (!coverage.whole_seconds.empty()) swarm.notes.push_back(coverage.whole_seconds);
   const auto uprights = Uprights::of(recording, *in_space, max_gap.seconds);
   if (!uprights) return uprights.error();
