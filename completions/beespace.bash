@@ -139,8 +139,8 @@ _beespace() {
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
         --set) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --set-columns) return ;;
-        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --set --set-columns --max-gap --json --quiet --help --version' files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --set-columns | --set-begins | --origin) return ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --set --set-columns --set-begins --origin --max-gap --json --quiet --help --version' files=yes ;;
       esac
       ;;
     report)

@@ -289,6 +289,8 @@ complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l heights -a 'au
 complete -c beespace -n '__fish_seen_subcommand_from fleet' -f -l skip-bad -d 'Leave bad records out and list them'
 complete -c beespace -n '__fish_seen_subcommand_from fleet' -r -l set -d 'What was set to be flown'
 complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l set-columns -d 'Its columns, as of --columns: x=set_x,y=set_y,z=set_z'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l set-begins -d 'When 0 s of what was set was, by the clock of what was flown: 2025-11-27T19:00:00Z, or seconds'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l origin -d 'Where 0,0,0 of what was set in metres is, if flown in degrees: lon,lat,height,heading of x (0 north, 90 east), by heights as flown (default: as a show says itself)'
 complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l max-gap -a 'never' -d 'Unknown between fixes farther apart in time (default: 5 times the typical interval)'
 complete -c beespace -n '__fish_seen_subcommand_from fleet' -f -l json -d 'One JSON document with everything in it'
 complete -c beespace -n '__fish_seen_subcommand_from fleet' -f -l quiet -d 'No summary and no progress, only errors'

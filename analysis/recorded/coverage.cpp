@@ -1,6 +1,7 @@
 #include "analysis/recorded/coverage.hpp"
 
 #include "analysis/recorded/airborne.hpp"
+#include "analysis/recorded/begins_in_air.hpp"
 #include "analysis/recorded/ends.hpp"
 #include "analysis/recorded/jump_spans.hpp"
 #include "io/recording/flat_distance.hpp"
@@ -422,6 +423,7 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& lon
   coverage.longest_outside = longest_of(std::move(hidden));
   coverage.in_a_plane = is_in_a_plane(recording) || recording.flat || recording.of_animals;
   coverage.sector = recording.sector;
+  coverage.begins_in_air = begins_in_air(recording, max_gap);
   coverage.instants_only = is_of_instants(recording);
   coverage.alone = recorded_alone(recording);
   coverage.alone_is_known = !recording.of_drones;

@@ -80,6 +80,7 @@ struct Coverage {
   double coarse_m = 0.0;
   // Or the column by which they are off: half of the places of one of them by that much, or more.
   std::string coarse_by = {};
+  std::size_t begins_in_air = 0;   // drones that fly when the recording begins
   std::string whole_seconds = {};  // what is to be said of times that may be cut off
 
   static constexpr std::size_t kMostNamed = 3;

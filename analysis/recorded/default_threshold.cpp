@@ -135,7 +135,7 @@ DefaultThreshold default_threshold(const io::Recording& recording, double otherw
   if (recording.show) {
     return {kDefaultShowThreshold_m, ", the default of shows that declare none (--threshold)"};
   }
-  if (recording.of_drones) {
+  if (recording.of_drones || recording.called_drones) {
     return {kDefaultDroneThreshold_m, ", the default of logs of drones (--threshold)"};
   }
   return {otherwise_m, {}};

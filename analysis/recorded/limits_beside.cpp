@@ -45,32 +45,6 @@ std::optional<Error> check_flight(const Flight& flight, PointId bee, Acceleratio
   return std::nullopt;
 }
 
-// A curve lies within its control points: where these are above the height, or above one place, it
-// is too.
-bool moves_sideways_below(const BezierPath& path, double height_m) {
-  Point from = path.begin;
-  for (const BezierPiece& piece : path.pieces) {
-    double lowest_m = std::min(from.z, piece.end.z);
-    bool sideways = piece.end.x != from.x || piece.end.y != from.y;
-    for (std::size_t k = 0; k < piece.control_count; ++k) {
-      const Point& control = piece.controls[k];
-      lowest_m = std::min(lowest_m, control.z);
-      sideways = sideways || control.x != from.x || control.y != from.y;
-    }
-    if (sideways && lowest_m < height_m) return true;
-    from = piece.end;
-  }
-  return false;
-}
-
-bool any_moves_sideways_below(const std::vector<Flight>& flights, double height_m) {
-  return std::any_of(flights.begin(), flights.end(), [height_m](const Flight& flight) {
-    return std::any_of(flight.begin(), flight.end(), [height_m](const BezierPath& path) {
-      return moves_sideways_below(path, height_m);
-    });
-  });
-}
-
 }  // namespace
 
 Result<LimitsBeside> check_limits_beside(const io::Recording& recording,
@@ -90,7 +64,10 @@ Result<LimitsBeside> check_limits_beside(const io::Recording& recording,
     }
   }
   for (const auto& [name, height_m] : declared.navigation_m) {
-    if (any_moves_sideways_below(flights, height_m)) found.not_known.push_back(name);
+    auto check = check_navigation(name, height_m, flights);
+    if (!check) return check.error();
+    if (!check->kept()) found.not_known.push_back(name);
+    found.navigation.push_back(*std::move(check));
   }
   const auto& others = declared.not_looked_at;
   found.not_known.insert(found.not_known.end(), others.begin(), others.end());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analysis/recorded/flights.hpp"
+#include "analysis/recorded/low_navigation.hpp"
 #include "io/recording/recording.hpp"
 #include "io/recording/show_facts.hpp"
 
@@ -35,9 +36,10 @@ struct AccelerationCheck {
 
 struct LimitsBeside {
   std::vector<AccelerationCheck> accelerations;
+  std::vector<NavigationCheck> navigation;
   // Names of those of which it is not known whether they are kept: accelerations in a direction
-  // that is not known, which the greatest one in any direction exceeds; heights below which a bee
-  // moves sideways, as it is not known how much that counts; those of which nothing is looked at.
+  // that is not known, which the greatest one in any direction exceeds; those of which nothing is
+  // looked at. Those of `navigation` that are not kept are among them.
   std::vector<std::string> not_known;
 };
 

@@ -38,6 +38,10 @@ class Heights {
       fixes_ = of.fixes;
     }
     if (fixes_.empty()) return;
+    if (of.took_off_at_m) {
+      from_m_ = of.took_off_at_m;
+      return;
+    }
     const Fix& first = fixes_.front();
     const bool on_ground = recording.show ? first.position.z - ground_m <= kStandsWithin_m
                                           : has_landed(recording, bee, first.time_s);
@@ -86,9 +90,17 @@ std::optional<Conflict> LowConflicts::closest() const {
   return least == left_out.end() ? std::nullopt : std::optional<Conflict>(*least);
 }
 
+std::optional<double> took_off_at_m(const io::Recording& recording, PointId bee) {
+  const io::RecordedBee& of = recording.bees[bee];
+  if (of.took_off_at_m || of.fixes.empty() || recording.show) return of.took_off_at_m;
+  if (!has_landed(recording, bee, of.fixes.front().time_s)) return std::nullopt;
+  return of.fixes.front().position.z;
+}
+
 LowConflicts leave_out_low(const io::Recording& recording, double below_m,
                            std::vector<Conflict>& conflicts) {
   LowConflicts low{below_m};
+  low.of_table = !recording.show && !recording.of_drones;
   const double ground_m = ground_of(recording);
   std::vector<Heights> heights;
   heights.reserve(recording.bees.size());
@@ -117,7 +129,11 @@ std::string low_text(const LowConflicts& low) {
 std::string takeoff_unknown_text(const LowConflicts& low, const io::RecordedNoun& noun) {
   if (low.bees_not_known == 0) return {};
   return "of " + noun.counted(low.bees_not_known) +
-         " it is not known where they took off: none of theirs is left out";
+         " it is not known where they took off: none of theirs is left out" +
+         (low.of_table
+              ? "; a table tells it in a column of heights above the place of take-off, as "
+                "'alt_rel', or of whether each is 'armed', or of 'landed_state'"
+              : "");
 }
 
 void leave_out_too(const LowConflicts& low, std::vector<Conflict>& some) {

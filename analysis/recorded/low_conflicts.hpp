@@ -19,6 +19,7 @@ struct LowConflicts {
   std::vector<Conflict> left_out = {};
   // Of so many it is not known where they took off: none of their conflicts is left out.
   std::size_t bees_not_known = 0;
+  bool of_table = false;  // which may have a column that tells it
 
   // The closest of them.
   [[nodiscard]] std::optional<Conflict> closest() const;
@@ -26,10 +27,14 @@ struct LowConflicts {
 
 // Takes out of `conflicts` those in which both are all the time less than `below_m` above, or
 // below, the place from which they took off. That is known of drones of a show that begin on its
-// ground, and of those whose log begins while they say that they have landed. Conflicts that are
+// ground, of those whose log begins while they say that they have landed, and of those whose table
+// says it (io::TakeOffs). Conflicts that are
 // only possible stay.
 LowConflicts leave_out_low(const io::Recording& recording, double below_m,
                            std::vector<Conflict>& conflicts);
+
+// The height from which a bee took off, where that is known; not of shows.
+std::optional<double> took_off_at_m(const io::Recording& recording, PointId bee);
 
 // "72 conflicts of two lower than 3 m above where they took off".
 std::string low_text(const LowConflicts& low);

@@ -73,6 +73,15 @@ double mean_square(const std::vector<double>& lengths) {
   return lengths.empty() ? 0.0 : sum / static_cast<double>(lengths.size());
 }
 
+std::optional<FarthestFix> farthest_of(const std::vector<Deviation>& deviations) {
+  std::optional<FarthestFix> farthest;
+  for (const Deviation& one : deviations) {
+    const double metres = length_of(one.by);
+    if (!farthest || metres > farthest->deviation_m) farthest = {one.time_s, metres};
+  }
+  return farthest;
+}
+
 // What was flown so late that all lags can be compared on the same fixes.
 std::vector<SetAndFlown> comparable(const std::vector<SetAndFlown>& bees, double longest_lag_s) {
   std::vector<SetAndFlown> later = bees;
@@ -109,10 +118,12 @@ TrackingFigures tracking_figures(const std::vector<SetAndFlown>& bees, double ma
   std::vector<double> rates;
   std::vector<double> accelerations;
   std::uint64_t flown = 0;
+  figures.farthest.reserve(bees.size());
   for (const SetAndFlown& bee : bees) {
     const std::vector<Deviation> deviations = deviations_of(bee, 0.0, max_gap_s);
     const std::vector<Deviation> changes = change_of(deviations, max_gap_s);
     add_lengths(deviations, distances);
+    figures.farthest.push_back(farthest_of(deviations));
     add_lengths(changes, rates);
     add_lengths(change_of(changes, max_gap_s), accelerations);
     flown += bee.flown.fixes.size();

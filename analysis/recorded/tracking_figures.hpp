@@ -20,6 +20,12 @@ struct Extreme {
   double usual = 0.0;
 };
 
+// Where a bee was farthest from what was set.
+struct FarthestFix {
+  double time_s = 0.0;  // when it was flown
+  double deviation_m = 0.0;
+};
+
 struct TrackingFigures {
   std::uint64_t fixes = 0;    // that were compared
   std::uint64_t not_set = 0;  // flown fixes at times at which nothing was set
@@ -30,6 +36,8 @@ struct TrackingFigures {
   // where it makes no difference, as they hardly moved.
   std::optional<double> lag_s;
   Extreme without_lag_m;  // the deviation from what was set so much earlier
+  // Of each bee; nothing of one of which no fix was compared.
+  std::vector<std::optional<FarthestFix>> farthest;
 };
 
 // The tracks that a bee was set to fly and flew.

@@ -203,6 +203,9 @@ class PathVerification {
       }
       verdict_.accelerations.push_back(std::move(check));
     }
+    for (NavigationCheck& check : beside->navigation) {
+      if (!skips(check.name)) verdict_.navigation.push_back(std::move(check));
+    }
     for (const std::string& name : beside->not_known) {
       verdict_.not_looked_at.push_back(name);
       if (!skips(name)) verdict_.undecided.push_back(name);

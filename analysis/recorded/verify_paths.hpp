@@ -5,6 +5,7 @@
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/recorded/limits_beside.hpp"
 #include "analysis/recorded/low_conflicts.hpp"
+#include "analysis/recorded/low_navigation.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "io/recording/recording.hpp"
 #include "io/recording/show_facts.hpp"
@@ -56,8 +57,10 @@ struct PathVerdict {
   // Of the accelerations that a show declares: those that are looked at in their direction. Their
   // excesses are in `breaches`.
   std::vector<AccelerationCheck> accelerations;
-  std::vector<std::string> not_looked_at;  // limits that are not known to be kept or broken
-  std::vector<std::string> undecided;      // those of them that the question does not skip
+  std::vector<NavigationCheck> navigation;  // below which heights drones move sideways
+  // Limits that are not known to be kept or broken, and those of `navigation` that are not kept.
+  std::vector<std::string> not_looked_at;
+  std::vector<std::string> undecided;  // those of them that the question does not skip
 
   [[nodiscard]] bool found_nothing() const {
     return losses.empty() && clearance_losses.empty() && breaches.empty();

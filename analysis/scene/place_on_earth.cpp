@@ -101,15 +101,15 @@ void for_each_place(report::RecordingFacts& facts, Visit visit) {
   }
 }
 
-std::string words_of(const report::Placement& placement) {
+}  // namespace
+
+std::string placement_text(const report::Placement& placement) {
   return "placed on the Earth at longitude " + io::exact(placement.origin.longitude_deg) +
          ", latitude " + io::exact(placement.origin.latitude_deg) + ", height " +
          io::exact(placement.origin.height_m) + " m, with x towards " +
          io::exact(placement.heading_deg) + " degrees from north and y to its " +
          (placement.y_to_the_right ? "right" : "left") + placement.words;
 }
-
-}  // namespace
 
 Status place_on_earth(Scene& scene, const report::Placement& placement) {
   if (swarm_of(scene).origin) {
@@ -129,7 +129,7 @@ Status place_on_earth(Scene& scene, const report::Placement& placement) {
         facts.swarm.placed = placement;
         facts.swarm.origin = placement.origin;
         facts.swarm.origin->height_m = 0.0;
-        facts.swarm.notes.push_back(words_of(placement));
+        facts.swarm.notes.push_back(placement_text(placement));
       },
       scene);
   if (near) return check_obstacles(swarm_of(scene), axes);

@@ -6,10 +6,15 @@
 
 #include <beespace/result.hpp>
 
+#include <string>
+
 namespace beespace::analysis {
 
 // Of scenes that are no wider than this: farther out a plane is no picture of the ground.
 inline constexpr double kFarthestPlaced_m = 100'000.0;
+
+// "placed on the Earth at longitude 19.06, ...", with where x and y point.
+std::string placement_text(const report::Placement& placement);
 
 // Turns x and y into east and north along the ground, and z into heights. Errors:
 // kInvalidArgument for scenes in degrees, kOutsideDomain for those that reach too far, or whose

@@ -3,6 +3,7 @@
 
 #include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/above_fl410.hpp"
+#include "analysis/recorded/begins_in_air.hpp"
 #include "analysis/recorded/chords.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
@@ -17,6 +18,7 @@
 #include "analysis/recorded/velocity_curves.hpp"
 #include "analysis/scene/height_words.hpp"
 #include "analysis/scene/pair_ways.hpp"
+#include "analysis/scene/placed_tracks.hpp"
 #include "analysis/scene/separation.hpp"
 #include "analysis/scene/show_limits.hpp"
 #include "analysis/scene/uprights.hpp"
@@ -278,15 +280,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   swarm.vertical_m = request.vertical_m();
   swarm.inclusive = request.inclusive;
   if (recording.show && recording.show->place) {
-    const io::ShowPlace& place = *recording.show->place;
-    swarm.own_place = {{place.longitude_deg, place.latitude_deg, place.height_m.value_or(0.0)},
-                       place.heading_deg,
-                       place.y_to_the_right,
-                       place.height_m ? ", as the show says, whose heights are above mean sea level"
-                                      : ", as the show says, which gives no height: heights are "
-                                        "those above the place of take-off",
-                       place.height_m.has_value(),
-                       place.height_m.has_value()};
+    swarm.own_place = placement_of(*recording.show->place);
   }
   swarm.names = names_of(recording);
   note_units(recording.units, request.vertical, recording.height_unit, swarm.notes);
@@ -383,6 +377,9 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.gaps = recorded->gaps;
   Coverage coverage = coverage_of(recording, facts.gaps, max_gap);
   judge_places(recording, coarse_question(options, recorded->conflicts, facts.closest), coverage);
+  if (std::string note = begins_in_air_text(coverage.begins_in_air); !note.empty()) {
+    swarm.notes.push_back(std::move(note));
+  }
   if (!coverage.whole_seconds.empty()) swarm.notes.push_back(coverage.whole_seconds);
   if (coverage.bridged) {
     swarm.notes.push_back("shorter gaps are bridged by straight lines; the longest of these: " +

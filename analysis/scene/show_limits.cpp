@@ -116,6 +116,10 @@ Status take_show_limits(const io::Recording& recording, report::RecordingFacts& 
   auto beside = check_limits_beside(recording, flights);
   if (!beside) return beside.error();
   for (const AccelerationCheck& check : beside->accelerations) take_acceleration(check, facts);
+  for (const NavigationCheck& check : beside->navigation) {
+    if (!check.kept())
+      facts.swarm.notes.push_back(check.name + " is not kept: " + low_move_text(check));
+  }
   facts.not_looked_at = std::move(beside->not_known);
   std::erase_if(facts.declared, [](const auto& limit) { return std::isnan(limit.greatest); });
   // Down is no climb, and up no descent.

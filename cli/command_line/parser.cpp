@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string_view>
 
@@ -60,6 +61,18 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
   return meant ? "; did you mean '" + *meant + "'?" : std::string();
 }
 
+// What people call an option of another name.
+std::string other_name(std::string_view word, const std::vector<std::string>& known) {
+  constexpr std::array<std::string_view, 9> kThreshold = {
+      "--min-distance",     "--mindist",         "--min-dist",
+      "--minimum-distance", "--distance",        "--separation-distance",
+      "--min-separation",   "--safety-distance", "--t"};
+  constexpr const char* kMeant = "--threshold";
+  const bool meant = std::find(kThreshold.begin(), kThreshold.end(), word) != kThreshold.end() &&
+                     std::find(known.begin(), known.end(), kMeant) != known.end();
+  return meant ? std::string("; did you mean '") + kMeant + "'?" : std::string();
+}
+
 std::string unknown_option(const CLI::App& command, const std::string& word) {
   std::vector<std::string> known;
   for (const CLI::Option* option : command.get_options()) {
@@ -72,7 +85,9 @@ std::string unknown_option(const CLI::App& command, const std::string& word) {
   if (command.get_parent() == nullptr) {
     text += ", whose options follow " + alternatives(subcommands_of(command));
   }
-  return text + did_you_mean("--" + name.substr(letters), known);
+  const std::string typed = "--" + name.substr(letters);
+  const std::string other = other_name(typed, known);
+  return text + (other.empty() ? did_you_mean(typed, known) : other);
 }
 
 std::string unknown_argument(const CLI::App& command, const std::string& word) {

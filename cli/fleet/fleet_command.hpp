@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/command_line/command.hpp"
+#include "cli/fleet/set_beside_flown.hpp"
 #include "cli/input/moving_options.hpp"
 
 #include <optional>
@@ -14,6 +15,7 @@ struct FleetRequest {
   std::string set;                  // the file of what was set
   std::string set_columns;          // of that, as of --columns
   std::optional<double> max_gap_s;  // absent: from the data
+  SetOptions beside;                // where and when what was set was to be flown
 };
 
 Command fleet_command();

@@ -1,10 +1,16 @@
 #include "cli/command_line/option_values.hpp"
 #include "cli/fleet/fleet_command.hpp"
+#include "cli/input/placement_option.hpp"
+#include "io/bytes/number_text.hpp"
+#include "io/units/iso_time.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -23,6 +29,10 @@ constexpr const char* kDetails =
     "  rate          how fast that changes, from fix to fix\n"
     "  acceleration  how fast the rate changes\n"
     "  lag           how much later than set they fly, and the deviation without that\n"
+    "and who strayed farthest, and when. What was set in metres and flown in degrees, as a show "
+    "is,\n"
+    "is set down on the Earth where the show says that it is, or --origin does; --set-begins says\n"
+    "when it was begun. Ids that differ are matched by their numbers: 'Drone 3' and '3'.\n"
     "Then the figures to plan with. Set and flown positions cannot tell how wrong the flown ones "
     "are\n"
     "themselves, nor what was wind and what was corrected; see docs/fleet-figures.md. How both "
@@ -31,11 +41,26 @@ constexpr const char* kDetails =
     "\n"
     "Examples:\n"
     "  beespace fleet flown.csv --set set.csv\n"
+    "  beespace fleet telemetry.csv --set show.skyc --set-begins 2025-11-27T19:00:00Z\n"
     "  beespace fleet log.csv --set log.csv --set-columns x=set_x,y=set_y,z=set_z --json\n"
     "\n"
     "Exit status: 0 done, 2 wrong usage, 3 bad input, 4 cannot open, read or write, 130 "
     "interrupted,\n"
     "143 terminated, 141 closed pipe.";
+
+// "2025-11-27T19:00:00.2Z", or seconds of the clock of what was flown.
+Result<SetBegins> read_set_begins(const Typed& typed) {
+  const std::optional<double> number = io::parse_number(typed.text);
+  if (number && std::isfinite(*number)) return SetBegins{*number, false};
+  SetBegins begins{0.0, true};
+  const std::string_view problem = io::parse_iso_time(typed.text, begins.seconds);
+  if (problem.empty()) return begins;
+  return usage_error(typed.command,
+                     "--set-begins is '" + typed.text +
+                         "': say a date and time, as 2025-11-27T19:00:00Z, or the seconds of what "
+                         "was flown (" +
+                         std::string(problem) + ")");
+}
 
 bool is_same_file(const std::string& a, const std::string& b) {
   std::error_code problem;
@@ -78,6 +103,13 @@ Command fleet_command() {
   fleet.option("--set", "FILE", request->set, "What was set to be flown");
   fleet.option("--set-columns", "LIST", request->set_columns,
                "Its columns, as of --columns: x=set_x,y=set_y,z=set_z");
+  fleet.option("--set-begins", "TIME", request->beside.begins, read_set_begins,
+               "When 0 s of what was set was, by the clock of what\nwas flown: "
+               "2025-11-27T19:00:00Z, or seconds");
+  fleet.option("--origin", "PLACE", request->beside.origin, read_placement,
+               "Where 0,0,0 of what was set in metres is, if flown in\ndegrees: "
+               "lon,lat,height,heading of x (0 north, 90 east),\nby heights as flown (default: "
+               "as a show says itself)");
   add_max_gap_option(fleet, request->max_gap_s);
   fleet.group("Output");
   fleet.flag("--json", moving.json, "One JSON document with everything in it");

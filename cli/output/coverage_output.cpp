@@ -1,5 +1,7 @@
 #include "cli/output/coverage_output.hpp"
 
+#include "analysis/recorded/begins_in_air.hpp"
+
 #include "cli/console/summary_line.hpp"
 #include "cli/console/terminal.hpp"
 #include "io/bytes/number_text.hpp"
@@ -104,6 +106,7 @@ void append_coverage(std::string& out, const analysis::Coverage& coverage,
   }
   append_missing(out, coverage.missing);
   if (coverage.coarse > 0) append_summary_line(out, "coarse", coarse_text(coverage));
+  append_note(out, analysis::begins_in_air_text(coverage.begins_in_air));
   if (!coverage.whole_seconds.empty()) {
     append_summary_line(out, "note", coverage.whole_seconds);
   }
@@ -125,6 +128,7 @@ void write_coverage(io::JsonWriter& json, const analysis::Coverage& coverage,
   json.new_line();
   write_missing(json, coverage.missing);
   json.member("coarse_places", coverage.coarse);
+  json.member("begin_in_the_air", coverage.begins_in_air);
   json.new_line();
   json.begin_array("longest_gaps", io::JsonLayout::kRows);
   for (const Gap& gap : coverage.longest) {

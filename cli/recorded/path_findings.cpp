@@ -10,6 +10,7 @@
 #include "cli/input/moving_output.hpp"
 #include "cli/output/coverage_output.hpp"
 #include "cli/recorded/holding_words.hpp"
+#include "cli/recorded/limit_hints.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/obstacle_name.hpp"
 #include "io/recording/moment_text.hpp"
@@ -49,10 +50,7 @@ std::string corner_text(const PathPeak& peak) {
 
 // What heights are counted from, where that is not the ground.
 std::string counted_from(PathLimit limit, const io::Recording& recording) {
-  const bool of_sea = recording.heights == io::HeightDatum::kMeanSeaLevel ||
-                      recording.heights == io::HeightDatum::kEllipsoid;
-  if (limit != PathLimit::kHeight || !of_sea) return "";
-  return " " + std::string(analysis::datum_text(recording.heights));
+  return limit == PathLimit::kHeight ? counted_from_sea(recording) : std::string();
 }
 
 std::string peak_text(PathLimit limit, const analysis::BeePeak& peak,
@@ -86,12 +84,16 @@ Breaches breaches_of(const PathFindings& findings, PathLimit limit,
   return some;
 }
 
+const analysis::PathBreach& worst_of(const Breaches& breaches) {
+  return **std::max_element(breaches.begin(), breaches.end(), [](const auto* a, const auto* b) {
+    return a->excess.peak.value < b->excess.peak.value;
+  });
+}
+
 // How many they are, and the worst.
 std::string breaches_text(const Breaches& breaches, const std::string& limit,
                           const PathFindings& findings) {
-  const analysis::PathBreach& worst = **std::max_element(
-      breaches.begin(), breaches.end(),
-      [](const auto* a, const auto* b) { return a->excess.peak.value < b->excess.peak.value; });
+  const analysis::PathBreach& worst = worst_of(breaches);
   return red(io::counted(breaches.size(), "stretch", "stretches") + " above the " + limit) +
          ", the worst " + io::grouped(worst.excess.peak.value, 3) + " " +
          words_of(worst.excess.limit).unit + ": " + shown_bee(worst.bee, findings.recording) +
@@ -104,8 +106,15 @@ std::string acceleration_text(const io::ShowAcceleration& declared) {
 }
 
 void append_breaches(std::string& out, const PathFindings& findings) {
-  if (findings.verdict.breaches.empty()) return append_summary_line(out, "breaches", bold("none"));
+  const std::vector<std::string> low = low_moves(findings.verdict, findings.recording);
+  if (findings.verdict.breaches.empty() && low.empty()) {
+    return append_summary_line(out, "breaches", bold("none"));
+  }
   bool first = true;
+  for (const std::string& line : low) {
+    append_summary_line(out, first ? "breaches" : "", line);
+    first = false;
+  }
   const auto append = [&](const Breaches& breaches, const std::string& limit) {
     if (breaches.empty()) return;
     append_summary_line(out, first ? "breaches" : "", breaches_text(breaches, limit, findings));
@@ -115,6 +124,11 @@ void append_breaches(std::string& out, const PathFindings& findings) {
     append(breaches_of(findings, words.limit, std::nullopt),
            std::string(words.noun) + " of " + io::exact(findings.limits.limits[words.limit]) + " " +
                words.unit + counted_from(words.limit, findings.recording));
+  }
+  if (const auto high = breaches_of(findings, PathLimit::kHeight, std::nullopt); !high.empty()) {
+    const std::string hint =
+        ground_hint(findings.recording, worst_of(high), findings.limits.limits[PathLimit::kHeight]);
+    if (!hint.empty()) append_summary_line(out, "", hint);
   }
   const auto& accelerations = findings.verdict.accelerations;
   for (std::size_t i = 0; i < accelerations.size(); ++i) {
@@ -229,11 +243,13 @@ std::string verdict_text(const PathFindings& findings) {
                 ? "; " + printable(analysis::unknown_text(findings.coverage, &findings.recording))
                 : "");
   }
-  if (verdict.found_nothing() && !verdict.undecided.empty()) {
+  const std::vector<std::string> not_kept = looked_at(verdict.undecided, verdict, true);
+  const std::vector<std::string> unknown = looked_at(verdict.undecided, verdict, false);
+  if (verdict.found_nothing() && not_kept.empty() && !unknown.empty()) {
     return red("not looked at as a whole") + ": nothing else was found, but whether " +
-           listed(verdict.undecided) + (verdict.undecided.size() == 1 ? " is kept" : " are kept") +
+           listed(unknown) + (unknown.size() == 1 ? " is kept" : " are kept") +
            " is not known; where that need not be looked at, say --skip-limits " +
-           joined(verdict.undecided, ",") +
+           joined(unknown, ",") +
            (findings.coverage.may_hide_conflicts()
                 ? "; " + printable(analysis::unknown_text(findings.coverage, &findings.recording))
                 : "");
@@ -267,8 +283,14 @@ std::string verdict_text(const PathFindings& findings) {
   append(!verdict.losses.empty(), "does not keep its distance");
   append(!verdict.clearance_losses.empty(), "does not keep clear of obstacles");
   append(!verdict.breaches.empty(), "breaks the limits");
+  if (!not_kept.empty()) {
+    text += (text.empty() ? "" : ", and ") + ("does not keep " + listed(not_kept));
+  }
   const bool hidden = findings.coverage.may_hide_conflicts();
-  return red(text) +
+  const std::string skipping =
+      not_kept.empty() ? std::string()
+                       : "; where that does not count, say --skip-limits " + joined(not_kept, ",");
+  return red(text) + skipping +
          (hidden ? "; " + printable(analysis::unknown_text(findings.coverage, &findings.recording))
                  : "");
 }
@@ -356,7 +378,8 @@ void write_verdict(io::JsonWriter& json, const PathFindings& findings,
     json.member("declared", findings.limits.declared[which]).end();
   }
   json.end();
-  if (const auto& names = findings.verdict.not_looked_at; !names.empty()) {
+  write_navigation(json, verdict, recording);
+  if (const auto names = looked_at(verdict.not_looked_at, verdict, false); !names.empty()) {
     json.member("limits_not_looked_at", names);
   }
   json.begin_object("greatest", io::JsonLayout::kLines);
@@ -414,7 +437,10 @@ std::string verify_summary(const PathFindings& findings, const MovingRequest& re
   const bool any = findings.question.has_limits() || accelerations.empty();
   if (any) append_summary_line(out, "limits", limits_text(findings.limits));
   if (!accelerations.empty()) append_summary_line(out, any ? "" : "limits", accelerations);
-  if (const auto& names = findings.verdict.not_looked_at; !names.empty()) {
+  if (const std::string kept = kept_navigation(verdict); !kept.empty()) {
+    append_summary_line(out, any || !accelerations.empty() ? "" : "limits", kept);
+  }
+  if (const auto names = looked_at(verdict.not_looked_at, verdict, false); !names.empty()) {
     append_summary_line(out, "", red("declared, but not looked at") + ": " + listed(names));
   }
   const Distances distances = distances_in(findings, request);

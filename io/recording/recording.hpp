@@ -45,6 +45,8 @@ struct RecordedBee {
   // Of a drone whose autopilot says when it has landed: when it surely stands, in ascending order.
   // Its fixes are kept: others may fly close to it.
   std::vector<TimeSpan> landed = {};
+  // The height from which it took off, as its records say.
+  std::optional<double> took_off_at_m = {};
   bool on_surface = false;  // it drives or swims, by its own word
   // Since when, and until when, it has records without a place, if it has any.
   std::optional<double> unplaced_from_s = {};
@@ -131,8 +133,11 @@ struct Recording {
   bool of_aircraft = false;    // its format or its columns say so
   bool of_animals = false;     // some of it is, by what wrote it
   bool of_drones = false;      // all of it is what autopilots logged
-  bool called_drones = false;  // by the column of their ids, of all of it
-  bool y_is_down = false;      // all of it is counted as in a picture, from the corner above
+  bool called_drones = false;  // by the columns of tables, of all of it
+  // "--columns lon=4,lat=3,height=6 --crs wgs84": what takes the heights above the place of
+  // take-off that a table has beside those that are taken, if it has any.
+  std::string heights_beside = {};
+  bool y_is_down = false;  // all of it is counted as in a picture, from the corner above
   // It says how each flies from its last fix on, as a scenario of a simulator does: none is ever
   // out of reach.
   bool flies_on = false;

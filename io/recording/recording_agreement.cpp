@@ -88,6 +88,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
     recording_.of_animals = facts.of_animals;
     recording_.of_drones = facts.of_drones;
     recording_.called_drones = facts.called_drones;
+    recording_.heights_beside = facts.heights_beside;
     recording_.y_is_down = facts.y_is_down;
     recording_.flies_on = facts.flies_on;
     return agree_on_heights(facts.heights);

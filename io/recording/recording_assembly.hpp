@@ -19,6 +19,7 @@
 #include "io/recording/ros_frames.hpp"
 #include "io/recording/set_names.hpp"
 #include "io/recording/stated_accuracy.hpp"
+#include "io/recording/take_offs.hpp"
 #include "io/recording/track_gathering.hpp"
 #include "io/units/heights.hpp"
 #include "io/units/unit_taken.hpp"
@@ -63,6 +64,7 @@ struct SourceFacts {
   bool of_animals = false;                    // what is known to write tables of animals wrote it
   bool of_drones = false;                     // what their autopilots logged
   bool called_drones = false;                 // Recording::called_drones
+  std::string heights_beside = {};            // Recording::heights_beside
   bool y_is_down = false;                     // Recording::y_is_down
   bool flies_on = false;                      // Recording::flies_on
   bool names_bees = false;                    // by an id: there may be several in it
@@ -221,6 +223,8 @@ class RecordingAssembly {
   }
   // The same of a drone whose autopilot says that it has landed; its fix is added, too.
   void has_landed(std::string_view id, const Fix& fix) { claim(id, fix, GroundClaim::kLanded); }
+  // What records say of where their bees took off.
+  [[nodiscard]] TakeOffs& take_offs() { return take_offs_; }
   // It is a rover or a boat, by its own word.
   void stays_on_surface(std::string_view id) { on_surface_.emplace(id); }
   // A record says that the bee is on the ground, but not how it could be; it is kept.
@@ -308,7 +312,8 @@ class RecordingAssembly {
   std::unordered_map<std::string, std::set<double>> positionless_;            // the same, and more
   std::unordered_map<std::string, std::vector<TimeSpan>> lost_;  // by id, of those handed out
   std::unordered_set<std::string> told_by_others_;               // by id
-  std::unordered_set<std::string> on_surface_;                   // by id
+  TakeOffs take_offs_;
+  std::unordered_set<std::string> on_surface_;  // by id
   std::uint64_t kept_in_flight_ = 0;
   std::uint64_t doubted_standing_ = 0;
   AccuracyGathering accuracy_;

@@ -317,6 +317,7 @@ Result<Recording> RecordingAssembly::finish() {
   for (RecordedBee& bee : recording_.bees) {
     settle_ground(bee);
     bee.on_surface = on_surface_.contains(bee.id);
+    if (!take_offs_.empty()) bee.took_off_at_m = take_offs_.of(bee.id);
     settle_unplaced(bee);
     settle_beside(bee);
     settle_label(bee);

@@ -18,7 +18,6 @@ Error single_point(const ShowDrone& drone) {
                   ": points has a single point, which does not say how long the "
                   "drone is there; add a second point with the time until which",
               {drone.place}};
-  error.location.record = drone.index;
   return error;
 }
 

@@ -25,7 +25,6 @@ struct ShowDrone {
   Trajectory trajectory = {};
   Ground ground = {};
   std::string place = {};  // of a trajectory of a single point
-  std::uint64_t index = 0;
 };
 
 class ShowDrones {

@@ -56,10 +56,10 @@ class ShowReading {
     const auto invalid = [](std::string message) {
       return Error{ErrorCode::kInvalidArgument, std::move(message), {}};
     };
-    if (options.frame == Frame::kWgs84) {
+    if (options.frame == Frame::kWgs84 && !options.one_of_several) {
       return invalid("a Skybrush show is in metres, but --crs wgs84 is given; leave it out");
     }
-    if (!options.columns.empty()) {
+    if (!options.columns.empty() && !options.one_of_several) {
       return invalid("--columns is for text tables, but this is a Skybrush show; leave it out");
     }
     if (options.units.any()) {
@@ -90,9 +90,7 @@ class ShowReading {
       std::string name = "drone " + std::to_string(index + 1);
       auto drone = read_drone({element, list_member}, index, name);
       if (!drone) {
-        Error error = drone.error();
-        error.location.record = index;
-        if (auto fatal = assembly_.bad(std::move(error), name)) return fatal;
+        if (auto fatal = assembly_.bad(drone.error(), name)) return fatal;
       } else {
         drones_.add(*std::move(drone));
       }
@@ -143,7 +141,6 @@ class ShowReading {
     if (trajectory->path.pieces.empty()) drone.place = documents_.place_of(*found.value());
     drone.trajectory = *std::move(trajectory);
     drone.ground = *std::move(ground);
-    drone.index = index;
     return drone;
   }
 

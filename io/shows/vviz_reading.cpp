@@ -12,6 +12,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -49,10 +51,11 @@ class VvizReading {
     assembly_.declare_show({});
     if (auto error = read_drones()) return error;
     assembly_.note("between samples drones are taken to fly in straight lines");
-    if (json_member(root_, "globalReferenceFrame")) {
+    if (const auto frame = json_member(root_, "globalReferenceFrame")) {
       assembly_.note(
           "the location of the show is not taken, as it does not say where x points; on a map it "
-          "is shown by 'beespace export' with --origin");
+          "is shown by 'beespace export' with --origin" +
+          origin_of(*frame));
     }
     drones_.note_ground(assembly_);
     return std::nullopt;
@@ -64,10 +67,10 @@ class VvizReading {
     const auto invalid = [](std::string message) {
       return vviz_error(ErrorCode::kInvalidArgument, std::move(message));
     };
-    if (options.frame == Frame::kWgs84) {
+    if (options.frame == Frame::kWgs84 && !options.one_of_several) {
       return invalid("a show as VVIZ is in metres, but --crs wgs84 is given; leave it out");
     }
-    if (!options.columns.empty()) {
+    if (!options.columns.empty() && !options.one_of_several) {
       return invalid("--columns is for text tables, but this is a show as VVIZ; leave it out");
     }
     UnitOverrides others = options.units;
@@ -109,6 +112,26 @@ class VvizReading {
     return std::nullopt;
   }
 
+  // What to type where the show says of its place but the heading: " 19.06,47.48,110,90 if ...";
+  // nothing where it does not.
+  static std::string origin_of(JsonElement frame) {
+    const auto first_of = [frame](std::initializer_list<const char*> keys) {
+      std::optional<double> found;
+      for (const char* const key : keys) {
+        const auto member = json_member(frame, key);
+        double number = 0.0;
+        if (!found && member && read_json(*member, number)) found = number;
+      }
+      return found;
+    };
+    const auto longitude = first_of({"lon", "lng", "longitude"});
+    const auto latitude = first_of({"lat", "latitude"});
+    if (!longitude || !latitude) return {};
+    const double height_m = first_of({"alt", "altitude"}).value_or(0.0);
+    return " " + exact(*longitude) + "," + exact(*latitude) + "," + exact(height_m) +
+           ",90 if x points east; otherwise with its degrees from north instead of 90";
+  }
+
   // A number that may be missing, and is then left as it is.
   static std::optional<Error> read_number(JsonElement object, const char* key, double& number) {
     const auto member = json_member(object, key);
@@ -138,11 +161,9 @@ class VvizReading {
       const std::string name = name_of(performance, index);
       ShowDrone drone;
       drone.name = name;
-      drone.index = index;
       drone.place = assembly_.source_name();
       if (auto error = read_drone(performance, drone)) {
         error->message = "drone " + excerpt(name) + ": " + error->message;
-        error->location.record = index;
         if (auto fatal = assembly_.bad(*std::move(error), name)) return fatal;
       } else {
         drones_.add(std::move(drone));

@@ -32,7 +32,14 @@ bool may_count_pictures(double step) {
          step == 60.0;
 }
 
-// Milliseconds, unless the options say otherwise.
+// Positions of a show are written some times a second.
+constexpr double kLongestStep_s = 2.0;
+
+bool is_whole(double value) {
+  return value == std::floor(value);
+}
+
+// Milliseconds, unless the options say otherwise, or they are no whole numbers, and seconds.
 Result<TimeChoice> time_of_skybrush(const TableLayout& table, std::string_view text,
                                     const RecordingOptions& options) {
   TimeChoice time;
@@ -54,6 +61,13 @@ Result<TimeChoice> time_of_skybrush(const TableLayout& table, std::string_view t
   const bool numbers = times.texts.size() > 1 &&
                        parse_number(times.texts[0], first) == NumberKind::kNumber &&
                        parse_number(times.texts[1], second) == NumberKind::kNumber;
+  // Milliseconds and pictures are whole, and no two of them so close.
+  if (!said && numbers && second - first < kLongestStep_s &&
+      (!is_whole(first) || !is_whole(second))) {
+    time.unit = Unit::kSecond;
+    time.named = true;
+    return time;
+  }
   if (!said && options.format != RecordingFormat::kSkybrushCsv && numbers &&
       may_count_pictures(second - first)) {
     return Error{ErrorCode::kInvalidArgument,
@@ -166,24 +180,31 @@ void name_units(TrackLayout& layout, std::string_view reason) {
 
 }  // namespace
 
-// Whether a table without a header can hardly be anything else: whole times that ascend, three
-// numbers, and three whole ones up to 255.
+// Whether a table without a header can hardly be anything else: times that ascend, from 0 where
+// they are not whole, three numbers, and three whole ones up to 255.
 bool is_path_with_colours(std::string_view text, const TableLayout& table) {
   constexpr std::size_t kColumns = 7;
   constexpr std::uint64_t kRows = 100;
   if (!table.names.empty() || table.columns != kColumns) return false;
   RecordWalk walk(text, table.data_offset, table);
-  std::optional<std::uint64_t> before_ms;
+  std::optional<double> before;
+  double first = 0.0;
   while (walk.next() && walk.row() < kRows) {
     FieldCursor cursor(walk.record(), table.delimiter);
     Field field;
     for (std::size_t column = 0; column < kColumns; ++column) {
       if (!cursor.next(field)) return false;
       if (column >= 1 && column <= 3) continue;
+      if (column == 0) {
+        const auto time = parse_number(field.text);
+        if (!time || !(*time >= 0.0) || (before && !(*time > *before))) return false;
+        if (!before) first = *time;
+        if (!is_whole(*time) && first != 0.0) return false;
+        before = time;
+        continue;
+      }
       const auto whole = parse_whole(field.text);
-      if (!whole || (column == 0 && before_ms && *whole <= *before_ms)) return false;
-      if (column > 3 && *whole > 255) return false;
-      if (column == 0) before_ms = whole;
+      if (!whole || *whole > 255) return false;
     }
   }
   return true;

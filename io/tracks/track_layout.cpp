@@ -147,6 +147,16 @@ bool names_one_colour(const TableLayout& table) {
   });
 }
 
+// Where drones took off is read, where that is told.
+void settle_take_off(TrackLayout& layout) {
+  if (!layout.time || layout.show || layout.of_animals || tells_of_aircraft(layout)) return;
+  layout.take_off = find_take_off_columns(layout.table);
+  const auto column = layout.take_off.above ? layout.take_off.above : layout.take_off.standing;
+  if (!column) return;
+  layout.notes.push_back("from which height each took off is read from " +
+                         column_text(layout.table, *column));
+}
+
 // How fast nothing like that moves, where the unit of positions is but the usual one.
 std::optional<double> doubted_above(const TrackLayout& layout) {
   const auto& units = layout.table.choice.units_taken;
@@ -166,6 +176,8 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
     if (column < slots.size()) slots[column] = static_cast<std::uint8_t>(slot);
   };
   const ColumnChoice& choice = layout.table.choice;
+  if (layout.take_off.above) fill(*layout.take_off.above, TrackSlot::kAboveTakeOff);
+  if (layout.take_off.standing) fill(*layout.take_off.standing, TrackSlot::kStanding);
   if (layout.label) fill(*layout.label, TrackSlot::kLabel);
   if (layout.other_height) fill(*layout.other_height, TrackSlot::kOtherHeight);
   if (layout.on_ground) fill(*layout.on_ground, TrackSlot::kOnGround);
@@ -359,17 +371,17 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   layout.show = layout.time && layout.frame != Frame::kWgs84 &&
                 (names_colours(layout.table) || has_header_of_skybrush(layout.table));
   layout.doubted_above_mps = doubted_above(layout);
+  settle_take_off(layout);
   if (layout.time) {
     if (seen != SeenRecords::kWhole) layout.time->bare_midnights = false;
-    layout.time->begins_at_zero = !options.one_clock && !known && !layout.show &&
-                                  !names_one_colour(layout.table) &&
+    const bool colours = names_one_colour(layout.table) || names_colours(layout.table);
+    layout.time->begins_at_zero = !options.one_clock && !known && !layout.show && !colours &&
                                   times_begin_at_zero(text, layout.table, *layout.time);
     // Animations, as of shows, have heights, and one clock.
     layout.time->of_video = layout.time->form == TimeForm::kFrames && !options.one_clock &&
                             !known && (choice.dimensions == 2 || options.pixel.has_value());
     layout.time->is_small = layout.time->unit_is_asked && !options.one_clock && !layout.show &&
-                            !names_one_colour(layout.table) &&
-                            times_are_small(text, layout.table, *layout.time);
+                            !colours && times_are_small(text, layout.table, *layout.time);
     layout.notes.push_back(
         time_note(layout.table, *layout.time, options.time_unit != Unit::kUnstated));
   }

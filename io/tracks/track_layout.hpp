@@ -10,6 +10,7 @@
 #include "io/table/table_layout.hpp"
 #include "io/tracks/fix_quality.hpp"
 #include "io/tracks/sides.hpp"
+#include "io/tracks/take_off_columns.hpp"
 #include "io/units/iso_time.hpp"
 #include "io/units/time_zone.hpp"
 #include "io/units/unit_taken.hpp"
@@ -157,6 +158,7 @@ struct TrackLayout {
   std::optional<std::size_t> joined_place = {};
   // Likewise: heights of 0 are of no one that flies, on the ground or where it is not known.
   bool ground_at_zero = false;
+  TakeOffColumns take_off = {};       // of what drones logged
   bool keeps_grounded = false;        // aircraft on the ground count, too
   std::vector<UnitTaken> units = {};  // of positions and velocities
   // Of a beginning whose ids come once each: what is wrong if those of the whole do.
@@ -211,7 +213,9 @@ struct TrackSlot {
   static constexpr std::size_t kLost = kDue + 1;
   static constexpr std::size_t kOff = kLost + 1;  // two of them
   static constexpr std::size_t kAccuracy = kOff + 2;
-  static constexpr std::size_t kNothing = kAccuracy + 1;  // where columns go that are not asked for
+  static constexpr std::size_t kAboveTakeOff = kAccuracy + 1;
+  static constexpr std::size_t kStanding = kAboveTakeOff + 1;
+  static constexpr std::size_t kNothing = kStanding + 1;  // where columns go that are not asked for
 };
 
 // By column: which slot it fills. An id may be read from a column that is something else too, but

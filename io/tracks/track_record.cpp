@@ -398,6 +398,11 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   record.is_timed = layout_.time.has_value();
   if (auto problem = read_position(record)) return problem;
   if (auto problem = read_velocity(record)) return problem;
+  if (layout_.take_off.any()) {
+    record.take_off =
+        take_off_said(layout_.take_off, without_padding(fields_[TrackSlot::kAboveTakeOff].text),
+                      without_padding(fields_[TrackSlot::kStanding].text), record.position.z);
+  }
   record.is_timed = false;
   read_accuracy(record);
   return std::nullopt;

@@ -52,6 +52,7 @@ struct TrackRecord {
   std::string_view axes_name = {};   // of ROS: what the position is counted in; as long as the line
   std::string_view zone = {};        // of UTM; as long as the line
   std::string_view clock_zone = {};  // of the time; the same
+  TakeOffSaid take_off = {};         // where the table tells that
   std::string_view late_height = {};  // where there were none before (TrackLayout::no_height_yet)
 };
 

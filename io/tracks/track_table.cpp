@@ -16,6 +16,7 @@
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_record.hpp"
 #include "io/tracks/track_sets.hpp"
+#include "io/tracks/unnamed_position.hpp"
 #include "io/tracks/utm_zone.hpp"
 
 #include <algorithm>
@@ -172,8 +173,12 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   facts.begins_at_zero = layout.time && layout.time->begins_at_zero;
   facts.of_aircraft = tells_of_aircraft(layout);
   facts.of_animals = layout.of_animals;
-  facts.called_drones = choice.id && *choice.id < layout.table.names.size() &&
-                        names_drones(layout.table.names[*choice.id]);
+  const bool ids_of_drones = choice.id && *choice.id < layout.table.names.size() &&
+                             names_drones(layout.table.names[*choice.id]);
+  facts.called_drones = !facts.of_aircraft && !facts.of_animals &&
+                        (ids_of_drones || names_autopilot(layout.table) ||
+                         (layout.frame == Frame::kWgs84 && names_colours(layout.table)));
+  facts.heights_beside = heights_beside(layout.take_off, layout.table);
   facts.y_is_down = layout.y_is_down;
   facts.names_bees = choice.id.has_value();
   if (layout.time && layout.time->form == TimeForm::kNumbers) facts.time_unit = layout.time->unit;
@@ -345,6 +350,9 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     if (record.is_rough) assembly.take_rough(record.id);
     if (record.off_m > 0.0) {
       assembly.take_accuracy(record.id, record.off_m, layout.table.names[layout.accuracy->column]);
+    }
+    if (layout.take_off.any()) {
+      assembly.take_offs().take(record.id, record.time_s, record.take_off);
     }
     if (record.flies_on_ground) assembly.keep_in_flight();
     if (record.doubts_standing) assembly.doubt_standing();

@@ -56,6 +56,9 @@ TEST(Usage, ABadThresholdLeavesNoOutput) {
 TEST(Usage, UnknownOptionsGetAHint) {
   expect_usage_error({"detect", "--thershold", "5"}, "did you mean '--threshold'?");
   expect_usage_error({"detect", "--banana"}, "beespace detect --help");
+  // As others call it.
+  expect_usage_error({"verify", "--min-distance", "2"}, "did you mean '--threshold'?");
+  expect_usage_error({"verify", "-t", "2"}, "did you mean '--threshold'?");
   expect_usage_error({"generate", "--point", "5"}, "did you mean '--points'?");
   expect_usage_error({"detekt"}, "did you mean 'detect'?");
   expect_usage_error({"detect", "--thresh", "5"}, "did you mean '--threshold'?");

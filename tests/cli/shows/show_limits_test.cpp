@@ -70,17 +70,47 @@ TEST_F(LimitsBesideTheRing, OfAccelerationsAreLookedAtInTheirDirection) {
 TEST_F(LimitsBesideTheRing, OfTheHeightToNavigateAreKeptWhereNoneMovesSidewaysBelow) {
   const Finished studio = verify(R"("minNavAltitude": 2.5)");
   EXPECT_EQ(studio.exit_code, 0) << studio.err;
+  expect_parts(studio.err, {"minNavAltitude 2.5 m: kept (below it none moves sideways by more than "
+                            "0.1 m)\n",
+                            "verdict    holds\n"});
+  // At 10 m along a side of 5 m.
   const Finished low = verify(R"("minNavAltitude": 12)");
   EXPECT_EQ(low.exit_code, 1) << low.err;
-  expect_parts(low.err, {"declared, but not looked at: minNavAltitude\n",
-                         "verdict    not looked at as a whole: nothing else was found, but whether "
-                         "minNavAltitude is kept is not known",
-                         "say --skip-limits minNavAltitude\n"});
+  expect_parts(low.err, {"breaches   4 drones move sideways below minNavAltitude 12 m, the worst "
+                         "5.00 m, at up to 1.25 m/s: Drone 1 at ",
+                         "verdict    does not keep minNavAltitude; where that does not count, say "
+                         "--skip-limits minNavAltitude\n"});
+  EXPECT_EQ(low.err.find("not looked at"), std::string::npos) << low.err;
+  const Finished json = verify(R"("minNavAltitude": 12)", {"--json", "--quiet"});
+  expect_parts(json.out, {R"("name": "minNavAltitude", "below_m": 12, "kept": false, "bees": 4)"});
   const Finished said = verify(R"("minNavAltitude": 12)", {"--skip-limits", "minNavAltitude"});
   EXPECT_EQ(said.exit_code, 0) << said.err;
   expect_parts(said.err,
                {"declared, but not looked at: minNavAltitude\n",
                 "verdict    holds in what was looked at, which minNavAltitude is not (--skip"});
+}
+
+// As Studio samples and rounds paths: who climbs straight up moves by a centimetre.
+TEST_F(LimitsBesideTheRing, OfTheHeightToNavigateAreKeptDespiteRounding) {
+  const auto show = [this](const std::string& x) {
+    std::string points;
+    for (int k = 0; k <= 40; ++k) {
+      points += (k == 0 ? "[" : ",[") + std::to_string(0.25 * k) + ",[" + (k % 2 == 0 ? "0" : x) +
+                ",0," + std::to_string(k <= 20 ? 0.5 * k : 0.5 * (40 - k)) + "],[]]";
+    }
+    return folder_.file(
+        "show.json",
+        R"({"version":1,"settings":{"validation":{"minDistance":2,"minNavAltitude":2.5}},)"
+        R"("swarm":{"drones":[{"type":"generic","settings":{"name":"a","home":[0,0,0],)"
+        R"("trajectory":{"version":1,"points":[)" +
+            points + "]}}}]}}");
+  };
+  const auto text_of = [&](const std::string& x) {
+    return run({"verify", show(x), "--max-height", "20"}).err;
+  };
+  expect_parts(text_of("0.01"), {"minNavAltitude 2.5 m: kept"});
+  expect_parts(text_of("0.2"), {"1 drone moves sideways below minNavAltitude 2.5 m, the worst 0.20 "
+                                "m, at up to 0.80 m/s: a at "});
 }
 
 TEST_F(LimitsBesideTheRing, ThatAreNotKnownAreSaid) {

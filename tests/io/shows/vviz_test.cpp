@@ -52,6 +52,22 @@ TEST(Vviz, FirstSamplesThatAllSayHomeTakeNoTime) {
   EXPECT_EQ(some.bees.at(1).path->pieces.at(0).ends_s, 5.0);
 }
 
+TEST(Vviz, ALocationWithoutAHeadingIsTheLineToType) {
+  const auto located = [](const std::string& place) {
+    return recording_of(record(vviz_of(performance(0, "0.0") + "," + performance(1, "3.0"),
+                                       R"("globalReferenceFrame":)" + place + ",")));
+  };
+  EXPECT_TRUE(has_note(
+      located(R"({"lat":39.905963,"lon":-75.166393,"alt":0})"),
+      "the location of the show is not taken, as it does not say where x points; on a map it is "
+      "shown by 'beespace export' with --origin -75.166393,39.905963,0,90 if x points east; "
+      "otherwise with its degrees from north instead of 90"));
+  EXPECT_TRUE(has_note(
+      located("{}"),
+      "the location of the show is not taken, as it does not say where x points; on a map it is "
+      "shown by 'beespace export' with --origin"));
+}
+
 TEST(Vviz, LengthsMayBeInFeet) {
   RecordingOptions feet;
   feet.units.position = Unit::kFoot;

@@ -296,6 +296,16 @@ TEST(RecordingFiles, SkybrushTablesOutsideOfAZipAreKnownByTheirColours) {
   }
 }
 
+// No picture and no millisecond is a part of one.
+TEST(RecordingFiles, PathsWithColoursWhoseTimesAreNotWholeAreInSeconds) {
+  const std::string rows = "0.00,1,2,3,255,0,0\n0.25,1,2,4,255,0,9\n0.50,1,2,5,255,0,9\n";
+  const auto shown = recording_of(record(rows));
+  EXPECT_EQ(times_of(shown.bees[0]), (Times{0, 0.25, 0.5}));
+  EXPECT_TRUE(shown.show.has_value());
+  const auto fine = recording_of(record("0.000,1,2,3,255,0,0\n41.667,1,2,3,255,0,9\n"));
+  EXPECT_EQ(times_of(fine.bees[0]), (Times{0, 0.041667}));
+}
+
 // Of an animation there may be a row for every fifth or tenth picture, or for one a second.
 TEST(RecordingFiles, PicturesInStepsAreNoMilliseconds) {
   for (const char* const step : {"1", "5", "10", "24", "25", "30", "60"}) {
