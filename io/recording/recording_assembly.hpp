@@ -159,6 +159,9 @@ class RecordingAssembly {
   // Of sources that were begun.
   [[nodiscard]] ErrorLocation location_of(Origin origin) const;
   [[nodiscard]] Error conflict_error(const TimeConflict& conflict) const;
+  // Whether a clock may begin again unseen: times count from a zero of their own.
+  [[nodiscard]] bool may_begin_again() const;
+  [[nodiscard]] Error restart_error(const RestartedClock& restarted) const;
   // Says it once, however often it is handed in.
   void note(std::string text);
   // An error that skip_bad leaves out: nothing then, and a record of that bee is missing; no id

@@ -273,10 +273,13 @@ std::vector<TimeConflict> TrackGathering::contradicting(Frame frame) const {
 }
 
 std::optional<RestartedClock> TrackGathering::restarted(Frame frame) const {
-  std::vector<InInputOrder> bees;
+  std::vector<BeeClock> bees;
   bees.reserve(bees_.size());
-  for (const Bee& bee : bees_) bees.push_back({bee.recorded.fixes, bee.origins});
-  return restarted_clock(bees, frame);
+  for (const Bee& bee : bees_) {
+    const auto& fixes = bee.recorded.fixes;
+    bees.push_back(fixes.empty() ? BeeClock{} : clock_of(fixes, bee.origins, frame));
+  }
+  return restarted_clock(bees);
 }
 
 std::vector<SharedTrack> TrackGathering::jumping(const JumpsOf& of) const {
