@@ -100,6 +100,12 @@ void TrackGathering::add(std::string_view id, const Fix& fix, const Velocity* ve
   // Degrees and heights that were computed may be dust, whatever the input is written in.
   fixes.push_back({without_dust(fix.time_s), without_dust(fix.position)});
   bee.origins.push_back(origin);
+  const double time_s = fixes.back().time_s;
+  if (origin.source >= spans_.size()) spans_.resize(origin.source + std::size_t{1});
+  auto& span = spans_[origin.source];
+  if (!span) span = TimeSpan{time_s, time_s};
+  span->begins_s = std::min(span->begins_s, time_s);
+  span->ends_s = std::max(span->ends_s, time_s);
   if (bee.waits) return;
   bee.waits = true;
   waiting_.push_back(last_);
@@ -156,6 +162,10 @@ void TrackGathering::add_standing(std::string id, const Point& at) {
   Bee& bee = bees_.emplace_back();
   bee.recorded.id = std::move(id);
   bee.recorded.stands = at;
+}
+
+std::optional<TimeSpan> TrackGathering::span_of(std::uint32_t source) const {
+  return source < spans_.size() ? spans_[source] : std::nullopt;
 }
 
 Origin TrackGathering::origin(std::size_t index) const {
