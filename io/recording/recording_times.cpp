@@ -83,8 +83,10 @@ Error RecordingAssembly::restart_error(const RestartedClock& restarted) const {
       message += " (so do those of all " + std::to_string(restarted.bees) + " bees of this file)";
     }
     message += std::string(", as where a ") +
-               (restarted.at_once ? "simulation" : "simulation or a recording") +
-               " was started again: two runs cannot be compared with each other; ";
+               (restarted.at_once ? "simulation was started again"
+                                  : "simulation or a recording was started again, or two have one "
+                                    "id") +
+               ": two runs cannot be compared with each other; ";
     const bool splits_there = restarted.at_once || restarted.alone;
     message += splits_there ? "read each for itself"
                             : "write each run into a file of its own, and read each for itself";
@@ -92,6 +94,9 @@ Error RecordingAssembly::restart_error(const RestartedClock& restarted) const {
       message += ", the first as 'head -n " + std::to_string(*place.line - 1) +
                  "' of this file gives it, the second with the header and what follows from here";
     }
+  }
+  if (!restarted.at_once) {
+    message += "; if two have one id, name the column that tells them apart with --columns id=...";
   }
   return {ErrorCode::kTimeOrder, message + ", or, if all have one clock, say so with --one-clock",
           place};

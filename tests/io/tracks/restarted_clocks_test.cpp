@@ -134,10 +134,11 @@ TEST(RestartedClocks, AmongTheRecordsOfEachBeeAreAskedAbout) {
       "through the same times once more (so do those of all 2 bees of this file), as where");
   // One of them, the first or the last; and one by itself.
   expect_asked({kOfRuns + a + block_of("b", 0.0, 60, 2.0)}, "those of bee 'a' go back");
-  expect_asked({kOfRuns + block_of("c", 0.0, 60, 2.0) + b},
-               "those of bee 'b' go back, from 59 s to 3.5 s, and go through the same times once "
-               "more, as where a simulation or a recording was started again: two runs cannot be "
-               "compared with each other; write each run into a file of its own");
+  expect_asked(
+      {kOfRuns + block_of("c", 0.0, 60, 2.0) + b},
+      "those of bee 'b' go back, from 59 s to 3.5 s, and go through the same times once "
+      "more, as where a simulation or a recording was started again, or two have one id: two "
+      "runs cannot be compared with each other; write each run into a file of its own");
   expect_asked({kOfRuns + a}, "read each for itself, the first as 'head -n 61' of this file");
   // One of several files.
   expect_asked({kOfRuns + block_of("c", 2.0, 60, 2.0), kOfRuns + a}, "'head -n 61'");
