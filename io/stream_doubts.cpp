@@ -1,6 +1,7 @@
 // Where bees of a stream are not known, and what cannot be left out any more as it was handed out.
 #include "io/bytes/number_text.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/recording/restarted_clock.hpp"
 #include "io/stream_recording.hpp"
 
 #include <cstddef>
@@ -41,6 +42,16 @@ void RecordingStream::look_whether_frozen(std::size_t bee, const Fix& fix,
   }
   const auto now = frozen_[bee].take(fix, velocity, frame(), fixes_);
   if (now == FrozenWatch::Now::kLedAway && !led_away_[bee]) led_away_[bee] = fixes_;
+}
+
+// Runs that were handed out would be mixed in the order of time.
+std::optional<Error> RecordingStream::restart_problem() const {
+  std::vector<BeeClock> clocks;
+  clocks.reserve(clocks_.size());
+  for (const RestartWatch& watch : clocks_) clocks.push_back(watch.clock());
+  const auto restarted = restarted_clock(clocks);
+  if (!restarted) return std::nullopt;
+  return assembly_->restart_error(*restarted);
 }
 
 // Those that were handed out cannot be left out any more.

@@ -269,7 +269,10 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
   fixes.clear();
   while (fixes.empty()) {
     if (!stream_) {
-      if (next_file_ == files_.size()) return std::monostate{};
+      if (next_file_ == files_.size()) {
+        if (auto problem = restart_problem()) return *std::move(problem);
+        return std::monostate{};
+      }
       if (auto status = begin_source(); !status) return status;
     }
     if (auto status = read_lines(); !status) return status;
@@ -279,6 +282,10 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
         assembly_->leave_out(kZeroPlace, id(bee));
         assembly_->unplaced(id(bee), fix.time_s);
         return;
+      }
+      if (assembly_->may_begin_again()) {
+        if (bee >= clocks_.size()) clocks_.resize(bee + 1);
+        clocks_[bee].take(fix, origin, frame());
       }
       if (bee >= stale_.size()) stale_.resize(bee + 1);
       if (stale_[bee].take(fix, velocity)) {

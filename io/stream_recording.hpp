@@ -16,6 +16,7 @@
 #include "io/recording/recording.hpp"
 #include "io/recording/recording_assembly.hpp"
 #include "io/recording/recording_options.hpp"
+#include "io/recording/restart_watch.hpp"
 #include "io/recording/shared_id.hpp"
 #include "io/recording/stale_places.hpp"
 #include "io/recording/zero_places.hpp"
@@ -90,6 +91,7 @@ class RecordingStream {
   std::string_view readable(std::string_view text, std::optional<Bytes>& converted);
   [[nodiscard]] std::optional<Error> zero_run_problem() const;
   [[nodiscard]] std::optional<Error> frozen_problem() const;
+  [[nodiscard]] std::optional<Error> restart_problem() const;
 
   std::unique_ptr<RecordingOptions> options_;
   Progress* progress_;  // of bytes of files, packed as they are
@@ -132,6 +134,7 @@ class RecordingStream {
     bool goes_back = false;
   };
   std::vector<Last> last_fix_;
+  std::vector<RestartWatch> clocks_;                    // by bee, of times with a zero of their own
   std::vector<FrozenWatch> frozen_;                     // by bee
   std::vector<std::optional<std::uint64_t>> led_away_;  // the same: the first such fix
 };

@@ -4,6 +4,7 @@
 #include "analysis/recorded/begins_in_air.hpp"
 #include "analysis/recorded/ends.hpp"
 #include "analysis/recorded/jump_spans.hpp"
+#include "analysis/recorded/shared_ids.hpp"
 #include "io/recording/flat_distance.hpp"
 
 #include <algorithm>
@@ -325,22 +326,14 @@ std::vector<double> unknown_times_s(const io::Recording& recording, const std::v
   return unknown_s;
 }
 
-namespace {
-
-// Of the first few such ids, which are named.
-bool is_shared(const io::Recording& recording, const std::string& id) {
-  const std::vector<std::string>& shared = recording.missing.shared_ids;
-  return std::find(shared.begin(), shared.end(), id) != shared.end();
-}
-
-}  // namespace
-
 std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector<Gap>& gaps,
                                const MaxGap& max_gap) {
   std::vector<Gap> all = joined_gaps(gaps, doubtful_spans(recording, max_gap));
   for (std::size_t track = 0; track < recording.bees.size(); ++track) {
     const io::RecordedBee& bee = recording.bees[track];
-    if (bee.fixes.empty() || !is_shared(recording, bee.id)) continue;
+    if (bee.fixes.empty() || !is_shared(recording, static_cast<PointId>(track))) {
+      continue;
+    }
     all.push_back({static_cast<PointId>(track), bee.fixes.front().time_s, bee.fixes.back().time_s});
   }
   const auto outside = outside_of(recording, max_gap.seconds, max_gap);

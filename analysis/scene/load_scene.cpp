@@ -101,10 +101,11 @@ io::LoadOptions options_for_points(const SceneRequest& request, io::Progress* pr
 }
 
 // Of what can be read neither way: what is wrong with the way that fits better. Of what is no text
-// the reader of snapshots knows more; what is asked about a recording, a snapshot that cannot be
-// read does not answer.
+// the reader of snapshots knows more; what is asked about a recording, or which of its columns are
+// which, a snapshot that cannot be read does not answer.
 Error better_of(Error as_snapshot, Error as_recording, bool names_a_time) {
-  const bool is_question = as_recording.code == ErrorCode::kInvalidArgument &&
+  const bool is_question = (as_recording.code == ErrorCode::kInvalidArgument ||
+                            as_recording.code == ErrorCode::kMissingColumn) &&
                            as_snapshot.code != ErrorCode::kInvalidArgument;
   if (names_a_time && is_question) return as_recording;
   const bool is_other = as_snapshot.code == ErrorCode::kUnsupportedFormat &&

@@ -12,6 +12,7 @@
 #include "analysis/recorded/kept_by_height.hpp"
 #include "analysis/recorded/landed_times.hpp"
 #include "analysis/recorded/low_conflicts.hpp"
+#include "analysis/recorded/shared_ids.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/still_times.hpp"
 #include "analysis/recorded/tracks.hpp"
@@ -426,6 +427,8 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   if (std::string slow = slow_text(coverage, recording); !slow.empty()) {
     swarm.notes.push_back(std::move(slow));
   }
+  doubt_with_shared_id(recording, *standing);
+  doubt_with_shared_id(recording, recorded->conflicts);
   facts.with_standing = *standing;
   take_conflicts(std::move(recorded->conflicts), facts);
   if (!standing->empty()) {

@@ -4,6 +4,7 @@
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/kept_by_height.hpp"
 #include "analysis/recorded/landed_times.hpp"
+#include "analysis/recorded/shared_ids.hpp"
 #include "analysis/recorded/unknown_around.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "cli/console/terminal.hpp"
@@ -52,6 +53,12 @@ std::string kinds_text(const analysis::Findings& findings) {
     text += ", " + io::grouped(findings.with_standing.size()) + " " +
             with_standing_words(findings.recording);
   }
+  if (const auto shared =
+          analysis::count_with_shared_id(findings.recording, findings.recorded.conflicts);
+      shared > 0) {
+    text +=
+        ", " + io::grouped(std::uint64_t{shared}) + " possible, with an id that two seem to have";
+  }
   if (findings.curves != nullptr && !findings.curves->conflicts.empty()) {
     text += ", " + io::grouped(findings.curves->conflicts.size()) +
             " possible, along curves with the given velocities";
@@ -92,8 +99,10 @@ std::string verdict(const analysis::Findings& findings,
     return bold(known_words(findings)) + but;
   }
   const auto& conflicts = findings.recorded.conflicts;
-  const bool certain = std::any_of(conflicts.begin(), conflicts.end(),
-                                   [](const Conflict& conflict) { return conflict.certain; });
+  const bool certain =
+      std::any_of(conflicts.begin(), conflicts.end(), [&findings](const Conflict& conflict) {
+        return conflict.certain && !analysis::is_with_shared_id(findings.recording, conflict);
+      });
   return red(certain ? "does not keep its distance" : "may not keep its distance") + ": " +
          plural(conflicts.size(), "conflict", "conflicts") + " of " +
          plural(pairs.size(), "pair", "pairs") + kinds_text(findings) + but;
@@ -181,6 +190,7 @@ void append_worst(std::string& out, const analysis::Findings& findings,
     if (std::count(standing.begin(), standing.end(), pair.closest) > 0) {
       text += ", " + std::string(with_standing_words(findings.recording));
     }
+    if (analysis::is_with_shared_id(findings.recording, pair.closest)) text += ", possible";
     text += "; in conflict for " + io::grouped(pair.time_s, 2) + " s";
     if (findings.curves != nullptr && findings.curves->given && !pair.closest.certain) {
       text += ", on curves with the given velocities";

@@ -16,6 +16,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -26,7 +29,6 @@ namespace {
 
 constexpr LeftOutReason kLocalOnly = {"of drones that tell local positions (message 32)",
                                       "--crs metres takes these"};
-constexpr LeftOutReason kNotLocal = {"of drones that tell no local positions (--crs metres)"};
 // So long a drone that tells the place of its satellites may still tell that of its estimator.
 constexpr std::uint64_t kPatienceMicros = 2'000'000;
 
@@ -56,6 +58,7 @@ class TelemetryFrames final : public LineReader {
     }
     if (at && at->by == PlaceBy::kOfAnother) return of_another(*at, walk.stamp());
     id_ = std::to_string(frame.system);
+    if (census_.is_station(frame.system)) return of_station(frame.system, at.has_value());
     return at ? of_vehicle(frame, *at, walk.stamp()) : of_silent(frame.system);
   }
 
@@ -75,6 +78,9 @@ class TelemetryFrames final : public LineReader {
                             lesser_);
     }
     if (any_other_) facts.notes.emplace_back(kReportedNote);
+    for (const std::uint8_t system : stations_) {
+      facts.notes.push_back(std::string(kStationNote) + std::to_string(system));
+    }
     if (std::string note = silent_note(); !note.empty()) facts.notes.push_back(std::move(note));
     facts.units = {metres() ? UnitTaken{"x, y and z", Unit::kMetre, UnitEvidence::kNamed,
                                         "MAVLink message 32 has them so"}
@@ -98,6 +104,20 @@ class TelemetryFrames final : public LineReader {
     left_out_.add(reason);
     hides_ = !reason.harmless;
     return std::nullopt;
+  }
+
+  // A ground station is no bee; one that was taken for it before it said what it is leaves.
+  std::optional<ReportLine> of_station(std::uint8_t system, bool placed) {
+    if (placed || told_[system]) stations_.insert(system);
+    const bool known = told_[system] || silent_[system] > 0;
+    told_[system] = false;
+    silent_[system] = 0;
+    taken_[system].reset();
+    if (!known) return std::nullopt;
+    ReportLine line;
+    line.id = id_;
+    line.leaves = true;
+    return line;
   }
 
   // Of another message: a vehicle is known nowhere until it tells a place, and is none where a
@@ -265,6 +285,7 @@ class TelemetryFrames final : public LineReader {
   std::array<std::optional<std::uint64_t>, kSystems> first_ = {};
   std::array<std::optional<std::uint8_t>, kSystems> components_ = {};
   std::array<std::optional<std::string>, kSystems> own_names_ = {};
+  std::set<std::uint8_t> stations_;  // those that told a place of their own
   LiveTelemetryTimes times_;
   std::unordered_map<std::uint32_t, Point> places_;  // of aircraft by address: the last
 };

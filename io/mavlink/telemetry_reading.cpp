@@ -1,6 +1,7 @@
 #include "io/mavlink/telemetry_reading.hpp"
 
 #include "io/aircraft/aircraft_report.hpp"
+#include "io/mavlink/heard_landings.hpp"
 #include "io/mavlink/heard_place.hpp"
 #include "io/mavlink/lost_places.hpp"
 #include "io/mavlink/mavlink_position.hpp"
@@ -20,6 +21,7 @@
 #include <cstdlib>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -27,11 +29,6 @@
 
 namespace beespace::io {
 namespace {
-
-constexpr LeftOutReason kOtherFrame = {
-    "of drones that tell local positions only, beside others that tell longitude and latitude",
-    "--crs metres takes local positions"};
-constexpr LeftOutReason kNotLocal = {"of drones that tell no local positions (--crs metres)"};
 
 constexpr double kMicrosPerSecond = 1e6;
 
@@ -58,7 +55,9 @@ class TelemetryReading {
     choose_places();
     for (Heard& heard : heard_) heard.is_taken = takes(heard);
     time_places();
-    find_landed();
+    if (!assembly_.options().grounded) {
+      find_landed(landings_, global_ ? Frame::kWgs84 : Frame::kMetres, heard_);
+    }
     leave_out_early();
     say_choice();
     for (const Heard& heard : heard_) {
@@ -81,12 +80,31 @@ class TelemetryReading {
       auto position = read_mavlink_position(frame);
       if (!position || position->by != PlaceBy::kOfAnother) ++frames_of_[frame.system];
       if (!position) continue;
-      if (position->known) tells_[frame.system][static_cast<std::size_t>(position->by)] = true;
-      any_[static_cast<std::size_t>(position->by)] = true;
       heard_.push_back(
           {walk_.stamp(), walk_.index(), frame.system, frame.component, *std::move(position)});
       heard_.back().is_lost = lost_.is_lost(frame.system, heard_.back().at.by,
                                             static_cast<std::int64_t>(walk_.stamp()));
+    }
+    leave_out_stations();
+    for (const Heard& heard : heard_) {
+      const auto by = static_cast<std::size_t>(heard.at.by);
+      if (heard.at.known) tells_[heard.system][by] = true;
+      any_[by] = true;
+    }
+  }
+
+  // By all that was said, as heartbeats may come late.
+  void leave_out_stations() {
+    std::set<std::uint8_t> stations;
+    std::erase_if(heard_, [&](const Heard& heard) {
+      const bool own = heard.at.by != PlaceBy::kOfAnother && census_.is_station(heard.system);
+      if (own) stations.insert(heard.system);
+      return own;
+    });
+    for (const std::uint8_t system : stations) {
+      assembly_.note(std::string(kStationNote) +
+                     (assembly_.has_several() ? assembly_.source_name() + ", " : "") +
+                     std::to_string(system));
     }
   }
 
@@ -304,32 +322,6 @@ class TelemetryReading {
       for (std::size_t i = 0; i < at_us.size(); ++i) {
         places[system][i]->time_s = seconds(at_us[i]);
       }
-    }
-  }
-
-  // By when they came, as what vehicles say of it has no other time.
-  void find_landed() {
-    if (assembly_.options().grounded) return;
-    std::array<std::vector<Heard*>, kSystems> of_systems;
-    for (Heard& heard : heard_) {
-      if (heard.is_taken && heard.at.by != PlaceBy::kOfAnother) {
-        of_systems[heard.system].push_back(&heard);
-      }
-    }
-    for (const std::vector<Heard*>& of_system : of_systems) {
-      if (of_system.empty()) continue;
-      const Heard& first = *of_system.front();
-      const LandedReports* const reports = landings_.of(first.system, first.component);
-      if (reports == nullptr || !reports->any_landed()) continue;
-      std::vector<LandedReports::Place> places;
-      places.reserve(of_system.size());
-      for (const Heard* const heard : of_system) {
-        places.push_back({static_cast<std::int64_t>(heard->stamp), heard->at.position,
-                          heard->at.velocity, heard->at.above_home_m});
-      }
-      const std::vector<bool> landed =
-          reports->on_ground(places, global_ ? Frame::kWgs84 : Frame::kMetres);
-      for (std::size_t i = 0; i < of_system.size(); ++i) of_system[i]->landed = landed[i];
     }
   }
 

@@ -18,6 +18,11 @@ inline constexpr LeftOutReason kNotYetOnGround = {
     true};
 inline constexpr LeftOutReason kOtherComponent = {
     "of another component of the same system", {}, true};
+inline constexpr LeftOutReason kOtherFrame = {
+    "of drones that tell local positions only, beside others that tell longitude and latitude",
+    "--crs metres takes local positions"};
+inline constexpr LeftOutReason kNotLocal = {
+    "of drones that tell no local positions (--crs metres)"};
 // Of systems that are vehicles by their heartbeat, or may be.
 inline constexpr LeftOutReason kNoPlaceRead = {
     "of vehicles that tell no position that is read (messages 33, 340, 24, 32)"};
@@ -51,6 +56,9 @@ inline constexpr std::string_view kNoSatelliteTimeNote =
 inline constexpr std::string_view kNoClockOfLogNote =
     "it is not known how the clock of the log goes with that of other inputs, as no drone in it "
     "tells the time of satellites (message 2): ";
+inline constexpr std::string_view kStationNote =
+    "the own position of a ground station or antenna tracker, which its HEARTBEAT says that it is, "
+    "is left out: ";
 inline constexpr std::string_view kReportedNote =
     "aircraft that a receiver of ADS-B tells (message 246) are bees, named by their address: their "
     "heights are by pressure or by satellites, tens of metres from those of the drones";

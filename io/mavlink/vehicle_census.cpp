@@ -46,6 +46,12 @@ bool is_no_vehicle(std::uint8_t type, std::uint8_t autopilot) {
   }
 }
 
+// MAV_TYPE of what is on the ground, and in a system of its own: antenna tracker, ground station,
+// charging station. What else is no vehicle may be aboard one.
+bool is_station_type(std::uint8_t type) {
+  return type == 5 || type == 6 || type == 31;
+}
+
 // Whether the message says nothing of its sender.
 bool is_of_others(const MavlinkFrame& frame) {
   return frame.message == kAdsbVehicle || frame.message == kRadioStatus ||
@@ -59,6 +65,7 @@ void VehicleCensus::take(const MavlinkFrame& frame) {
   const std::size_t who = kSystems * frame.system + frame.component;
   if (frame.message == kHeartbeat) {
     const MavlinkPayload payload(frame.payload);
+    if (is_station_type(payload.byte(4))) stations_[frame.system] = true;
     if (!is_no_vehicle(payload.byte(4), payload.byte(5))) {
       flies_[frame.system] = true;
     } else if (!is_none_[who]) {

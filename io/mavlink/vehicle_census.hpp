@@ -21,11 +21,17 @@ class VehicleCensus {
   [[nodiscard]] bool is_vehicle(std::uint8_t system) const {
     return flies_[system] || unexplained_[system] > 0;
   }
+  // Whether it is a ground station, an antenna tracker or a charging station, and no vehicle: where
+  // it says to be, none flies.
+  [[nodiscard]] bool is_station(std::uint8_t system) const {
+    return stations_[system] && !is_vehicle(system);
+  }
 
  private:
   static constexpr std::size_t kSystems = 256;
 
-  std::array<bool, kSystems> flies_ = {};  // as a heartbeat of it says
+  std::array<bool, kSystems> flies_ = {};     // as a heartbeat of it says
+  std::array<bool, kSystems> stations_ = {};  // the same
   // How many components that may be an autopilot were heard without saying what they are.
   std::array<std::uint16_t, kSystems> unexplained_ = {};
   std::bitset<kSystems * kSystems> heard_;    // by system and component

@@ -75,6 +75,10 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
     return Error{code, message, {sources_.back()}};
   };
   if (!facts.unused_options) unused_options_.reset();
+  if (facts.zero_unsaid) {
+    zeros_unsaid_.push_back(source());
+    shift_ = facts.shift;
+  }
   if (!facts_) {
     facts_ = facts;
     unused_options_ = facts.unused_options;

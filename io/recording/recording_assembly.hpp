@@ -10,6 +10,7 @@
 #include "io/recording/address_names.hpp"
 #include "io/recording/bare_midnights.hpp"
 #include "io/recording/doubled_hours.hpp"
+#include "io/recording/file_names.hpp"
 #include "io/recording/frozen_places.hpp"
 #include "io/recording/ground_claims.hpp"
 #include "io/recording/heightless.hpp"
@@ -60,15 +61,18 @@ struct SourceFacts {
   bool since_start = false;                   // times count since the one vehicle was switched on
   bool begins_at_zero = false;                // the first one is 0
   bool small_times = false;                   // TimeChoice::is_small
-  bool of_aircraft = false;                   // by its format, or what its columns are called
-  bool of_animals = false;                    // what is known to write tables of animals wrote it
-  bool of_drones = false;                     // what their autopilots logged
-  bool called_drones = false;                 // Recording::called_drones
-  std::string heights_beside = {};            // Recording::heights_beside
-  bool y_is_down = false;                     // Recording::y_is_down
-  bool flies_on = false;                      // Recording::flies_on
-  bool names_bees = false;                    // by an id: there may be several in it
-  Unit time_unit = Unit::kUnstated;           // in which times are numbers
+  // Nothing says that times of several such count from one zero; how to add something to them.
+  bool zero_unsaid = false;
+  std::string shift = {};
+  bool of_aircraft = false;           // by its format, or what its columns are called
+  bool of_animals = false;            // what is known to write tables of animals wrote it
+  bool of_drones = false;             // what their autopilots logged
+  bool called_drones = false;         // Recording::called_drones
+  std::string heights_beside = {};    // Recording::heights_beside
+  bool y_is_down = false;             // Recording::y_is_down
+  bool flies_on = false;              // Recording::flies_on
+  bool names_bees = false;            // by an id: there may be several in it
+  Unit time_unit = Unit::kUnstated;   // in which times are numbers
   Unit named_time = Unit::kUnstated;  // that of the times, where nothing but the header says it
   HeightDatum heights = HeightDatum::kUnstated;
   Unit height_unit = Unit::kMetre;  // in which TrackGathering is told them as they are stated
@@ -128,6 +132,10 @@ class RecordingAssembly {
   std::string_view name_within_set(std::string_view id, std::string_view set) {
     return set_names_.name_of(id, set);
   }
+  // What to call a bee whose id may be that of another one in another file, until all are known.
+  std::string_view name_within_file(std::string_view file, std::string_view id) {
+    return file_names_.name_of(file, id);
+  }
   // What to call an aircraft of that address, which another input may write in capitals.
   std::string_view name_of_address(std::string_view address) {
     return address_names_.name_of(address);
@@ -162,6 +170,9 @@ class RecordingAssembly {
   // Of sources that were begun.
   [[nodiscard]] ErrorLocation location_of(Origin origin) const;
   [[nodiscard]] Error conflict_error(const TimeConflict& conflict) const;
+  // Whether a clock may begin again unseen: times count from a zero of their own.
+  [[nodiscard]] bool may_begin_again() const;
+  [[nodiscard]] Error restart_error(const RestartedClock& restarted) const;
   // Says it once, however often it is handed in.
   void note(std::string text);
   // An error that skip_bad leaves out: nothing then, and a record of that bee is missing; no id
@@ -291,6 +302,7 @@ class RecordingAssembly {
   [[nodiscard]] std::optional<Error> doubtful_units() const;
   void note_counts();
   void note_clocks();
+  void note_one_clock();
   [[nodiscard]] Error nothing_left() const;
   std::optional<Error> agree_on_heights(HeightDatum heights);
   [[nodiscard]] std::optional<Error> agree_on_origins(const SourceFacts& facts);
@@ -335,6 +347,7 @@ class RecordingAssembly {
   PartSpans videos_;  // by name
   PartSpans tags_;    // within each animal
   AddressNames address_names_;
+  FileNames file_names_;
   DoubledHours doubled_hours_;
   BareMidnights bare_midnights_;
   std::unordered_map<std::string, double> times_of_day_s_;  // by bee: the last one
@@ -353,6 +366,8 @@ class RecordingAssembly {
   std::string facts_source_;          // who said so first
   // That of the first, as long as options are for none of them.
   std::optional<Error> unused_options_;
+  std::vector<std::uint32_t> zeros_unsaid_;              // sources: SourceFacts::zero_unsaid
+  std::string shift_;                                    // of the last of them
   std::optional<std::string> zero_source_;               // whose times begin at 0,
   bool zero_names_bees_ = false;                         // and whether it names bees
   HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by the source that states it

@@ -7,6 +7,7 @@
 #include "io/recording/local_topics.hpp"
 #include "io/recording/missing_numbers.hpp"
 #include "io/recording/moment_text.hpp"
+#include "io/recording/one_clock_note.hpp"
 #include "io/recording/recording_assembly.hpp"
 #include "io/recording/relayed_ids.hpp"
 #include "io/recording/same_tracks.hpp"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -125,6 +127,15 @@ void RecordingAssembly::note_clocks() {
   }
   note("the clocks of " + std::to_string(clocks_set_.size()) + " logs are set by GPS, each by " +
        counted(fewest, "time", "times") + " or more" + within);
+}
+
+void RecordingAssembly::note_one_clock() {
+  std::vector<TimeSpan> files;
+  files.reserve(zeros_unsaid_.size());
+  for (const std::uint32_t source : zeros_unsaid_) {
+    if (const auto span = tracks_.span_of(source)) files.push_back(*span);
+  }
+  if (auto text = one_clock_note(files, shift_)) note(*std::move(text));
 }
 
 void RecordingAssembly::note_counts() {
@@ -333,6 +344,7 @@ Result<Recording> RecordingAssembly::finish() {
     for (RecordedBee& bee : recording_.bees) bee.stated_heights.clear();
   }
   note_clocks();
+  note_one_clock();
   note_counts();
   if (auto same = same_tracks_note(recording_.bees)) note(*std::move(same));
   if (is_show()) {
@@ -342,6 +354,7 @@ Result<Recording> RecordingAssembly::finish() {
     if (auto relayed = relayed_ids_note(recording_.bees)) note(*std::move(relayed));
   }
   if (!options_.grounded) leave_ground_time_out(recording_);
+  file_names_.shorten(recording_);
   if (auto swapped = swapped_degrees(recording_)) {
     note(std::move(swapped->note));
     // Who says which column is which means it.

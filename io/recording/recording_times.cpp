@@ -57,33 +57,56 @@ std::optional<Error> RecordingAssembly::settle_times() {
 }
 
 // Of dates it is known which are the same time.
-std::optional<Error> RecordingAssembly::settle_restart() const {
+bool RecordingAssembly::may_begin_again() const {
   const bool own_zero = facts_ && facts_->has_time && !facts_->since_1970 && !facts_->clock;
-  if (!own_zero || options_.one_clock || frame_is_settled_ || tracks_.rounds_times()) {
-    return std::nullopt;
+  return own_zero && !options_.one_clock && !tracks_.rounds_times();
+}
+
+Error RecordingAssembly::restart_error(const RestartedClock& restarted) const {
+  const ErrorLocation place = location_of(restarted.begins);
+  const std::string back =
+      "from " + exact(restarted.from_s) + " s to " + exact(restarted.to_s) + " s, ";
+  const bool of_two_files = restarted.before.source != restarted.begins.source;
+  std::string message = "times begin again here: ";
+  if (restarted.at_once) {
+    message += counted(restarted.bees, "bee", "bees") + " go back at once, " + back;
+  } else {
+    message += "those of bee " + excerpt(tracks_.id(restarted.bee)) + " go back, " + back;
   }
-  const auto restarted = tracks_.restarted(facts_->frame);
-  if (!restarted) return std::nullopt;
-  const ErrorLocation place = location_of(restarted->begins);
-  const bool of_two_files = restarted->before.source != restarted->begins.source;
-  std::string message = "times begin again here: " + counted(restarted->bees, "bee", "bees") +
-                        " go back at once, from " + exact(restarted->from_s) + " s to " +
-                        exact(restarted->to_s) + " s, ";
   if (of_two_files) {
-    message += "and are in " + place_text(restarted->before) +
+    message += "and are in " + place_text(restarted.before) +
                ", at other places at these times, as of two runs: then they cannot be compared; "
                "read the files each for itself";
   } else {
-    message +=
-        "and go through the same times once more, as where a simulation was started again: "
-        "two runs cannot be compared with each other; read each for itself";
-    if (place.line) {
+    message += "and go through the same times once more";
+    if (restarted.bees > 1 && !restarted.at_once) {
+      message += " (so do those of all " + std::to_string(restarted.bees) + " bees of this file)";
+    }
+    message += std::string(", as where a ") +
+               (restarted.at_once ? "simulation was started again"
+                                  : "simulation or a recording was started again, or two have one "
+                                    "id") +
+               ": two runs cannot be compared with each other; ";
+    const bool splits_there = restarted.at_once || restarted.alone;
+    message += splits_there ? "read each for itself"
+                            : "write each run into a file of its own, and read each for itself";
+    if (splits_there && place.line) {
       message += ", the first as 'head -n " + std::to_string(*place.line - 1) +
                  "' of this file gives it, the second with the header and what follows from here";
     }
   }
-  return Error{ErrorCode::kTimeOrder,
-               message + ", or, if all have one clock, say so with --one-clock", place};
+  if (!restarted.at_once) {
+    message += "; if two have one id, name the column that tells them apart with --columns id=...";
+  }
+  return {ErrorCode::kTimeOrder, message + ", or, if all have one clock, say so with --one-clock",
+          place};
+}
+
+std::optional<Error> RecordingAssembly::settle_restart() const {
+  if (!may_begin_again() || frame_is_settled_) return std::nullopt;
+  const auto restarted = tracks_.restarted(facts_->frame);
+  if (!restarted) return std::nullopt;
+  return restart_error(*restarted);
 }
 
 // Of one id in several files at once: two trials, or two animals, are not one.

@@ -1,147 +1,117 @@
 #include "io/recording/restarted_clock.hpp"
 
-#include "io/recording/flat_distance.hpp"
-
-#include <beespace/point.hpp>
-
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
+#include <set>
 
 namespace beespace::io {
 namespace {
-
-using FixSpan = std::span<const Fix>;
-
-constexpr std::ptrdiff_t kFewestOfBoth = 3;  // fixes of either run within the times of both
 
 bool comes_before(const Origin& a, const Origin& b) {
   return a.source != b.source ? a.source < b.source : a.line < b.line;
 }
 
-// Of fixes in the order of time, those from one time to another.
-FixSpan within(FixSpan fixes, double from_s, double until_s) {
-  const auto begin =
-      std::lower_bound(fixes.begin(), fixes.end(), from_s,
-                       [](const Fix& fix, double time_s) { return fix.time_s < time_s; });
-  const auto end = std::upper_bound(begin, fixes.end(), until_s, [](double time_s, const Fix& fix) {
-    return time_s < fix.time_s;
-  });
-  return {begin, end};
+bool is_within_one_file(const ClockCut& cut) {
+  return cut.before.source == cut.begins.source;
 }
 
-// How many of the second are not where the first leads, and how many are there just the same.
-struct RunsCompared {
-  std::size_t apart = 0;
-  std::size_t same = 0;
-};
+bool is_in(const BeeClock& bee, std::uint64_t source) {
+  return bee.first.source <= source && source <= bee.last.source;
+}
 
-RunsCompared compare_runs(FixSpan first, FixSpan second, Frame frame) {
-  constexpr double kOfAStep = 0.1;
-  constexpr double kTwoReceivers_m = 20.0;  // so far apart are places of two receivers at one place
-  const double least_m = frame == Frame::kWgs84 ? kTwoReceivers_m : 0.0;
-  RunsCompared found;
-  for (const Fix& fix : second) {
-    const auto after =
-        std::lower_bound(first.begin(), first.end(), fix.time_s,
-                         [](const Fix& other, double time_s) { return other.time_s < time_s; });
-    if (after == first.end()) continue;
-    if (*after == fix) {
-      ++found.same;
-      continue;
-    }
-    const Fix& to = *after;
-    const Fix& from = after == first.begin() ? to : *(after - 1);
-    const double lasts_s = to.time_s - from.time_s;
-    const double share = lasts_s > 0.0 ? (fix.time_s - from.time_s) / lasts_s : 1.0;
-    const auto along = [share](double a, double b) { return a + share * (b - a); };
-    const Point led{along(from.position.x, to.position.x), along(from.position.y, to.position.y),
-                    along(from.position.z, to.position.z)};
-    const double step_m = flat_distance_m(from.position, to.position, frame);
-    const double off_m = flat_distance_m(led, fix.position, frame);
-    if (off_m > least_m && off_m > kOfAStep * step_m) ++found.apart;
-  }
+RestartedClock restart_at(const std::vector<BeeClock>& bees, std::size_t bee) {
+  const ClockCut& cut = *bees[bee].cut;
+  RestartedClock found;
+  found.before = cut.before;
+  found.begins = cut.begins;
+  found.from_s = cut.from_s;
+  found.to_s = cut.to_s;
+  found.bee = bee;
+  found.bees = 1;
+  found.alone =
+      std::count_if(bees.begin(), bees.end(), [source = cut.begins.source](const BeeClock& other) {
+        return is_in(other, source);
+      }) == 1;
   return found;
 }
 
-struct ClockCut {
-  std::size_t bee = 0;
-  std::size_t at = 0;     // the first fix after it
-  bool repeated = false;  // most of it was there before, just the same
-  bool apart = false;     // most places after it do not go with those before
-};
-
-// Where each run of times begins that does not go back; nothing of a bee that is in no order.
-std::vector<std::size_t> runs_of(FixSpan fixes) {
-  constexpr std::size_t kLongRuns = 8;  // fixes a run, on average
-  std::vector<std::size_t> begins{0};
-  for (std::size_t i = 1; i < fixes.size(); ++i) {
-    if (fixes[i].time_s < fixes[i - 1].time_s) begins.push_back(i);
-  }
-  if (kLongRuns * (begins.size() - 1) > fixes.size()) return {};
-  return begins;
-}
-
-// The first run that goes through times of the one before it.
-std::optional<ClockCut> first_cut(std::size_t bee, FixSpan fixes, Frame frame) {
-  const std::vector<std::size_t> begins = runs_of(fixes);
-  for (std::size_t i = 1; i < begins.size(); ++i) {
-    const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : fixes.size();
-    const FixSpan first = fixes.subspan(begins[i - 1], begins[i] - begins[i - 1]);
-    const FixSpan second = fixes.subspan(begins[i], end - begins[i]);
-    const double from_s = std::max(first.front().time_s, second.front().time_s);
-    const double until_s = std::min(first.back().time_s, second.back().time_s);
-    if (!(from_s < until_s)) continue;
-    const FixSpan of_both = within(second, from_s, until_s);
-    const auto in_first = static_cast<std::ptrdiff_t>(within(first, from_s, until_s).size());
-    const auto in_second = static_cast<std::ptrdiff_t>(of_both.size());
-    if (std::min(in_first, in_second) < kFewestOfBoth) continue;
-    const RunsCompared places = compare_runs(first, of_both, frame);
-    const bool repeated = 2 * places.same > of_both.size();
-    return ClockCut{bee, begins[i], repeated, !repeated && 2 * places.apart >= of_both.size()};
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
-std::optional<RestartedClock> restarted_clock(const std::vector<InInputOrder>& bees, Frame frame) {
-  constexpr std::size_t kSeveral = 2;  // one by itself may have been brought into no order
-  std::vector<ClockCut> cuts;
-  for (std::size_t bee = 0; bee < bees.size(); ++bee) {
-    if (const auto cut = first_cut(bee, bees[bee].fixes, frame)) cuts.push_back(*cut);
-  }
-  if (cuts.size() < kSeveral) return std::nullopt;
-  const auto after = [&bees](const ClockCut& cut) { return bees[cut.bee].origins[cut.at]; };
-  const auto before = [&bees](const ClockCut& cut) { return bees[cut.bee].origins[cut.at - 1]; };
-  const ClockCut& earliest = *std::min_element(
-      cuts.begin(), cuts.end(),
-      [&after](const ClockCut& a, const ClockCut& b) { return comes_before(after(a), after(b)); });
-  const Origin begins = after(earliest);
-  RestartedClock found{before(earliest), begins, 0.0, 0.0, 0};
-  found.from_s = bees[earliest.bee].fixes[earliest.at - 1].time_s;
-  found.to_s = bees[earliest.bee].fixes[earliest.at].time_s;
+// All go back in one place of the input: those who are there on either side, and not only some.
+std::optional<RestartedClock> all_at_once(const std::vector<BeeClock>& bees,
+                                          const std::vector<std::size_t>& cut) {
+  constexpr std::size_t kSeveral = 2;
+  if (cut.size() < kSeveral) return std::nullopt;
+  RestartedClock found = restart_at(bees, cut.front());
+  found.at_once = true;
+  found.bees = 0;
   std::size_t apart = 0;
   std::size_t repeated = 0;
-  for (const ClockCut& cut : cuts) {
-    if (!comes_before(before(cut), begins)) continue;
+  for (const std::size_t bee : cut) {
+    const ClockCut& own = *bees[bee].cut;
+    if (!comes_before(own.before, found.begins)) continue;
     ++found.bees;
-    if (cut.apart) ++apart;
-    if (cut.repeated) ++repeated;
-    if (comes_before(found.before, before(cut))) found.before = before(cut);
+    if (own.apart) ++apart;
+    if (own.repeated) ++repeated;
+    if (comes_before(found.before, own.before)) found.before = own.before;
   }
-  // All who are there on either side, and not only some.
-  const auto both_sides = std::count_if(bees.begin(), bees.end(), [&](const InInputOrder& bee) {
-    return !bee.origins.empty() && comes_before(bee.origins.front(), begins) &&
-           !comes_before(bee.origins.back(), begins);
+  const auto both_sides = std::count_if(bees.begin(), bees.end(), [&found](const BeeClock& bee) {
+    return bee.fixes > 0 && comes_before(bee.first, found.begins) &&
+           !comes_before(bee.last, found.begins);
   });
   if (found.bees < kSeveral || found.bees < static_cast<std::size_t>(both_sides)) {
     return std::nullopt;
   }
   if (repeated == found.bees) return std::nullopt;  // written twice
-  const bool of_two_files = found.before.source != begins.source;
+  const bool of_two_files = found.before.source != found.begins.source;
   if (of_two_files && 2 * apart < found.bees - repeated) return std::nullopt;
   return found;
+}
+
+// Of a file that has the records of one bee after the other: all of them go back, each among its
+// own records.
+std::optional<RestartedClock> each_by_itself(const std::vector<BeeClock>& bees,
+                                             const std::vector<std::size_t>& cut) {
+  std::set<std::uint64_t> looked_at;
+  for (const std::size_t first : cut) {
+    const ClockCut& earliest = *bees[first].cut;
+    const std::uint64_t source = earliest.begins.source;
+    if (!is_within_one_file(earliest) || !looked_at.insert(source).second) continue;
+    std::size_t repeated = 0;
+    RestartedClock found = restart_at(bees, first);
+    found.bees = 0;
+    const bool all = std::all_of(bees.begin(), bees.end(), [&](const BeeClock& bee) {
+      if (!is_in(bee, source) || bee.fixes < 2 * kFewestOfBothRuns) return true;
+      if (!bee.cut || !is_within_one_file(*bee.cut)) return false;
+      ++found.bees;
+      if (bee.cut->repeated) ++repeated;
+      return bee.cut->begins.source == source;
+    });
+    if (all && repeated < found.bees) return found;
+  }
+  return std::nullopt;
+}
+
+// One alone that is somewhere else when it is there again.
+std::optional<RestartedClock> one_apart(const std::vector<BeeClock>& bees,
+                                        const std::vector<std::size_t>& cut) {
+  const auto found = std::find_if(cut.begin(), cut.end(), [&bees](std::size_t bee) {
+    return bees[bee].cut->apart && is_within_one_file(*bees[bee].cut);
+  });
+  if (found == cut.end()) return std::nullopt;
+  return restart_at(bees, *found);
+}
+
+}  // namespace
+
+std::optional<RestartedClock> restarted_clock(const std::vector<BeeClock>& bees) {
+  std::vector<std::size_t> cut;
+  for (std::size_t bee = 0; bee < bees.size(); ++bee) {
+    if (bees[bee].cut) cut.push_back(bee);
+  }
+  std::stable_sort(cut.begin(), cut.end(), [&bees](std::size_t a, std::size_t b) {
+    return comes_before(bees[a].cut->begins, bees[b].cut->begins);
+  });
+  if (auto found = all_at_once(bees, cut)) return found;
+  if (auto found = each_by_itself(bees, cut)) return found;
+  return one_apart(bees, cut);
 }
 
 }  // namespace beespace::io

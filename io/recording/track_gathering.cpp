@@ -100,6 +100,12 @@ void TrackGathering::add(std::string_view id, const Fix& fix, const Velocity* ve
   // Degrees and heights that were computed may be dust, whatever the input is written in.
   fixes.push_back({without_dust(fix.time_s), without_dust(fix.position)});
   bee.origins.push_back(origin);
+  const double time_s = fixes.back().time_s;
+  if (origin.source >= spans_.size()) spans_.resize(origin.source + std::size_t{1});
+  auto& span = spans_[origin.source];
+  if (!span) span = TimeSpan{time_s, time_s};
+  span->begins_s = std::min(span->begins_s, time_s);
+  span->ends_s = std::max(span->ends_s, time_s);
   if (bee.waits) return;
   bee.waits = true;
   waiting_.push_back(last_);
@@ -156,6 +162,10 @@ void TrackGathering::add_standing(std::string id, const Point& at) {
   Bee& bee = bees_.emplace_back();
   bee.recorded.id = std::move(id);
   bee.recorded.stands = at;
+}
+
+std::optional<TimeSpan> TrackGathering::span_of(std::uint32_t source) const {
+  return source < spans_.size() ? spans_[source] : std::nullopt;
 }
 
 Origin TrackGathering::origin(std::size_t index) const {
@@ -273,10 +283,13 @@ std::vector<TimeConflict> TrackGathering::contradicting(Frame frame) const {
 }
 
 std::optional<RestartedClock> TrackGathering::restarted(Frame frame) const {
-  std::vector<InInputOrder> bees;
+  std::vector<BeeClock> bees;
   bees.reserve(bees_.size());
-  for (const Bee& bee : bees_) bees.push_back({bee.recorded.fixes, bee.origins});
-  return restarted_clock(bees, frame);
+  for (const Bee& bee : bees_) {
+    const auto& fixes = bee.recorded.fixes;
+    bees.push_back(fixes.empty() ? BeeClock{} : clock_of(fixes, bee.origins, frame));
+  }
+  return restarted_clock(bees);
 }
 
 std::vector<SharedTrack> TrackGathering::jumping(const JumpsOf& of) const {

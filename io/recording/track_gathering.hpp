@@ -5,6 +5,7 @@
 #include "io/recording/jumped_stretches.hpp"
 #include "io/recording/recording.hpp"
 
+#include <beespace/conflict.hpp>
 #include <beespace/mover.hpp>
 #include <beespace/point.hpp>
 #include <beespace/result.hpp>
@@ -97,6 +98,10 @@ class TrackGathering {
   [[nodiscard]] const RecordedBee& recorded(std::size_t bee) const { return bees_[bee].recorded; }
   [[nodiscard]] std::size_t size() const { return bees_.size(); }
 
+  // From the first to the last time of the fixes of a source, whatever became of them; nothing of
+  // one without any.
+  [[nodiscard]] std::optional<TimeSpan> span_of(std::uint32_t source) const;
+
   // What was found by add() and settle().
   [[nodiscard]] std::uint64_t out_of_order() const { return out_of_order_; }
   [[nodiscard]] std::uint64_t repeated() const { return repeated_; }
@@ -148,6 +153,7 @@ class TrackGathering {
   void settle(Bee& bee, Frame frame, const TakeConflict& conflict, const TakeConflict& far);
 
   std::vector<Bee> bees_;
+  std::vector<std::optional<TimeSpan>> spans_;  // by source
   std::unordered_map<std::string, std::size_t, TextHash, std::equal_to<>> index_;
   std::vector<std::size_t> waiting_;  // bees with fixes that drain() has not told of
   std::size_t last_ = 0;              // records of one bee often follow each other

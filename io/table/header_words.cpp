@@ -43,7 +43,8 @@ constexpr std::string_view kOtherQuantities =
     "yaw conf rollrate pitchrate yawrate climbrate groundspeed airspeed vx vy vz varx vary "
     "varxy covxy "
     "nbs "
-    "ptt step dx dy dz dt dist r2n burst pkey satcount red green blue rx ry rz";
+    "ptt step dx dy dz dt dist r2n burst pkey satcount red green blue rx ry rz rotation quat "
+    "quaternion qx qy qz qw";
 
 // What ids are unique within: whole names. Movebank's individuals and tags are so within a study.
 constexpr std::string_view kSets =

@@ -107,7 +107,9 @@ NamePattern id_word() {
        "animalid individualid tagid ringid collarid deviceid sensorid transmitterid birdid fishid "
        "trackid trajectoryid particleid objectid agentid beeid collarserialnumber identity",
        Role::kId, "biology"},
-      {Says::kNoun, "droneid uavid vehicleid robotid sysid systemid", Role::kId, "robotics"},
+      {Says::kNoun,
+       "droneid uavid vehicleid robotid sysid systemid vehiclename dronename robotname", Role::kId,
+       "robotics"},
       {Says::kNoun, "nombre", Role::kId, "Spanish"},
       {Says::kNoun, "nom", Role::kId, "French"},
       {Says::kOther, "frame child_frame", Role::kNone, "robotics"},  // whose axes, or which picture
@@ -122,7 +124,8 @@ NamePattern mover() {
   pattern.role = Role::kId;
   pattern.words = {
       {Says::kNoun, "bee boid agent object", Role::kId, "English"},
-      {Says::kNoun, "drone uav vehicle robot aircraft", Role::kId, "robotics"},
+      {Says::kNoun, "drone uav vehicle robot aircraft rigid-body rigidbody", Role::kId, "robotics"},
+      {Says::kNoun, "uri", Role::kId, "Crazyflie"},  // "radio://0/80/2M/E7E7E7E7E1"
       {Says::kNoun,
        "animal individual subject fish bird ant bat insect mouse rat tag collar ring band "
        "transmitter",

@@ -96,7 +96,7 @@ Unit unit_of_stamps(std::string_view text, const TableLayout& table) {
 
 // The format says the unit, and whether there is one clock.
 void settle_clock(TimeChoice& time) {
-  time.unit_is_asked = time.is_small = time.begins_at_zero = false;
+  time.unit_is_asked = time.is_small = time.begins_at_zero = time.zero_unsaid = false;
 }
 
 // Places are measured with some noise. Two robots of one frame cannot both stand there.

@@ -94,9 +94,46 @@ Named read(std::string_view name) {
   return named;
 }
 
+std::vector<std::string_view> parts_of_path(std::string_view name) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at = 0; at < name.size();) {
+    const std::size_t ends = std::min(name.find('/', at), name.size());
+    if (ends > at) parts.push_back(name.substr(at, ends - at));
+    at = ends + 1;
+  }
+  return parts;
+}
+
+// The frame of a transform's parent, where others are placed in it, too.
+bool is_frame_of_all(std::string_view frame) {
+  return is_one_of("map world earth odom mocap vicon optitrack qualisys global", lower_case(frame));
+}
+
+// "robot1" of "/tf/map/robot1/base_link/translation/x" as PlotJuggler writes transforms: that of a
+// frame of all to one of the vehicle; nothing where it is another one, as that to a camera.
+Named read_transform(const std::vector<std::string_view>& parts, std::size_t tf) {
+  constexpr std::size_t kBehindChild = 2;  // "translation", "x"
+  const std::size_t child = tf + 2;
+  if (parts.size() < child + 1 + kBehindChild) return {};
+  const std::size_t ends = parts.size() - kBehindChild;
+  if (!is_frame_of_all(parts[tf + 1]) || parts[ends] != "translation") return {};
+  if (is_one_of("odom map", lower_case(parts[ends - 1]))) return {};
+  Named named;
+  named.whose = tf > 0 ? parts.front() : parts[child];
+  const std::vector<std::string> words = split_words(named.whose);
+  if (std::any_of(words.begin(), words.end(), names_something_else)) return {};
+  named.axis = axis_of(parts.back());
+  return named;
+}
+
 // "/r1/odom/pose/pose/position/x" as PlotJuggler writes it: of topic /r1/..., the vehicle's name
 // space; the same vehicle may tell of where it is in several ways.
 Named read_path(std::string_view name) {
+  const std::vector<std::string_view> parts = parts_of_path(name);
+  const auto tf = std::find(parts.begin(), parts.end(), "tf");
+  if (tf - parts.begin() <= 1 && tf != parts.end()) {
+    return read_transform(parts, static_cast<std::size_t>(tf - parts.begin()));
+  }
   const std::size_t ends = name.find('/', 1);
   if (ends == std::string_view::npos) return {};
   const std::string whose(name.substr(1, ends - 1));

@@ -6,11 +6,13 @@
 #include "io/recording/unit_doubts.hpp"
 #include "io/table/column_choice.hpp"
 #include "io/table/column_names.hpp"
+#include "io/table/column_overrides.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/header_words.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/table/record_walk.hpp"
 #include "io/table/unit_choice.hpp"
+#include "io/tracks/airsim_table.hpp"
 #include "io/tracks/clover_table.hpp"
 #include "io/tracks/joined_place.hpp"
 #include "io/tracks/known_tables.hpp"
@@ -228,11 +230,19 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
 
 namespace {
 
+// Whether --columns says where the position is.
+bool names_place(const RecordingOptions& options) {
+  const auto said = read_column_overrides(track_columns(), options.columns, options.frame);
+  return !said || std::any_of(said->begin(), said->end(), [](const ColumnOverride& one) {
+    return one.role >= Role::kLongitude && one.role <= Role::kZ;
+  });
+}
+
 // "px,py,pz" are a place beside "vx", as states in robotics have them; two of them alone may be
 // pixels. What to say of them with --columns; nothing where others are named, or asked for.
 std::optional<std::string> columns_of_p_axes(const RecordingOptions& options,
                                              const TableLayout& table) {
-  if (!options.columns.empty()) return std::nullopt;
+  if (names_place(options)) return std::nullopt;
   std::array<std::optional<std::size_t>, 3> axes;
   for (std::size_t column = 0; column < table.names.size(); ++column) {
     const std::string name = plain_name(table.names[column]);
@@ -243,7 +253,8 @@ std::optional<std::string> columns_of_p_axes(const RecordingOptions& options,
   }
   if (!axes[0] || !axes[1] || !axes[2]) return std::nullopt;
   return "x=" + std::to_string(*axes[0] + 1) + ",y=" + std::to_string(*axes[1] + 1) +
-         ",z=" + std::to_string(*axes[2] + 1);
+         ",z=" + std::to_string(*axes[2] + 1) + (options.columns.empty() ? "" : ",") +
+         options.columns;
 }
 
 }  // namespace
@@ -361,6 +372,9 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
                            " places are is read from " + column_text(layout.table, *side));
   }
   if (layout.time && layout.time->clock) layout.clock_zone = find_clock_zone(layout.table);
+  if (!said) {
+    if (auto problem = settle_airsim(text, options, layout)) return *std::move(problem);
+  }
   if (!said || choice.id) {
     if (auto problem = unclear_id(text, header, layout)) return *std::move(problem);
   }
@@ -375,6 +389,9 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   if (layout.time) {
     if (seen != SeenRecords::kWhole) layout.time->bare_midnights = false;
     const bool colours = names_one_colour(layout.table) || names_colours(layout.table);
+    layout.time->zero_unsaid = layout.time->form == TimeForm::kNumbers &&
+                               !layout.time->since_1970 && !options.one_clock && !known &&
+                               !layout.show && !colours;
     layout.time->begins_at_zero = !options.one_clock && !known && !layout.show && !colours &&
                                   times_begin_at_zero(text, layout.table, *layout.time);
     // Animations, as of shows, have heights, and one clock.

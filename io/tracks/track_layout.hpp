@@ -47,6 +47,7 @@ struct TimeChoice {
   // The first one is 0, and nothing says that the table of another vehicle, or of another trial,
   // has the same zero.
   bool begins_at_zero = false;
+  bool zero_unsaid = false;    // nothing says that the table of another one has the same zero
   bool unit_is_asked = false;  // the caller alone says the unit
   bool is_small = false;       // the same, and the first one is too small for a common zero
   bool of_video = false;       // pictures of a video, which is another one than that of other files
@@ -113,6 +114,7 @@ struct TrackLayout {
   // it is as good as none.
   bool places_may_be_unknown = false;
   bool infinite_is_unknown = false;
+  bool z_is_down = false;       // of positions in metres
   bool scaled_degrees = false;  // longitude and latitude are whole numbers of 1e-7 degrees
   bool show = false;            // of a drone show: a path with colours
   // Of positions, where nothing says that they are in metres: see doubt_of_metres().

@@ -266,7 +266,7 @@ std::optional<Error> TrackRecordReader::read_position(TrackRecord& record) {
       return outside_domain(text, coordinate_name(layout_, axis), " m", choice.axes[axis]);
     }
   }
-  record.stated_height = values[2];
+  record.stated_height = layout_.z_is_down ? without_dust(-values[2]) : values[2];
   record.position = {values[0], values[1], values[2]};
   if (!choice.is_metric()) {
     const Point metric = without_dust(in_metric(record.position, choice));
@@ -279,6 +279,7 @@ std::optional<Error> TrackRecordReader::read_position(TrackRecord& record) {
                             coordinate_name(layout_, place), " m", choice.axes[place]);
     }
   }
+  if (layout_.z_is_down) record.position.z = without_dust(-record.position.z);
   if (layout_.frame != Frame::kWgs84 || layout_.local_origin) return std::nullopt;
   const auto problem =
       find_out_of_range(std::span<const Point>(&record.position, 1), 0, Frame::kWgs84);

@@ -12,6 +12,7 @@
 #include "io/table/record_problems.hpp"
 #include "io/table/record_walk.hpp"
 #include "io/tracks/local_positions.hpp"
+#include "io/tracks/time_shift_line.hpp"
 #include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_record.hpp"
@@ -134,16 +135,6 @@ std::optional<Error> settle_doubled(TrackRecord& record, RecordingAssembly& asse
   return std::nullopt;
 }
 
-// The bee of a record whose id another file may give to another bee, in `id`.
-void name_within_file(const std::string& file, bool several, TrackRecord& record, std::string& id) {
-  if (record.id.empty()) {
-    record.id = file;
-  } else if (several) {
-    id.assign(file).append(":").append(record.id);
-    record.id = id;
-  }
-}
-
 // Whether a column of ids is called so.
 bool names_drones(const std::string& column) {
   constexpr std::string_view kNames =
@@ -171,6 +162,8 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   facts.since_start = layout.time && layout.time->since_start;
   facts.small_times = layout.time && layout.time->is_small;
   facts.begins_at_zero = layout.time && layout.time->begins_at_zero;
+  facts.zero_unsaid = layout.time && layout.time->zero_unsaid;
+  if (facts.zero_unsaid && description.starts_with("text")) facts.shift = time_shift_line(layout);
   facts.of_aircraft = tells_of_aircraft(layout);
   facts.of_animals = layout.of_animals;
   const bool ids_of_drones = choice.id && *choice.id < layout.table.names.size() &&
@@ -221,7 +214,6 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
   TrackRecord record;
   record.id = stem;
   std::string row_id;
-  std::string file_id;
   std::uint64_t rows = 0;
   const char* reported = text.data();
   std::uint64_t headers = 0;
@@ -270,7 +262,11 @@ std::optional<Error> read_track_records(std::string_view text, const TrackLayout
     if (layout.joined_place && record.id.empty()) record.id = stem;
     if (layout.ids_are_addresses) record.id = assembly.name_of_address(record.id);
     if (layout.ids_within_file && !(problem && record.id.empty())) {
-      name_within_file(stem, assembly.has_several(), record, file_id);
+      if (record.id.empty()) {
+        record.id = stem;
+      } else if (assembly.has_several()) {
+        record.id = assembly.name_within_file(stem, record.id);
+      }
     }
     if (problem) {
       if (auto other = other_header_problem(walk.record(), layout.table)) {

@@ -116,9 +116,13 @@ std::optional<ViconSection> vicon_section(std::string_view text) {
   return best;
 }
 
-// "robot1" of "robot1:base".
+// "robot1" of "robot1:base", and of "Global Angle robot1:robot1", as Tracker calls objects.
 std::string subject_of(const std::string& name) {
-  return name.substr(0, name.find(':'));
+  constexpr std::string_view kOfObjects = "Global Angle ";
+  const std::size_t ends = name.find(':');
+  const std::size_t begins =
+      ends != std::string::npos && name.starts_with(kOfObjects) ? kOfObjects.size() : 0;
+  return name.substr(begins, ends == std::string::npos ? ends : ends - begins);
 }
 
 Error of_one_body(const ViconSection& section, const std::string& one, const std::string& other) {

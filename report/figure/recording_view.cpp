@@ -213,8 +213,9 @@ void draw_closest(const RecordingFacts& facts, const View& view, Drawing& drawin
   if (view.from == View::From::kAbove) {
     words = in_the_air ? closest_of_moving(facts.swarm) : "closest";
     words += facts.closest_left_out && !in_the_air ? ", left out: "
-             : keeps_apart                         ? ", not too close: "
-                                                   : ": ";
+             : !keeps_apart                        ? ": "
+             : facts.unknown.empty()               ? ", not too close: "
+                                                   : " in the known time: ";
     // A few paths have their names at their ends.
     if (facts.tracks.size() > kMostNamedPaths) words += names_of(closest, facts) + ", ";
     words += apart_words(facts.swarm, closest.closest_m, apart, keeps_apart);

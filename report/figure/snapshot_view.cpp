@@ -165,7 +165,9 @@ void draw_closest(const SnapshotFacts& facts, const View& view, Drawing& drawing
   const Spot b = view.spot_of(facts.positions[facts.closest->second]);
   draw_ring(view.panel.box, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)},
             view.from == View::From::kAbove
-                ? (facts.at_risk.empty() ? "closest, not too close: " : "closest: ") +
+                ? (!facts.at_risk.empty()  ? "closest: "
+                   : facts.unknown.empty() ? "closest, not too close: "
+                                           : "closest of those known: ") +
                       apart_words(facts.swarm, facts.closest->distance_m, facts.closest_apart,
                                   facts.at_risk.empty())
                 : std::string(),

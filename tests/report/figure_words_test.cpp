@@ -150,6 +150,19 @@ TEST(FigureWords, TheLabelOfTheClosestTwoStaysWithinItsPanel) {
   }
 }
 
+// In a gap two may have been closer.
+TEST(FigureWords, TheClosestTwoAreThoseOfTheKnownTime) {
+  RecordingFacts facts = crossing();
+  facts.conflicts.clear();
+  facts.conflict_count = facts.pair_count = 0;
+  facts.at_risk.clear();
+  EXPECT_TRUE(says(texts_of(figure_of(facts)), "closest, not too close: "));
+  facts.unknown = "1 bee unknown for 10 s in all";
+  const auto texts = texts_of(figure_of(facts));
+  EXPECT_TRUE(says(texts, "closest in the known time: "));
+  EXPECT_FALSE(says(texts, "not too close"));
+}
+
 // Of a show with drones on the ground those in the air are named, and others as what they are.
 TEST(FigureWords, TheClosestInTheAirComesFirst) {
   RecordingFacts facts = crossing();

@@ -1,4 +1,5 @@
 // MAVLink telemetry logs, made here byte by byte: framing, checksums, damage, units and axes.
+#include "io/live/report_lines.hpp"
 #include "io/mavlink/mavlink_frame.hpp"
 #include "io/mavlink/telemetry_log.hpp"
 #include "tests/io/mavlink/telemetry_making.hpp"
@@ -6,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -145,6 +147,55 @@ TEST(Telemetry, WhatIsNoVehicleIsNotMissed) {
       recording_of(load(placed + logged(kNoon, frame_v2(255, 21, "x")) +
                         logged(kNoon, frame_v2(255, 0, heartbeat(kGroundStation, kNoAutopilot)))));
   EXPECT_EQ(late.missing.count, 0u);
+}
+
+// Whatever it says of its own place; what else is no vehicle may be aboard one.
+TEST(Telemetry, AGroundStationIsNoBee) {
+  constexpr int kOnBoard = 18;
+  constexpr int kNoAutopilot = 8;
+  const std::string placed = logged(kNoon, frame_v2(1, 33, somewhere()));
+  const std::string station = logged(kNoon, frame_v2(255, 33, somewhere(), 190));
+  for (const int type : {5, 6, 31}) {
+    const std::string beat = logged(kNoon, frame_v2(255, 0, heartbeat(type, kNoAutopilot), 190));
+    for (const std::string& log : {beat + station + placed, station + placed + beat}) {
+      const auto recording = recording_of(load(log));
+      EXPECT_EQ(ids_of(recording), Ids{"1"});
+      EXPECT_EQ(recording.missing.count, 0u);
+      EXPECT_TRUE(has_note(recording,
+                           "the own position of a ground station or antenna tracker, which its "
+                           "HEARTBEAT says that it is, is left out: 255"));
+    }
+  }
+  const auto aboard = recording_of(
+      load(placed + station + logged(kNoon, frame_v2(255, 0, heartbeat(kOnBoard, 8), 190))));
+  EXPECT_EQ(aboard.bees.size(), 2u);
+  // A program aboard says so beside the autopilot.
+  const auto beside =
+      recording_of(load(placed + logged(kNoon, frame_v2(1, 0, heartbeat(2, 3))) +
+                        logged(kNoon, frame_v2(1, 0, heartbeat(6, kNoAutopilot), 190))));
+  EXPECT_EQ(ids_of(beside), Ids{"1"});
+}
+
+TEST(Telemetry, AGroundStationIsNoBeeAsItComes) {
+  const std::string placed = logged(kNoon, frame_v2(255, 33, somewhere(), 190));
+  const std::string beat = logged(kNoon, frame_v2(255, 0, heartbeat(6, 8), 190));
+  ReportLines early;
+  EXPECT_FALSE(early.take_frame(beat).value());
+  EXPECT_FALSE(early.take_frame(placed).value());
+  // One that was taken for a vehicle leaves once it says what it is.
+  ReportLines late;
+  ASSERT_TRUE(late.take_frame(placed).value());
+  const auto said = late.take_frame(beat).value();
+  ASSERT_TRUE(said);
+  EXPECT_TRUE(said->leaves);
+  EXPECT_EQ(said->id, "255");
+  EXPECT_FALSE(late.take_frame(placed).value());
+  for (const ReportLines* const lines : {&early, &late}) {
+    const std::vector<std::string> notes = lines->notes();
+    EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+      return note.ends_with("is left out: 255");
+    }));
+  }
 }
 
 TEST(Telemetry, ADroneThatAnotherHasHeardByItsIdentificationIsKnownNowhere) {

@@ -50,6 +50,14 @@ Result<Recording> two(const std::string& text, const RecordingOptions& options =
   return error;
 }
 
+TEST(ViconTable, ObjectsOfTrackerAreCalledByTheirNames) {
+  std::string text = kObjects;
+  for (const std::string name : {"robot1:robot1", "robot2:robot2"}) {
+    text.insert(text.find(name), "Global Angle ");
+  }
+  EXPECT_EQ(ids_of(recording_of(record(text))), (Ids{"robot1", "robot2"}));
+}
+
 TEST(ViconTable, TranslationsAreThePlacesOfObjects) {
   const auto recording = recording_of(record(kObjects));
   ASSERT_EQ(ids_of(recording), (Ids{"robot1", "robot2"}));

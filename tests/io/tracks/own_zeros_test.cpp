@@ -362,69 +362,74 @@ TEST(OwnClocks, TheUnitThatTheCallerAloneSaysIsNoWordOfTheZero) {
   }
 }
 
-// ---- A simulation that was started again --------------------------------------------------------
+// ---- Times of several files ---------------------------------------------------------------------
 
-// Two fly at each other, record by record.
-std::string run_of(double from_s, double begun_s, double until_s, double step_s = 1.0) {
-  std::string text;
-  for (int i = 0; from_s + i * step_s <= until_s; ++i) {
-    const double time_s = from_s + i * step_s;
-    const double east = 0.1 * (time_s - begun_s);
-    const std::string time = std::to_string(time_s);
-    text += "a," + time + "," + std::to_string(east) + ",0,9\n";
-    text += "b," + time + "," + std::to_string(9.0 - east) + ",0.2,9\n";
+std::string plain_from(double first_s, int fixes = 30) {
+  std::string text = "time_s,x_m,y_m\n";
+  for (int i = 0; i < fixes; ++i) {
+    text += std::to_string(first_s + i) + "," + std::to_string(i) + ",0\n";
   }
   return text;
 }
 
-constexpr const char* kOfRuns = "id,time_s,x_m,y_m,z_m\n";
-
-TEST(RestartedClocks, InOneFileAreAskedAbout) {
-  const std::string first = run_of(0.0, 0.0, 60.0, 10.0);
-  const auto twice = several({kOfRuns + first + run_of(3.0, 0.0, 63.0, 10.0)});
-  expect_problem(twice, "times begin again here: 2 bees go back at once, from 60 s to 3 s");
-  expect_problem(twice, "read each for itself, the first as 'head -n 15' of this file");
-  EXPECT_EQ(twice.error().location.line, 16U);
-  // With the same times, too, where before leaving out the second run was advised.
-  const auto same = several({kOfRuns + first + run_of(0.0, 5.0, 60.0, 10.0)});
-  expect_problem(same, "times begin again here");
-  EXPECT_TRUE(several({kOfRuns + first + run_of(3.0, 0.0, 63.0, 10.0)}, on_one_clock()));
-  // One of them flies as before.
-  std::string other;
-  for (int t = 0; t <= 60; t += 10) {
-    other += "a," + std::to_string(1.0 * t) + "," + std::to_string(0.1 * t) + ",0,9\n";
-    other += "b," + std::to_string(1.0 * t) + "," + std::to_string(5.0 - 0.1 * t) + ",0.2,9\n";
-  }
-  expect_problem(several({kOfRuns + first + other}), "times begin again here");
+// Who begins at another time than the others may have been switched on then.
+TEST(PlainTables, ThatAreTakenForOneClockAreSaidToBe) {
+  const auto taken = recording_of(several({plain_from(35.2), plain_from(41.75)}));
+  EXPECT_TRUE(has_note(taken,
+                       "the times of these 2 files are taken for one clock (they begin at 35.2 and "
+                       "41.75 s)"));
+  EXPECT_TRUE(has_note(taken,
+                       "as by awk -F',' -v OFS=',' -v behind=SECONDS "
+                       "'NR>1{$1=sprintf(\"%.6f\",$1+behind)}1' FILE > set.csv"));
+  const auto none = [](const Result<Recording>& loaded) {
+    return !has_note(recording_of(loaded), "are taken for one clock");
+  };
+  EXPECT_TRUE(none(several({plain_from(35.2), plain_from(41.75)}, on_one_clock())));
+  EXPECT_TRUE(none(several({plain_from(35.2), plain_from(35.3)})));    // as of one simulation
+  EXPECT_TRUE(none(several({plain_from(35.2), plain_from(1035.2)})));  // one after the other
+  EXPECT_TRUE(none(several({plain_from(1.7e9), plain_from(1.7e9 + 6)})));
+  EXPECT_TRUE(none(several({plain_from(35.2)})));
 }
 
-TEST(RestartedClocks, InSeveralFilesAreAskedAbout) {
-  const std::string first = kOfRuns + run_of(0.0, 0.0, 60.0, 10.0);
-  const std::string second = kOfRuns + run_of(3.0, 3.0, 63.0, 10.0);
-  for (const auto& texts : {Texts{first, second}, Texts{second, first}}) {
-    expect_problem(several(texts),
-                   "as of two runs: then they cannot be compared; read the files "
-                   "each for itself, or, if all have one clock, say so with "
-                   "--one-clock");
+// ---- Ids, and places of each vehicle's own ------------------------------------------------------
+
+TEST(OneTable, OfCrazyfliesIsToldApartByTheirAddresses) {
+  std::string text = "timestamp,uri,stateEstimate.x,stateEstimate.y,stateEstimate.z\n";
+  for (const std::string radio : {"radio://0/80/2M/E7E7E7E7E1", "radio://0/80/2M/E7E7E7E7E2"}) {
+    text += "12345," + radio + ",1,2,3\n12445," + radio + ",1.5,2,3\n";
   }
-  EXPECT_TRUE(several({first, second}, on_one_clock()));
-  // Two logs of one run say the same.
-  EXPECT_TRUE(several({first, kOfRuns + run_of(3.0, 0.0, 63.0, 10.0)}));
+  expect_problem(record(text), "but here are several ('radio://0/80/2M/E7E7E7E7E1', 'radio://0");
+  EXPECT_EQ(recording_of(record(text, on_one_clock())).bees.size(), 2u);
 }
 
-TEST(RestartedClocks, AreNotWhatIsOnlyInNoOrder) {
-  const std::string early = run_of(0.0, 0.0, 50.0);
-  const std::string late = run_of(51.0, 0.0, 90.0);
-  EXPECT_TRUE(several({kOfRuns + late + early}));
-  EXPECT_TRUE(several({kOfRuns + late, kOfRuns + early}));
-  EXPECT_TRUE(several({kOfRuns + early + early}));  // written twice
-  EXPECT_TRUE(several({kOfRuns + early + run_of(50.0, 0.0, 51.0) + late}));
-  // Some packets that came late; one bee by itself.
-  EXPECT_TRUE(several({kOfRuns + early + run_of(48.5, 0.0, 49.0) + late}));
-  EXPECT_TRUE(several({kOfRuns + early + "a,3.5,0.35,0,9\na,4.5,0.45,0,9\na,5.5,0.55,0,9\n"}));
-  std::string backwards;
-  for (int t = 90; t >= 0; --t) backwards += run_of(t, 0.0, t);
-  EXPECT_TRUE(several({kOfRuns + backwards}));
+TEST(OneTable, OfRigidBodiesHasTheirNames) {
+  std::string text = "ros_time,rigid_body,px,py,pz,qx,qy,qz,qw\n";
+  for (const std::string time : {"1777629600.0", "1777629600.1", "1777629600.2"}) {
+    text += time + ",cf1,1,2,3,0,0,0,1\n" + time + ",cf2,4,5,6,0,0,0,1\n";
+  }
+  for (const std::string columns : {"", "id=2"}) {
+    const auto recording = recording_of(record(text, columns_are(columns, Unit::kUnstated)));
+    ASSERT_EQ(ids_of(recording), (std::vector<std::string>{"cf1", "cf2"}));
+    EXPECT_EQ(recording.bees[1].fixes[0].position, (Point{4, 5, 6}));
+  }
+}
+
+TEST(Airsim, CountsPlacesFromWhereEachBeganAndDownward) {
+  const std::string header =
+      "VehicleName\tTimeStamp\tPOS_X\tPOS_Y\tPOS_Z\tQ_W\tQ_X\tQ_Y\tQ_Z\tImageFile\n";
+  const std::string one = header +
+                          "Drone1\t1777629600000\t1\t2\t-3\t1\t0\t0\t0\t\n"
+                          "Drone1\t1777629600100\t1.5\t2\t-3\t1\t0\t0\t0\t\n";
+  const std::string two = one + "Drone2\t1777629600100\t7\t8\t-9\t1\t0\t0\t0\t\n";
+  expect_problem(record(two),
+                 "AirSim counts the places of each vehicle from where it began, and here are "
+                 "several ('Drone1', 'Drone2')");
+  const auto said = recording_of(record(two, in_frame(Frame::kMetres)));
+  ASSERT_EQ(ids_of(said), (std::vector<std::string>{"Drone1", "Drone2"}));
+  EXPECT_EQ(said.bees[0].fixes[0].position, (Point{2, 1, 3}));
+  EXPECT_EQ(said.bees[1].fixes[0].position, (Point{8, 7, 9}));
+  EXPECT_TRUE(has_note(said, "x is east, y north and z up here"));
+  EXPECT_EQ(recording_of(record(one)).bees.size(), 1u);
 }
 
 }  // namespace

@@ -228,6 +228,22 @@ TEST(RosTable, EachChildIsABee) {
   EXPECT_EQ(ids_of(recording_of(both)), (Ids{"north:base_link", "south:base_link"}));
 }
 
+TEST(RosTable, ChildrenOfSeveralFilesAreCalledByTheirNamesAlone) {
+  const TemporaryFolder folder;
+  std::string other(kOdometry);
+  for (std::size_t at = 0; (at = other.find("map,base_link,", at)) != std::string::npos; ++at) {
+    other.insert(at + 4, "r2/");
+  }
+  const std::string one = folder.write("one.csv", kOdometry);
+  const std::string two = folder.write("two.csv", other);
+  EXPECT_EQ(ids_of(recording_of(load_recording({one, two}))), (Ids{"base_link", "r2/base_link"}));
+  const std::string same = folder.write("same.csv", kOdometry);
+  EXPECT_EQ(ids_of(recording_of(load_recording({one, same}))),
+            (Ids{"one:base_link", "same:base_link"}));
+  EXPECT_EQ(ids_of(recording_of(load_recording({one, two, same}))),
+            (Ids{"one:base_link", "two:r2/base_link", "same:base_link"}));
+}
+
 TEST(RosTable, AFrameIsNoId) {
   const auto recording = recording_of(record("frame_id,time_s,x_m,y_m,z_m\nmap,0,1,2,3\n"));
   EXPECT_EQ(ids_of(recording), Ids{"bees"});

@@ -46,6 +46,26 @@ TEST(SeveralVehicles, ALineOfAwkMakesRecords) {
                 "'time' is not in seconds, the unit is ms, us or ns; if"});
 }
 
+// As PlotJuggler writes what is told of all transforms; those within a robot place none.
+TEST(SeveralVehicles, TransformsOfSeveralAreTheirPlaces) {
+  std::string header = "__time";
+  for (const std::string frames : {"map/r1/base_link", "map/r1/odom", "map/r2/base_link",
+                                   "r1/base_link/r1/camera", "r2/base_link/r2/camera", "map/r3"}) {
+    for (const std::string axis : {"rotation/w", "rotation/x", "rotation/y", "rotation/z",
+                                   "translation/x", "translation/y", "translation/z"}) {
+      header.append(",/tf/").append(frames).append("/").append(axis);
+    }
+  }
+  expect_error(load_with(header),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "print \"__time,id,x,y,z\"}NR>1{p(\"r1\",6,7,8);p(\"r2\",20,21,22);p(\"r3\",41,"
+                "42,43)}' FILE > long.csv, and then beespace replay long.csv"});
+  // Of one alone its place is proposed, and not how it is turned.
+  const std::string one = header.substr(0, header.find(",/tf/map/r1/odom"));
+  expect_error(load_with(one), {ErrorCode::kMissingColumn, "bees.csv:1",
+                                "perhaps with --columns time=1,x=6,y=7,z=8, or"});
+}
+
 TEST(SeveralVehicles, WhoSaysWhichColumnsIsBelieved) {
   EXPECT_TRUE(load_with("time_s,x,y,z,x2,y2,z2", columns_are("time=1,x=5,y=6,z=7")));
 }

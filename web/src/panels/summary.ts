@@ -132,6 +132,9 @@ function headline(shown: Shown): HTMLElement {
     const then = head.moment === undefined ? '' : ` at ${head.moment}`;
     return element('p', { class: 'headline' }, element('strong', {}, 'Not known of all'), `: of ${counted(head.count, nounOf(head))} none is known to be at risk${then}`);
   }
+  if (head.kind === 'recording' && !whole && count === 0) {
+    return element('p', { class: 'headline' }, element('strong', {}, 'Not known all the time'), `: of ${counted(countOf(head), nounOf(head))} none is known to be in conflict`);
+  }
   const known = head.kind === 'recording' && !whole ? ' in the known time' : '';
   const when = shown.label ? 'in conflict' : 'in conflict at some time';
   const risk = whole ? 'at risk' : 'that are known at risk';

@@ -4,6 +4,7 @@ import type { Swarm } from '../data/swarm';
 import type { Recording } from '../data/recording';
 import { areAlike, joined, kSeconds, zeroOf, type Calendar } from '../text/calendar';
 import { Clock } from './clock';
+import { longestOpen } from './unknown';
 
 export interface LinkedTimes {
   clock: Clock;
@@ -63,10 +64,18 @@ export function linkTimes(swarms: Swarm[]): LinkedTimes {
   };
 }
 
-/** A page opens at the worst moment of the first recording that has one: at one glance, which bees, where and when. */
+/**
+ * A page opens at the worst moment of the first recording that has one: at one glance, which bees, where and when. Where none
+ * has a conflict, where one may be hidden.
+ */
 export function showWorstMoment(swarms: Swarm[], times: LinkedTimes): void {
-  const worst = swarms.filter(isRecording).find(({ conflicts }) => conflicts.closest_s.length > 0);
-  if (worst) times.clock.showPoster(times.clockTime({ swarm: worst }, worst.conflicts.closest_s[0]));
+  const recordings = swarms.filter(isRecording);
+  const worst = recordings.find(({ conflicts }) => conflicts.closest_s.length > 0);
+  if (worst) return times.clock.showPoster(times.clockTime({ swarm: worst }, worst.conflicts.closest_s[0]));
+  for (const swarm of recordings) {
+    const within_s = longestOpen(swarm.separation);
+    if (within_s !== null) return times.clock.showPoster(times.clockTime({ swarm }, within_s));
+  }
 }
 
 /** About a fix at a time, and the whole in no more than a thousand steps. */

@@ -33,6 +33,13 @@ export function isOpenAt({ open }: Separation, within_s: number): boolean {
   return false;
 }
 
+/** In the midst of the longest stretch in which that may be; null where there is none. */
+export function longestOpen({ open }: Separation): number | null {
+  const lengths = Array.from(open.begins_s, (begins_s, i) => open.ends_s[i] - begins_s);
+  const longest = lengths.indexOf(Math.max(...lengths));
+  return longest < 0 ? null : open.begins_s[longest] + lengths[longest] / 2;
+}
+
 /** In how many stretches of time any is unknown. */
 export function unknownStretches({ unknown }: Recording): number {
   const order = Array.from(unknown.begins_s.keys()).sort((a, b) => unknown.begins_s[a] - unknown.begins_s[b]);

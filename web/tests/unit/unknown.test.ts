@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Recording, Separation } from '../../src/data/recording';
 import { Spans } from '../../src/data/spans';
-import { isOpenAt, runsOf, unknownStretches, unknownText } from '../../src/time/unknown';
+import { isOpenAt, longestOpen, runsOf, unknownStretches, unknownText } from '../../src/time/unknown';
 
 /** Who is unknown when; at `known_s` all are. */
 function recording(spans: [bee: number, begins_s: number, ends_s: number][], known_s: number[] = []): Recording {
@@ -42,4 +42,10 @@ test('the closest two are unknown within a stretch, and known at its ends', () =
 test('columns side by side are hatched as one', () => {
   assert.deepEqual(runsOf([0, 1, 2, 0, 0, 1]), [[1, 2], [5, 1]]);
   assert.deepEqual(runsOf([]), []);
+});
+
+test('a page opens where a conflict may be hidden longest', () => {
+  const open = (begins: number[], ends: number[]): Separation => ({ open: { begins_s: Float64Array.from(begins), ends_s: Float64Array.from(ends) } }) as unknown as Separation;
+  assert.equal(longestOpen(open([], [])), null);
+  assert.equal(longestOpen(open([2, 10, 40], [3, 20, 45])), 15);
 });
