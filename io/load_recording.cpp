@@ -85,11 +85,16 @@ Result<std::vector<std::string>> tables_of(const ZipArchive& archive, const std:
     return Error{ErrorCode::kUnsupportedFormat, std::string(foreign_show(*foreign)), {source}};
   }
   if (tables.empty()) {
+    const bool of_json =
+        std::any_of(archive.names().begin(), archive.names().end(), [](const std::string& name) {
+          return name.ends_with(".json") || name.ends_with(".json.gz");
+        });
     return Error{
         ErrorCode::kUnsupportedFormat,
         "this zip archive holds neither a show.json nor any .csv, .tlog, .ulg or .bin file, but " +
             (others.empty() ? "nothing" : others) +
-            "; name a Skybrush show (.skyc) or an archive of tables or logs",
+            (of_json ? "; unpack it and name the folder that holds these"
+                     : "; name a Skybrush show (.skyc) or an archive of tables or logs"),
         {source}};
   }
   std::sort(tables.begin(), tables.end());
@@ -239,11 +244,13 @@ std::optional<Error> read_json_file(const Bytes& bytes, const std::string& sourc
   // What it is to be for this reader, but is not.
   const bool meant = what.find("'beespace replay'") != std::string::npos;
   if (any && (meant || what.starts_with("JSON of a kind"))) {
-    return Error{ErrorCode::kUnsupportedFormat,
-                 "this is JSON, but no Skybrush show: it has no 'swarm', nor does it list "
-                 "'aircraft' (readsb) or 'states' (OpenSky), nor is it a table with names of a "
-                 "position in it; name another file, or export the recording as CSV",
-                 {}};
+    return Error{
+        ErrorCode::kUnsupportedFormat,
+        "this is JSON of a kind that is not known: it does not list 'aircraft' (readsb) or "
+        "'states' (OpenSky), nor is it a table with names of a position in it, nor a "
+        "Skybrush show, as it has no 'swarm'; name another file, or export the recording "
+        "as CSV",
+        {}};
   }
   return Error{ErrorCode::kUnsupportedFormat,
                "this is no Skybrush show, as it has no 'swarm', but " + what,

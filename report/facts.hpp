@@ -183,18 +183,20 @@ struct RecordingFacts {
   std::vector<Gap> gaps = {};  // in ascending order of (track, begins_s)
   // Likewise: these, and when a bee is there before its first fix or after its last one.
   std::vector<Gap> unknown_spans = {};
-  std::string unknown = {};              // who is unknown for how long, or left out; empty: none
-  bool never_known = false;              // some are known nowhere, or two have one id
-  bool hidden = false;                   // whether conflicts may be hidden by that
-  std::uint64_t nowhere_count = 0;       // beside `tracks`: who is known at no time
-  bool nothing_compared = false;         // no two are there at the same time
-  std::vector<AtRisk> at_risk = {};      // ascending by bee, then time; of a bee none overlap
-  std::vector<Conflict> conflicts = {};  // the closest first; all, or as many as can be shown
-  std::uint64_t conflict_count = 0;      // of all
-  std::uint64_t possible_count = 0;      // of these, not certain
-  std::uint64_t standing_count = 0;      // beside these, of two that both stand on the ground
-  std::uint64_t low_count = 0;           // likewise, of two that are low: see low_text
-  std::string low_text = {};             // "72 conflicts of two lower than 3 m above where ..."
+  std::string unknown = {};          // who is unknown for how long, or left out; empty: none
+  bool never_known = false;          // some are known nowhere, or two have one id
+  bool hidden = false;               // whether conflicts may be hidden by that
+  std::uint64_t nowhere_count = 0;   // beside `tracks`: who is known at no time
+  bool nothing_compared = false;     // no two are there at the same time
+  std::vector<AtRisk> at_risk = {};  // ascending by bee, then time; of a bee none overlap
+  // The closest first; all, or as many as can be shown. With a vertical threshold the worst first,
+  // by the greater of its shares of both thresholds, and told as closest is when that is the least.
+  std::vector<Conflict> conflicts = {};
+  std::uint64_t conflict_count = 0;          // of all
+  std::uint64_t possible_count = 0;          // of these, not certain
+  std::uint64_t standing_count = 0;          // beside these, of two that both stand on the ground
+  std::uint64_t low_count = 0;               // likewise, of two that are low: see low_text
+  std::string low_text = {};                 // "72 conflicts of two lower than 3 m above where ..."
   std::vector<Conflict> with_standing = {};  // of all: with a drone that stands on the ground
   std::uint64_t pair_count = 0;              // in conflict
   std::vector<PairInConflict> pairs = {};    // all of these, ascending

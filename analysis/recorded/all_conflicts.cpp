@@ -3,6 +3,7 @@
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/jump_spans.hpp"
 #include "analysis/recorded/landed_times.hpp"
+#include "analysis/recorded/shared_ids.hpp"
 #include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/still_times.hpp"
 
@@ -49,6 +50,7 @@ Result<AllConflicts> all_conflicts(const io::Recording& recording, const std::ve
   }
   leave_out_jumps(recording, conflicts);
   found.chords = doubt_chords(recording, tracks, options, conflicts);
+  doubt_shared_ids(recording, conflicts);
   const auto left_out = leave_out_standing(recording, tracks, options, conflicts);
   if (!left_out) return left_out.error();
   found.standing_count = *left_out;
@@ -95,12 +97,40 @@ bool has_encounters(const AllConflicts& found, const io::Recording& recording,
   return any && any->has_value();
 }
 
+namespace {
+
+// Whether it was found along the curves, and not along straight lines.
+auto is_of_curves(const VelocityCurves& curves) {
+  return [&conflicts = curves.conflicts](const Conflict& conflict) {
+    const auto by_pair = [](const Conflict& a, const Conflict& b) {
+      return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+    };
+    const auto [from, to] = std::equal_range(conflicts.begin(), conflicts.end(), conflict, by_pair);
+    return std::any_of(from, to, [&conflict](const Conflict& each) {
+      return each.begins_s <= conflict.ends_s && conflict.begins_s <= each.ends_s;
+    });
+  };
+}
+
+}  // namespace
+
 ApartOf apart_along(const std::vector<Track>& lines, const VelocityCurves& curves,
                     double height_unit_m) {
   if (curves.tracks.empty()) return apart_of(lines, height_unit_m);
   return [of_lines = apart_of(lines, height_unit_m),
-          of_curves = apart_of(curves.tracks, height_unit_m)](const Conflict& conflict) {
-    return conflict.certain ? of_lines(conflict) : of_curves(conflict);
+          of_curves = apart_of(curves.tracks, height_unit_m),
+          is_curved = is_of_curves(curves)](const Conflict& conflict) {
+    return is_curved(conflict) ? of_curves(conflict) : of_lines(conflict);
+  };
+}
+
+WorstOf worst_along(const std::vector<Track>& lines, const VelocityCurves& curves,
+                    double height_unit_m, const Minima& minima) {
+  if (curves.tracks.empty()) return worst_of(lines, height_unit_m, minima);
+  return [of_lines = worst_of(lines, height_unit_m, minima),
+          of_curves = worst_of(curves.tracks, height_unit_m, minima),
+          is_curved = is_of_curves(curves)](const Conflict& conflict) {
+    return is_curved(conflict) ? of_curves(conflict) : of_lines(conflict);
   };
 }
 

@@ -7,6 +7,7 @@
 #include "analysis/recorded/apart.hpp"
 #include "analysis/recorded/chords.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
+#include "analysis/recorded/worst_moment.hpp"
 #include "io/recording/recording.hpp"
 
 #include <beespace/conflict.hpp>
@@ -50,5 +51,8 @@ bool has_encounters(const AllConflicts& found, const io::Recording& recording,
 // vertical threshold: these lines, or the curves. Both must outlive the answer.
 ApartOf apart_along(const std::vector<Track>& lines, const VelocityCurves& curves,
                     double height_unit_m);
+// Likewise when they are worst in it.
+WorstOf worst_along(const std::vector<Track>& lines, const VelocityCurves& curves,
+                    double height_unit_m, const Minima& minima);
 
 }  // namespace beespace::analysis

@@ -3,10 +3,13 @@
 #include "io/bytes/number_text.hpp"
 
 #include <beespace/mover.hpp>
+#include <beespace/nearest.hpp>
 #include <beespace/point.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace beespace::analysis {
 namespace {
@@ -44,21 +47,90 @@ bool tells_velocities(const io::RecordedBee& bee) {
   });
 }
 
-// The sagitta of the arc over that chord: half of it times the tangent of a quarter of the angle.
-double off_at(const Track& track, double time_s) {
+// The chord between two fixes around a time, and which part of it is over then.
+struct Chord {
+  double sagitta_m =
+      0.0;  // of the arc over it: half of it times the tangent of a quarter of the angle
+  double part = 0.0;
+};
+
+Chord chord_at(const Track& track, double time_s) {
   const auto& fixes = track.fixes;
   const auto behind =
       std::upper_bound(fixes.begin(), fixes.end(), time_s,
                        [](double time, const Fix& fix) { return time < fix.time_s; });
   const auto to = static_cast<std::size_t>(behind - fixes.begin());
-  if (to == 0 || to == fixes.size() || fixes[to - 1].time_s == time_s) return 0.0;
+  if (to == 0 || to == fixes.size() || fixes[to - 1].time_s == time_s) return {};
   const Way here = way_between(fixes[to - 1], fixes[to]);
   double angle = 0.0;
   if (to >= 2) angle = turned(way_between(fixes[to - 2], fixes[to - 1]), here);
   if (to + 1 < fixes.size()) {
     angle = std::max(angle, turned(here, way_between(fixes[to], fixes[to + 1])));
   }
-  return here.length_m / 2.0 * std::tan(std::min(angle, kMostTurned) / 4.0);
+  const double from_s = fixes[to - 1].time_s;
+  return {here.length_m / 2.0 * std::tan(std::min(angle, kMostTurned) / 4.0),
+          (time_s - from_s) / (fixes[to].time_s - from_s)};
+}
+
+double off_at(const Track& track, double time_s) {
+  return chord_at(track, time_s).sagitta_m;
+}
+
+// How far the arc is from its chord just then.
+double bow_at(const Track& track, double time_s) {
+  const Chord chord = chord_at(track, time_s);
+  return chord.sagitta_m * 4.0 * chord.part * (1.0 - chord.part);
+}
+
+struct Turning {
+  const Track& track;
+  bool tells_velocities;
+
+  [[nodiscard]] double bow_m(double time_s) const {
+    return tells_velocities ? 0.0 : bow_at(track, time_s);
+  }
+};
+
+void add_fixes_between(const Track& track, const TimeSpan& span, std::vector<double>& times_s) {
+  const auto after = [](double time_s, const Fix& fix) { return time_s < fix.time_s; };
+  auto fix = std::upper_bound(track.fixes.begin(), track.fixes.end(), span.begins_s, after);
+  for (; fix != track.fixes.end() && fix->time_s < span.ends_s; ++fix) {
+    times_s.push_back(fix->time_s);
+  }
+}
+
+// Whether the two may be closer than the threshold all the time from one conflict to the next:
+// nowhere do their arcs bow out too little for that. Looked at in instants; what is missed between
+// makes a conflict longer, not shorter.
+bool may_stay_closer(const Turning& one, const Turning& other, const TimeSpan& between,
+                     const ConflictOptions& options) {
+  constexpr int kInstants = 8;  // of a piece
+  std::vector<double> times_s = {between.begins_s, between.ends_s};
+  add_fixes_between(one.track, between, times_s);
+  add_fixes_between(other.track, between, times_s);
+  std::sort(times_s.begin(), times_s.end());
+  const auto is_closer = [&](double time_s) {
+    const auto a = position_at(one.track, time_s, options.max_gap_s);
+    const auto b = position_at(other.track, time_s, options.max_gap_s);
+    return a && b &&
+           distance(*a, *b) - one.bow_m(time_s) - other.bow_m(time_s) < options.threshold_m;
+  };
+  for (std::size_t i = 1; i < times_s.size(); ++i) {
+    const double step_s = (times_s[i] - times_s[i - 1]) / kInstants;
+    for (int k = 1; k < kInstants; ++k) {
+      if (!is_closer(times_s[i - 1] + k * step_s)) return false;
+    }
+    if (i + 1 < times_s.size() && !is_closer(times_s[i])) return false;
+  }
+  return true;
+}
+
+void join_next(Conflict& one, const Conflict& next) {
+  one.ends_s = next.ends_s;
+  one.certain = one.certain || next.certain;
+  if (next.closest_m >= one.closest_m) return;
+  one.closest_m = next.closest_m;
+  one.closest_s = next.closest_s;
 }
 
 }  // namespace
@@ -74,23 +146,47 @@ Chords doubt_chords(const io::Recording& recording, const std::vector<Track>& tr
   for (Conflict& conflict : conflicts) {
     const double both_m =
         off_m(conflict.first, conflict.closest_s) + off_m(conflict.second, conflict.closest_s);
-    if (!(both_m > kSeen * options.threshold_m) ||
-        !(conflict.closest_m + both_m >= options.threshold_m)) {
-      continue;
-    }
-    conflict.certain = false;
+    if (!(both_m > kSeen * options.threshold_m)) continue;
     chords.most_off_m = std::max(chords.most_off_m, both_m);
-    ++chords.possible;
+    if (conflict.closest_m + both_m >= options.threshold_m) conflict.certain = false;
   }
+  const auto turning = [&](PointId bee) {
+    return Turning{tracks[bee], tells_velocities(recording.bees[bee])};
+  };
+  std::vector<Conflict> told;  // those of a pair stand together, in the order of time
+  for (const Conflict& next : conflicts) {
+    const bool same =
+        !told.empty() && told.back().first == next.first && told.back().second == next.second;
+    if (same && told.back().ends_s <= next.begins_s &&
+        may_stay_closer(turning(next.first), turning(next.second),
+                        {told.back().ends_s, next.begins_s}, options)) {
+      join_next(told.back(), next);
+      ++chords.joined;
+    } else {
+      told.push_back(next);
+    }
+  }
+  conflicts = std::move(told);
+  chords.possible = static_cast<std::size_t>(
+      std::count_if(conflicts.begin(), conflicts.end(),
+                    [](const Conflict& conflict) { return !conflict.certain; }));
   return chords;
 }
 
 std::string chords_text(const Chords& chords) {
-  if (chords.possible == 0) return {};
-  return io::counted(chords.possible, "conflict is", "conflicts are") +
-         " possible, not certain: where the two turn, straight lines between fixes may be off by "
-         "up to " +
-         io::length(chords.most_off_m);
+  if (!(chords.most_off_m > 0.0)) return {};
+  std::string text =
+      "where two in conflict turn, straight lines between fixes may be off by up to ";
+  text += io::length(chords.most_off_m);
+  text += ", and so may how close they come";
+  if (chords.possible > 0) {
+    text += "; " + io::counted(chords.possible, "conflict is", "conflicts are");
+    text += " possible, not certain";
+  }
+  if (chords.joined > 0) {
+    text += "; stretches between which the two may have stayed closer are told as one conflict";
+  }
+  return text;
 }
 
 }  // namespace beespace::analysis

@@ -4,7 +4,6 @@
 #include "analysis/recorded/begins_in_air.hpp"
 #include "analysis/recorded/ends.hpp"
 #include "analysis/recorded/jump_spans.hpp"
-#include "analysis/recorded/shared_ids.hpp"
 #include "io/recording/flat_distance.hpp"
 
 #include <algorithm>
@@ -331,9 +330,7 @@ std::vector<Gap> unknown_spans(const io::Recording& recording, const std::vector
   std::vector<Gap> all = joined_gaps(gaps, doubtful_spans(recording, max_gap));
   for (std::size_t track = 0; track < recording.bees.size(); ++track) {
     const io::RecordedBee& bee = recording.bees[track];
-    if (bee.fixes.empty() || !is_shared(recording, static_cast<PointId>(track))) {
-      continue;
-    }
+    if (bee.fixes.empty() || !bee.shared) continue;
     all.push_back({static_cast<PointId>(track), bee.fixes.front().time_s, bee.fixes.back().time_s});
   }
   const auto outside = outside_of(recording, max_gap.seconds, max_gap);

@@ -60,6 +60,22 @@ bool says_enough(const std::optional<io::StatedLength>& typed,
   return is_clear(typed) && is_clear_vertical(vertical);
 }
 
+// Who makes encounters asks what DAIDALUS does: whether two stay well clear, or come next to a
+// collision.
+bool is_encounter(const io::Recording& recording) {
+  return recording.format_description.find("DAIDALUS") != std::string::npos;
+}
+
+Error encounter_question() {
+  return {
+      ErrorCode::kInvalidArgument,
+      "this is an encounter of aircraft: how close is too close? Say --separation "
+      "well-clear-suas (2000 ft and 250 ft, of small unmanned aircraft), --separation nmac (500 "
+      "ft and 100 ft), --threshold 4000ft --vertical 450ft (well clear of RTCA DO-365, without "
+      "its time of 35 s), --separation enroute, or --separation terminal",
+      {}};
+}
+
 Error aircraft_question(std::string_view known_by, const std::optional<io::StatedLength>& typed,
                         const std::optional<io::StatedLength>& vertical) {
   std::string message = "these are aircraft" + std::string(known_by);
@@ -153,6 +169,7 @@ std::optional<Error> threshold_needed(const io::Recording& recording,
   if (says_enough(typed, vertical) || recording.show) return std::nullopt;
   if (!typed && recording.declared_threshold_m) return std::nullopt;
   if (is_of_gliders(recording)) return glider_question(typed);
+  if (!typed && is_encounter(recording)) return encounter_question();
   const std::string_view by =
       known_by_heights(recording.frame, recording.height_unit, recording.heights);
   if (!by.empty()) return aircraft_question(by, typed, vertical);

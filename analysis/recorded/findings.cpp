@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -66,21 +67,35 @@ std::vector<Conflict> without(const std::vector<Conflict>& conflicts,
   return rest;
 }
 
-std::vector<PairInConflict> pairs_in_conflict(const std::vector<Conflict>& conflicts) {
+std::vector<PairInConflict> pairs_in_conflict(const std::vector<Conflict>& conflicts,
+                                              const WorstOf& worst) {
   std::vector<PairInConflict> pairs;
+  std::vector<double> ranks;
   for (const Conflict& conflict : conflicts) {  // those of a pair stand together
     const bool same = !pairs.empty() && pairs.back().closest.first == conflict.first &&
                       pairs.back().closest.second == conflict.second;
-    if (!same) pairs.push_back({conflict, 0, 0.0});
+    const double rank = rank_of(conflict, worst);
+    if (!same) {
+      pairs.push_back({conflict, conflict, 0, 0.0});
+      ranks.push_back(rank);
+    }
     PairInConflict& pair = pairs.back();
     if (conflict.closest_m < pair.closest.closest_m) pair.closest = conflict;
+    if (rank < ranks.back()) {
+      pair.worst = conflict;
+      ranks.back() = rank;
+    }
     ++pair.conflicts;
     pair.time_s += conflict.ends_s - conflict.begins_s;
   }
-  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) {
-    return a.closest.closest_m < b.closest.closest_m;
-  });
-  return pairs;
+  std::vector<std::size_t> order(pairs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&ranks](std::size_t a, std::size_t b) { return ranks[a] < ranks[b]; });
+  std::vector<PairInConflict> in_order;
+  in_order.reserve(pairs.size());
+  for (const std::size_t place : order) in_order.push_back(pairs[place]);
+  return in_order;
 }
 
 std::vector<BeeInConflict> bees_in_conflict(std::size_t bees,

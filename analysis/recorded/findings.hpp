@@ -7,6 +7,7 @@
 #include "analysis/recorded/kept_by_height.hpp"
 #include "analysis/recorded/low_conflicts.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
+#include "analysis/recorded/worst_moment.hpp"
 #include "io/recording/recording.hpp"
 
 #include <beespace/find_conflicts.hpp>
@@ -73,13 +74,15 @@ std::vector<Conflict> merged(std::vector<Conflict> some, const std::vector<Confl
 std::vector<Conflict> without(const std::vector<Conflict>& conflicts,
                               const std::vector<Conflict>& others);
 
-// The pairs in conflict, the closest first: each with all its conflicts together.
+// The pairs in conflict, the worst first (rank_of): each with all its conflicts together.
 struct PairInConflict {
-  Conflict closest;
+  Conflict closest;  // in a straight line
+  Conflict worst;    // the same without `worst`
   std::size_t conflicts = 0;
   double time_s = 0.0;
 };
-std::vector<PairInConflict> pairs_in_conflict(const std::vector<Conflict>& conflicts);
+std::vector<PairInConflict> pairs_in_conflict(const std::vector<Conflict>& conflicts,
+                                              const WorstOf& worst = {});
 
 // What a bee was in: its conflicts, how long it was in conflict (with however many at a time), and
 // the one in which it came closest to another bee.

@@ -1,6 +1,5 @@
 #include "analysis/recorded/gaps.hpp"
 
-#include "analysis/recorded/shared_ids.hpp"
 #include "io/bytes/number_text.hpp"
 
 #include <algorithm>
@@ -69,10 +68,9 @@ double max_gap_just_for(double interval_s) {
 MaxGap max_gap_of(const io::Recording& recording, const std::optional<double>& asked) {
   std::vector<BeeInterval> intervals;
   intervals.reserve(recording.bees.size());
-  for (PointId bee = 0; bee < recording.bees.size(); ++bee) {
+  for (const io::RecordedBee& bee : recording.bees) {
     // How often each of two reports is not told by the times of both.
-    const bool shared = is_shared(recording, bee);
-    intervals.push_back(shared ? BeeInterval{} : interval_of(recording.bees[bee]));
+    intervals.push_back(bee.shared ? BeeInterval{} : interval_of(bee));
   }
   const bool known =
       std::any_of(intervals.begin(), intervals.end(), [](const auto& of) { return of.fixes > 1; });

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 namespace beespace::analysis {
 namespace {
@@ -58,12 +57,6 @@ LeastHeightOf least_height_of(const std::vector<Track>& tracks, double height_un
       take_less(least, least_of_piece(conflict, times_s[i - 1], times_s[i], apart));
     }
     return least;
-  };
-}
-
-LeastHeightOf least_height_of(ApartOf straight) {
-  return [straight = std::move(straight)](const Conflict& conflict) {
-    return least_of_piece(conflict, conflict.begins_s, conflict.ends_s, straight);
   };
 }
 

@@ -1,6 +1,5 @@
-// The least difference in height of two while they are in conflict. Where they come closest
-// horizontally when the conflict begins or ends by their heights, the difference then is the limit
-// itself, and says nothing of how close they get.
+// The least difference in height of two while they are in conflict: whether it is by little that
+// they break a vertical threshold.
 #pragma once
 
 #include "analysis/geometry/apart.hpp"
@@ -23,8 +22,7 @@ struct LeastHeight {
 // Nothing where it is not known.
 using LeastHeightOf = std::function<std::optional<LeastHeight>(const Conflict&)>;
 
-// Of tracks, which must outlive it; and of bees that fly straight on.
+// Of tracks, which must outlive it.
 LeastHeightOf least_height_of(const std::vector<Track>& tracks, double height_unit_m);
-LeastHeightOf least_height_of(ApartOf straight);
 
 }  // namespace beespace::analysis

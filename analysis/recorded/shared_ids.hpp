@@ -1,26 +1,24 @@
-// Conflicts with an id that two bees seem to have: the line from one of them to the other is flown
-// by neither, so that such conflicts are possible, not certain.
+// Ids that two bees or more seem to share: their fixes are those of both in turn, and straight
+// lines from one to the other are flown by none. A conflict on such a line is possible, not
+// certain.
 #pragma once
 
 #include "io/recording/recording.hpp"
 
 #include <beespace/conflict.hpp>
-#include <beespace/find_conflicts.hpp>
-#include <beespace/point.hpp>
 
 #include <cstddef>
 #include <vector>
 
 namespace beespace::analysis {
 
-// Of the first few such ids, which are named.
-bool is_shared(const io::Recording& recording, PointId bee);
-bool is_with_shared_id(const io::Recording& recording, const Conflict& conflict);
+bool is_of_shared_id(const Conflict& conflict, const io::Recording& recording);
 
-std::size_t count_with_shared_id(const io::Recording& recording,
-                                 const std::vector<Conflict>& conflicts);
+// Makes those conflicts possible ones.
+void doubt_shared_ids(const io::Recording& recording, std::vector<Conflict>& conflicts);
 
-// These are not certain.
-void doubt_with_shared_id(const io::Recording& recording, std::vector<Conflict>& conflicts);
+// How many there are.
+std::size_t count_of_shared_ids(const std::vector<Conflict>& conflicts,
+                                const io::Recording& recording);
 
 }  // namespace beespace::analysis

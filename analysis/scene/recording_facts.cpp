@@ -3,6 +3,7 @@
 
 #include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/above_fl410.hpp"
+#include "analysis/recorded/all_conflicts.hpp"
 #include "analysis/recorded/begins_in_air.hpp"
 #include "analysis/recorded/chords.hpp"
 #include "analysis/recorded/coverage.hpp"
@@ -17,6 +18,7 @@
 #include "analysis/recorded/still_times.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
+#include "analysis/recorded/worst_moment.hpp"
 #include "analysis/scene/height_words.hpp"
 #include "analysis/scene/pair_ways.hpp"
 #include "analysis/scene/placed_tracks.hpp"
@@ -90,7 +92,19 @@ bool are_all_there_for_a_moment(const std::vector<Track>& tracks) {
                      [](const Track& track) { return track.fixes.size() <= 1; });
 }
 
-void take_conflicts(std::vector<Conflict> conflicts, report::RecordingFacts& facts) {
+// With a vertical threshold two are told of as they are when they are worst in conflict.
+void tell_worst(const WorstOf& worst, std::vector<Conflict>& conflicts) {
+  if (!worst) return;
+  for (Conflict& conflict : conflicts) {
+    const auto moment = worst(conflict);
+    if (!moment) continue;
+    conflict.closest_s = moment->time_s;
+    conflict.closest_m = std::hypot(moment->apart.horizontal_m, moment->apart.vertical_m);
+  }
+}
+
+void take_conflicts(std::vector<Conflict> conflicts, const WorstOf& worst,
+                    report::RecordingFacts& facts) {
   facts.conflict_count = conflicts.size();
   facts.possible_count = static_cast<std::uint64_t>(
       std::count_if(conflicts.begin(), conflicts.end(),
@@ -103,8 +117,7 @@ void take_conflicts(std::vector<Conflict> conflicts, report::RecordingFacts& fac
   });
   facts.pair_count = facts.pairs.size();
   facts.at_risk = at_risk_in(conflicts);
-  std::stable_sort(conflicts.begin(), conflicts.end(),
-                   [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });
+  sort_worst_first(worst, conflicts);
   if (conflicts.size() > kAllPairs) {
     conflicts.resize(kWorstPairs);
     facts.swarm.notes.push_back(
@@ -115,16 +128,14 @@ void take_conflicts(std::vector<Conflict> conflicts, report::RecordingFacts& fac
   facts.conflicts = std::move(conflicts);
 }
 
-// The closest of the conflicts; of all encounters where there is none.
+// The worst of the conflicts; the closest of all encounters where there is none.
 Result<std::optional<Conflict>> closest_of(const std::vector<Conflict>& conflicts,
-                                           const std::vector<Track>& in_space, double max_gap_s,
-                                           const SceneRequest& request) {
+                                           const WorstOf& worst, const std::vector<Track>& in_space,
+                                           double max_gap_s, const SceneRequest& request) {
   if (conflicts.empty()) {
     return find_closest_encounter(in_space, max_gap_s, {request.threads, request.stop});
   }
-  return std::optional(*std::min_element(
-      conflicts.begin(), conflicts.end(),
-      [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; }));
+  return std::optional(pairs_in_conflict(conflicts, worst).front().worst);
 }
 
 // How far apart they are, and the ways between them.
@@ -346,7 +357,14 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
     leave_out_too(low, *standing);
     take_low(low, recording, facts);
   }
-  const auto closest = closest_of(recorded->conflicts, *in_space, max_gap.seconds, request);
+  WorstOf worst;
+  if (swarm.vertical_m) {
+    worst =
+        worst_along(tracks, *curves, options.height_unit_m, {swarm.threshold_m, *swarm.vertical_m});
+    tell_worst(worst, recorded->conflicts);
+    tell_worst(worst, *standing);
+  }
+  const auto closest = closest_of(recorded->conflicts, worst, *in_space, max_gap.seconds, request);
   if (!closest) return closest.error();
   facts.closest = *closest;
   facts.closest_left_out = recorded->conflicts.empty() && facts.low_count > 0 && facts.closest &&
@@ -356,10 +374,11 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   if (facts.closest_stands) {
     const std::vector<Conflict> of_flying = without(recorded->conflicts, *standing);
     if (!recording.of_aircraft || !of_flying.empty()) {
-      const auto in_the_air = recording.show || !of_flying.empty()
-                                  ? closest_of(of_flying, *in_space, max_gap.seconds, request)
-                                  : closest_of_flying(recording, *in_space, max_gap.seconds,
-                                                      {request.threads, request.stop});
+      const auto in_the_air =
+          recording.show || !of_flying.empty()
+              ? closest_of(of_flying, worst, *in_space, max_gap.seconds, request)
+              : closest_of_flying(recording, *in_space, max_gap.seconds,
+                                  {request.threads, request.stop});
       if (!in_the_air) return in_the_air.error();
       facts.closest_in_the_air = *in_the_air;
     }
@@ -427,10 +446,10 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   if (std::string slow = slow_text(coverage, recording); !slow.empty()) {
     swarm.notes.push_back(std::move(slow));
   }
-  doubt_with_shared_id(recording, *standing);
-  doubt_with_shared_id(recording, recorded->conflicts);
+  doubt_shared_ids(recording, *standing);
+  doubt_shared_ids(recording, recorded->conflicts);
   facts.with_standing = *standing;
-  take_conflicts(std::move(recorded->conflicts), facts);
+  take_conflicts(std::move(recorded->conflicts), worst, facts);
   if (!standing->empty()) {
     swarm.notes.push_back(
         io::counted(standing->size(), "conflict is", "conflicts are") +

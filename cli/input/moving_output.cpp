@@ -2,6 +2,7 @@
 
 #include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/default_threshold.hpp"
+#include "analysis/recorded/findings.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "analysis/text/unit_notes.hpp"
 #include "cli/console/terminal.hpp"
@@ -244,26 +245,15 @@ double within(double metres, double limit_m, const Distances& distances, Told to
   return at_limit ? std::nextafter(limit_m, 0.0) : metres;
 }
 
-// Of a conflict that begins or ends by heights where they are closest horizontally: how close they
-// come in height, as what they are apart then is the limit.
-std::string least_height_text(const Conflict& conflict, const analysis::Apart& apart,
-                              const io::Recording& recording, const Distances& distances) {
-  constexpr double kAtLimit = 0.99;  // of it
-  if (!distances.least_height || !distances.vertical_m ||
-      !(apart.vertical_m >= kAtLimit * *distances.vertical_m)) {
-    return {};
-  }
-  const auto least = distances.least_height(conflict);
-  if (!least || !(least->apart.vertical_m < kAtLimit * *distances.vertical_m)) return {};
-  return "; least height apart " + vertical_text(least->apart.vertical_m, distances) + ", at " +
-         io::moment_text(least->time_s, recording);
-}
-
 }  // namespace
 
 std::string encounter_text(const Conflict& conflict, const io::Recording& recording,
                            const Distances& distances, Told told) {
-  const auto apart = distances.of(conflict);
+  const auto worst =
+      told == Told::kConflict && distances.worst ? distances.worst(conflict) : std::nullopt;
+  Conflict moved = conflict;
+  if (worst) moved.closest_s = worst->time_s;
+  const auto apart = worst ? std::optional(worst->apart) : distances.of(conflict);
   const auto horizontal = [&](double metres) {
     return horizontal_text(within(metres, distances.threshold_m, distances, told), distances);
   };
@@ -271,15 +261,11 @@ std::string encounter_text(const Conflict& conflict, const io::Recording& record
     return vertical_text(within(metres, distances.vertical_m.value_or(0.0), distances, told),
                          distances);
   };
-  std::string text = pair_text(conflict, recording) + ", ";
+  std::string text = pair_text(moved, recording) + ", ";
   text += apart ? horizontal(apart->horizontal_m) + " horizontally and " +
                       vertical(apart->vertical_m) + " vertically apart"
                 : horizontal(conflict.closest_m) + " apart";
-  text += " at " + io::moment_text(conflict.closest_s, recording);
-  if (apart && told == Told::kConflict) {
-    text += least_height_text(conflict, *apart, recording, distances);
-  }
-  return text;
+  return text + " at " + io::moment_text(moved.closest_s, recording);
 }
 
 void append_low(std::string& out, const analysis::LowConflicts& low, const io::Recording& recording,
@@ -335,6 +321,51 @@ void add_apart(std::vector<Value>& row, const std::optional<analysis::Apart>& ap
   row.emplace_back(io::from_metric(apart->vertical_m, io::Unit::kFoot));
 }
 
+void add_worst_columns(std::vector<RowColumn>& columns, const Distances& distances) {
+  if (!distances.worst) return;
+  columns.insert(columns.end(), {{"worst_s", nullptr, "worst"},
+                                 {"worst_share"},
+                                 {"worst_horizontal_m"},
+                                 {"worst_vertical_m"}});
+  if (!distances.aviation) return;
+  columns.insert(columns.end(), {{"worst_horizontal_NM"}, {"worst_vertical_ft"}});
+}
+
+void add_worst(std::vector<Value>& row, const Conflict& conflict, const Distances& distances) {
+  if (!distances.worst) return;
+  const auto worst = distances.worst(conflict);
+  if (!worst) {
+    row.resize(row.size() + 2);
+    return add_apart(row, std::nullopt, distances);
+  }
+  row.insert(row.end(), {worst->time_s, worst->share});
+  add_apart(row, worst->apart, distances);
+}
+
+std::optional<Conflict> told_as_closest(const std::vector<Conflict>& conflicts,
+                                        const std::optional<Conflict>& closest,
+                                        const Distances& distances) {
+  if (!distances.worst || conflicts.empty()) return closest;
+  return analysis::pairs_in_conflict(conflicts, distances.worst).front().worst;
+}
+
+std::optional<Rows> worst_row(const std::vector<Conflict>& conflicts,
+                              const io::Recording& recording, const Distances& distances) {
+  if (!distances.worst || conflicts.empty()) return std::nullopt;
+  const Conflict worst = *told_as_closest(conflicts, std::nullopt, distances);
+  const auto moment = distances.worst(worst);
+  if (!moment) return std::nullopt;
+  Rows rows{
+      {{"first", "first_label"}, {"second", "second_label"}, {"time_s"}, {"share"}},
+      {{analysis::name_at(moment->time_s, worst.first, recording),
+        analysis::name_at(moment->time_s, worst.second, recording), moment->time_s, moment->share}},
+      analysis::has_labels(recording)};
+  add_apart_columns(rows.columns, distances);
+  add_apart(rows.rows.front(), moment->apart, distances);
+  set_labels_apart(rows);
+  return rows;
+}
+
 Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& recording,
                    bool with_certain, const Distances& distances) {
   Rows rows{{{"first", "first_label"},
@@ -349,6 +380,7 @@ Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& 
   if (with_certain) rows.columns.push_back({"certain"});
   add_apart_columns(rows.columns, distances);
   rows.columns.push_back({"lasts_s"});
+  add_worst_columns(rows.columns, distances);
   rows.rows.reserve(conflicts.size());
   for (const Conflict& c : conflicts) {
     rows.rows.push_back({analysis::name_at(c.closest_s, c.first, recording),
@@ -357,6 +389,7 @@ Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& 
     if (with_certain) rows.rows.back().emplace_back(c.certain);
     add_apart(rows.rows.back(), distances.of(c), distances);
     rows.rows.back().emplace_back(c.ends_s - c.begins_s);
+    add_worst(rows.rows.back(), c, distances);
   }
   return rows;
 }

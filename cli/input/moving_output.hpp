@@ -5,6 +5,7 @@
 #include "analysis/recorded/apart.hpp"
 #include "analysis/recorded/least_height.hpp"
 #include "analysis/recorded/low_conflicts.hpp"
+#include "analysis/recorded/worst_moment.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/input/moving_options.hpp"
 #include "cli/output/rows.hpp"
@@ -50,6 +51,7 @@ bool in_aviation(const MovingRequest& request, const io::Recording& recording);
 // nautical miles and feet too.
 struct Distances {
   analysis::ApartOf apart = {};               // where there is a vertical threshold
+  analysis::WorstOf worst = {};               // likewise, where it is looked for
   analysis::LeastHeightOf least_height = {};  // or nothing
   bool aviation = false;
   bool feet = false;  // and what is too close is stated in feet, not in nautical miles
@@ -80,8 +82,8 @@ inline const char* with_standing_words(const io::Recording& recording) {
 // after.
 enum class Told : bool { kDistance, kConflict };
 
-// "drone_01 and drone_02"; "drone_01 and drone_02, 4.31 m apart at 63.2 s". Of a conflict that
-// begins or ends by heights where they are closest also how close they come in height.
+// "drone_01 and drone_02"; "drone_01 and drone_02, 4.31 m apart at 63.2 s": when they are closest,
+// and of a conflict with a vertical threshold when they are worst in it.
 std::string pair_text(const Conflict& conflict, const io::Recording& recording);
 std::string encounter_text(const Conflict& conflict, const io::Recording& recording,
                            const Distances& distances, Told told = Told::kDistance);
@@ -102,8 +104,23 @@ void add_apart_columns(std::vector<RowColumn>& columns, const Distances& distanc
 void add_apart(std::vector<Value>& row, const std::optional<analysis::Apart>& apart,
                const Distances& distances);
 
+// Likewise of when they are worst in it, where that is looked for.
+void add_worst_columns(std::vector<RowColumn>& columns, const Distances& distances);
+void add_worst(std::vector<Value>& row, const Conflict& conflict, const Distances& distances);
+
+// The closest of these, as it was found; with a vertical threshold the worst.
+std::optional<Conflict> told_as_closest(const std::vector<Conflict>& conflicts,
+                                        const std::optional<Conflict>& closest,
+                                        const Distances& distances);
+
+// The columns of the worst of those conflicts; nothing where it is not looked for, or there is
+// none.
+std::optional<Rows> worst_row(const std::vector<Conflict>& conflicts,
+                              const io::Recording& recording, const Distances& distances);
+
 // first, second, begins_s, closest_s, closest_m, ends_s; certain, where there are tolerances; and
-// with a vertical threshold how far apart they are horizontally and vertically.
+// with a vertical threshold how far apart they are horizontally and vertically then, and when they
+// are worst in it.
 Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& recording,
                    bool with_certain, const Distances& distances);
 

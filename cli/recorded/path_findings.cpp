@@ -3,6 +3,8 @@
 #include "analysis/recorded/all_conflicts.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/landed_times.hpp"
+#include "analysis/recorded/shared_ids.hpp"
+#include "analysis/recorded/worst_moment.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "analysis/text/unit_notes.hpp"
 #include "cli/command_line/command.hpp"
@@ -14,6 +16,7 @@
 #include "io/bytes/number_text.hpp"
 #include "io/obstacle_name.hpp"
 #include "io/recording/moment_text.hpp"
+#include "io/units/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,21 +56,48 @@ std::string counted_from(PathLimit limit, const io::Recording& recording) {
   return limit == PathLimit::kHeight ? counted_from_sea(recording) : std::string();
 }
 
+// The unit of aviation; nothing of accelerations.
+std::optional<io::Unit> aviation_unit(PathLimit limit) {
+  switch (limit) {
+    case PathLimit::kSpeed:
+    case PathLimit::kHorizontalSpeed:
+      return io::Unit::kKnot;
+    case PathLimit::kClimb:
+    case PathLimit::kDescent:
+      return io::Unit::kFootPerMinute;
+    case PathLimit::kHeight:
+      return io::Unit::kFoot;
+    case PathLimit::kAcceleration:
+      break;
+  }
+  return std::nullopt;
+}
+
+// "231.500 m/s"; of aviation "450.0 kt (231.500 m/s)".
+std::string quantity_text(PathLimit limit, double value, bool aviation) {
+  const std::string metric = io::grouped(value, 3) + " " + words_of(limit).unit;
+  const auto unit = aviation ? aviation_unit(limit) : std::nullopt;
+  if (!unit) return metric;
+  const int decimals = *unit == io::Unit::kKnot ? 1 : 0;
+  return io::grouped(io::from_metric(value, *unit), decimals) + " " +
+         std::string(io::symbol_of(*unit)) + " (" + metric + ")";
+}
+
 std::string peak_text(PathLimit limit, const analysis::BeePeak& peak,
-                      const io::Recording& recording) {
-  const PathLimitWords& words = words_of(limit);
-  return std::string(words.noun) + " " + io::grouped(shown_value(peak.peak, limit), 3) + " " +
-         words.unit + counted_from(limit, recording) + ", " + shown_bee(peak.bee, recording) +
+                      const io::Recording& recording, bool aviation) {
+  return std::string(words_of(limit).noun) + " " +
+         quantity_text(limit, shown_value(peak.peak, limit), aviation) +
+         counted_from(limit, recording) + ", " + shown_bee(peak.bee, recording) +
          when(peak.peak.at_s, recording) + corner_text(peak.peak);
 }
 
-void append_peaks(std::string& out, const PathFindings& findings) {
+void append_peaks(std::string& out, const PathFindings& findings, bool aviation) {
   bool first = true;
   for (const PathLimitWords& words : kPathLimitWords) {
     const auto& peak = findings.verdict.peaks[static_cast<std::size_t>(words.limit)];
     if (!peak) continue;
     append_summary_line(out, first ? "greatest" : "",
-                        peak_text(words.limit, *peak, findings.recording));
+                        peak_text(words.limit, *peak, findings.recording, aviation));
     first = false;
   }
 }
@@ -156,10 +186,16 @@ Distances distances_in(const PathFindings& findings, const MovingRequest& reques
   const analysis::Geometry geometry = analysis::geometry_for(recording, request.vertical);
   distances.apart = analysis::apart_along(verdict.lines, verdict.curves,
                                           height_unit_m(geometry, recording.height_unit));
+  distances.worst = analysis::worst_along(verdict.lines, verdict.curves,
+                                          height_unit_m(geometry, recording.height_unit),
+                                          {findings.question.threshold_m, *request.vertical_m});
   return distances;
 }
 
 std::string possible_text(const Conflict& loss, const PathFindings& findings) {
+  if (analysis::is_of_shared_id(loss, findings.recording)) {
+    return ", possible, as two seem to share an id";
+  }
   const bool along_curves = findings.verdict.curves.given && !loss.certain;
   return along_curves ? ", possible, on curves with the given velocities" : "";
 }
@@ -169,9 +205,7 @@ void append_losses(std::string& out, const PathFindings& findings, const Distanc
   std::vector<Conflict> standing = findings.verdict.with_standing;
   std::vector<Conflict> losses = analysis::without(findings.verdict.losses, standing);
   for (std::vector<Conflict>* const some : {&losses, &standing}) {
-    std::stable_sort(some->begin(), some->end(), [](const Conflict& a, const Conflict& b) {
-      return a.closest_m < b.closest_m;
-    });
+    analysis::sort_worst_first(distances.worst, *some);
   }
   const std::size_t in_the_air = losses.size();
   losses.insert(losses.end(), standing.begin(), standing.end());
@@ -192,7 +226,7 @@ void append_losses(std::string& out, const PathFindings& findings, const Distanc
   for (std::size_t i = 0; i < std::min(kMost, losses.size()); ++i) {
     append_summary_line(
         out, "",
-        encounter_text(losses[i], findings.recording, distances) +
+        encounter_text(losses[i], findings.recording, distances, Told::kConflict) +
             possible_text(losses[i], findings) +
             (i < in_the_air ? "" : ", " + std::string(with_standing_words(findings.recording))));
   }
@@ -208,19 +242,28 @@ void append_closest(std::string& out, const PathFindings& findings, const Distan
     return append_summary_line(out, "closest",
                                alone ? kNoPair : "no two are there at the same time");
   }
-  std::string text = encounter_text(*verdict.closest, findings.recording, distances);
+  const auto closest = told_as_closest(verdict.losses, verdict.closest, distances);
+  const auto in_the_air = told_as_closest(analysis::without(verdict.losses, verdict.with_standing),
+                                          verdict.closest_in_the_air, distances);
+  const auto told = [&verdict](const Conflict& one) {
+    const auto& losses = verdict.losses;
+    return std::find(losses.begin(), losses.end(), one) == losses.end() ? Told::kDistance
+                                                                        : Told::kConflict;
+  };
+  std::string text = encounter_text(*closest, findings.recording, distances, told(*closest));
   const bool both_stand =
-      verdict.losses.empty() && analysis::both_stand(findings.recording, *verdict.closest);
+      verdict.losses.empty() && analysis::both_stand(findings.recording, *closest);
   if (both_stand) text += ", both on the ground";
-  if (verdict.closest == verdict.closest_in_the_air) {
+  if (closest == in_the_air) {
     return append_summary_line(out, "closest", text);
   }
-  if (verdict.closest_in_the_air) {
-    append_summary_line(out, "closest",
-                        encounter_text(*verdict.closest_in_the_air, findings.recording, distances));
+  if (in_the_air) {
+    append_summary_line(
+        out, "closest",
+        encounter_text(*in_the_air, findings.recording, distances, told(*in_the_air)));
   }
   if (!both_stand) text += ", " + std::string(with_standing_words(findings.recording));
-  append_summary_line(out, verdict.closest_in_the_air ? "" : "closest", text);
+  append_summary_line(out, in_the_air ? "" : "closest", text);
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -445,7 +488,7 @@ std::string verify_summary(const PathFindings& findings, const MovingRequest& re
   }
   const Distances distances = distances_in(findings, request);
   append_closest(out, findings, distances);
-  append_peaks(out, findings);
+  append_peaks(out, findings, distances.aviation);
   append_losses(out, findings, distances);
   append_low(out, verdict.low, recording, request, distances, verdict.with_standing);
   if (findings.question.obstacles != nullptr) {

@@ -6,9 +6,11 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/created_flights.hpp"
 #include "analysis/recorded/default_threshold.hpp"
+#include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/last_climb.hpp"
 #include "analysis/recorded/last_snapshot.hpp"
 #include "analysis/recorded/usual_horizon.hpp"
+#include "analysis/recorded/worst_moment.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/recipe_text.hpp"
 #include "cli/console/stopwatch.hpp"
@@ -280,15 +282,14 @@ std::string summary(const Prediction& prediction, const PredictRequest& request,
     const auto soonest = std::min_element(
         conflicts.begin(), conflicts.end(),
         [](const Conflict& a, const Conflict& b) { return a.begins_s < b.begins_s; });
-    const auto closest = std::min_element(
-        conflicts.begin(), conflicts.end(),
-        [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });
+    const Conflict closest =
+        analysis::pairs_in_conflict(conflicts, prediction.distances.worst).front().worst;
     append_summary_line(out, "soonest",
                         pair_text(*soonest, prediction.recording) + ", " +
                             when_text(soonest->begins_s - snapshot.time_s));
     append_summary_line(
         out, "closest",
-        encounter_text(*closest, prediction.recording, prediction.distances, Told::kConflict));
+        encounter_text(closest, prediction.recording, prediction.distances, Told::kConflict));
   }
   append_summary_line(out, "time", "search " + io::duration(search_s));
   return out;
@@ -314,6 +315,11 @@ void write_outlook(io::JsonWriter& json, const Prediction& prediction,
   write_missing(json, prediction.recording.missing);
   json.end();
   json.member("conflict_count", prediction.conflicts.size());
+  if (!prediction.distances.worst) return;
+  json.key("worst");
+  const auto worst = worst_row(prediction.conflicts, prediction.recording, prediction.distances);
+  if (!worst) return json.null();
+  write_row(json, worst->columns, worst->rows.front());
 }
 
 }  // namespace
@@ -363,7 +369,8 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
   if (moving.vertical) {
     distances.apart = apart_of(*snapshot, height_unit_m(geometry, recording->height_unit));
     // Times of conflicts lie within those of the outlook, in which all fly straight.
-    distances.least_height = analysis::least_height_of(distances.apart);
+    distances.worst = worst_of(*snapshot, height_unit_m(geometry, recording->height_unit),
+                               {threshold_m, *moving.vertical_m});
   }
   const Prediction prediction{*recording, *snapshot,      threshold_m, *conflicts,
                               distances,  looked_since_s, horizon_s,   recorded_since(*recording)};

@@ -56,9 +56,10 @@ Rows rows_of(const ReplayRequest& request, const analysis::Findings& findings,
   }
   const bool curved = std::any_of(findings.tracks.begin(), findings.tracks.end(),
                                   [](const Track& track) { return track.tolerance_m > 0.0; });
-  const bool along_velocities = findings.curves != nullptr && !findings.curves->conflicts.empty();
-  Rows rows = conflict_rows(findings.recorded.conflicts, findings.recording,
-                            curved || along_velocities || findings.chords.possible > 0, distances);
+  const auto& conflicts = findings.recorded.conflicts;
+  const bool possible = std::any_of(conflicts.begin(), conflicts.end(),
+                                    [](const Conflict& conflict) { return !conflict.certain; });
+  Rows rows = conflict_rows(conflicts, findings.recording, curved || possible, distances);
   add_unknown_around(findings, rows);
   return rows;
 }
@@ -91,6 +92,15 @@ void write_findings(io::JsonWriter& json, const analysis::Findings& findings,
     write_row(json, row.columns, row.rows.front());
   };
   write("closest", findings.closest);
+  if (distances.worst) {
+    json.key("worst");
+    const auto worst = worst_row(conflicts, findings.recording, distances);
+    if (worst) {
+      write_row(json, worst->columns, worst->rows.front());
+    } else {
+      json.null();
+    }
+  }
   if (!findings.above_fl410.empty()) {
     json.member("closer_above_fl410_count", findings.above_fl410.size());
   }

@@ -187,6 +187,9 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   if (moving.vertical) {
     distances.apart = analysis::apart_along(*tracks, found->curves,
                                             height_unit_m(geometry, recording->height_unit));
+    distances.worst = analysis::worst_along(*tracks, found->curves,
+                                            height_unit_m(geometry, recording->height_unit),
+                                            {threshold_m, *moving.vertical_m});
     // Along curves heights are not straight in time, too.
     distances.least_height = [along_lines = analysis::least_height_of(
                                   *tracks, height_unit_m(geometry, recording->height_unit)),

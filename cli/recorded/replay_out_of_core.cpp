@@ -7,6 +7,7 @@
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/findings.hpp"
 #include "analysis/recorded/gaps.hpp"
+#include "analysis/recorded/shared_ids.hpp"
 #include "analysis/recorded/track_ends.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "cli/console/progress_bar.hpp"
@@ -197,6 +198,7 @@ class Replaying {
         });
     if (!found) return in_words_of_the_command(found.error(), moving_);
     facts_ = fixes_.facts();
+    analysis::doubt_shared_ids(recording_, found_.conflicts);
     const auto worst = std::min_element(
         found_.conflicts.begin(), found_.conflicts.end(),
         [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });

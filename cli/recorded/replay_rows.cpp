@@ -81,10 +81,11 @@ Rows pair_rows(const analysis::Findings& findings, const Distances& distances) {
             analysis::has_labels(recording),
             io::calendar_of(recording)};
   add_apart_columns(rows.columns, distances);
+  add_worst_columns(rows.columns, distances);
   const std::vector<Gap> unknown =
       analysis::all_unknown_spans(recording, findings.recorded.gaps, findings.coverage.max_gap);
   for (const analysis::PairInConflict& pair :
-       analysis::pairs_in_conflict(findings.recorded.conflicts)) {
+       analysis::pairs_in_conflict(findings.recorded.conflicts, distances.worst)) {
     const Conflict& closest = pair.closest;
     std::vector<Value> row{analysis::name_at(closest.closest_s, closest.first, recording),
                            analysis::name_at(closest.closest_s, closest.second, recording),
@@ -94,6 +95,7 @@ Rows pair_rows(const analysis::Findings& findings, const Distances& distances) {
                            closest.closest_m,
                            analysis::unknown_of_pair_s(closest.first, closest.second, unknown)};
     add_apart(row, distances.of(closest), distances);
+    add_worst(row, pair.worst, distances);
     rows.rows.push_back(std::move(row));
   }
   return rows;

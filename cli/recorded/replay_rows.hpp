@@ -14,7 +14,7 @@ namespace beespace::cli {
 // which; and how long it is unknown.
 Rows bee_rows(const analysis::Findings& findings, const Distances& distances);
 
-// A row a pair in conflict, the closest first: how often, for how long in all, where it is closest,
+// A row a pair in conflict, the worst first: how often, for how long in all, where it is closest,
 // and for how long one of the two is unknown.
 Rows pair_rows(const analysis::Findings& findings, const Distances& distances);
 

@@ -53,16 +53,13 @@ std::string kinds_text(const analysis::Findings& findings) {
     text += ", " + io::grouped(findings.with_standing.size()) + " " +
             with_standing_words(findings.recording);
   }
-  if (const auto shared =
-          analysis::count_with_shared_id(findings.recording, findings.recorded.conflicts);
-      shared > 0) {
-    text +=
-        ", " + io::grouped(std::uint64_t{shared}) + " possible, with an id that two seem to have";
-  }
   if (findings.curves != nullptr && !findings.curves->conflicts.empty()) {
     text += ", " + io::grouped(findings.curves->conflicts.size()) +
             " possible, along curves with the given velocities";
   }
+  const auto shared =
+      analysis::count_of_shared_ids(findings.recorded.conflicts, findings.recording);
+  if (shared > 0) text += ", " + io::grouped(std::uint64_t{shared}) + " possible, of a shared id";
   return text;
 }
 
@@ -101,7 +98,7 @@ std::string verdict(const analysis::Findings& findings,
   const auto& conflicts = findings.recorded.conflicts;
   const bool certain =
       std::any_of(conflicts.begin(), conflicts.end(), [&findings](const Conflict& conflict) {
-        return conflict.certain && !analysis::is_with_shared_id(findings.recording, conflict);
+        return conflict.certain && !analysis::is_of_shared_id(conflict, findings.recording);
       });
   return red(certain ? "does not keep its distance" : "may not keep its distance") + ": " +
          plural(conflicts.size(), "conflict", "conflicts") + " of " +
@@ -127,27 +124,28 @@ void append_velocities(std::string& out, const analysis::Findings& findings, dou
 
 // The pairs that come too close in the air, told by that, and behind them those of which one stands
 // on the ground whenever they do.
-std::vector<analysis::PairInConflict> in_the_air_first(
-    const analysis::Findings& findings, std::vector<analysis::PairInConflict> pairs) {
+std::vector<analysis::PairInConflict> in_the_air_first(const analysis::Findings& findings,
+                                                       std::vector<analysis::PairInConflict> pairs,
+                                                       const Distances& distances) {
   if (findings.with_standing.empty()) return pairs;
   const auto ids = [](const analysis::PairInConflict& pair) {
-    return std::pair(pair.closest.first, pair.closest.second);
+    return std::pair(pair.worst.first, pair.worst.second);
   };
-  std::map<std::pair<PointId, PointId>, Conflict> closest_in_the_air;
+  std::map<std::pair<PointId, PointId>, Conflict> worst_in_the_air;
   const auto& conflicts = findings.recorded.conflicts;
-  for (const auto& pair :
-       analysis::pairs_in_conflict(analysis::without(conflicts, findings.with_standing))) {
-    closest_in_the_air.emplace(ids(pair), pair.closest);
+  for (const auto& pair : analysis::pairs_in_conflict(
+           analysis::without(conflicts, findings.with_standing), distances.worst)) {
+    worst_in_the_air.emplace(ids(pair), pair.worst);
   }
+  std::map<std::pair<PointId, PointId>, std::pair<bool, double>> order;
   for (auto& pair : pairs) {
-    const auto found = closest_in_the_air.find(ids(pair));
-    if (found != closest_in_the_air.end()) pair.closest = found->second;
+    const auto found = worst_in_the_air.find(ids(pair));
+    const bool in_the_air = found != worst_in_the_air.end();
+    if (in_the_air) pair.worst = found->second;
+    order[ids(pair)] = {!in_the_air, analysis::rank_of(pair.worst, distances.worst)};
   }
-  const auto order = [&](const analysis::PairInConflict& pair) {
-    return std::pair(!closest_in_the_air.contains(ids(pair)), pair.closest.closest_m);
-  };
   std::stable_sort(pairs.begin(), pairs.end(),
-                   [&](const auto& a, const auto& b) { return order(a) < order(b); });
+                   [&](const auto& a, const auto& b) { return order[ids(a)] < order[ids(b)]; });
   return pairs;
 }
 
@@ -156,28 +154,36 @@ void append_closest(std::string& out, const analysis::Findings& findings,
                     const Distances& distances) {
   if (!findings.closest) return;
   const auto& conflicts = findings.recorded.conflicts;
-  const bool conflict = std::count(conflicts.begin(), conflicts.end(), *findings.closest) > 0;
-  std::string text = encounter_text(*findings.closest, findings.recording, distances,
+  const Conflict closest = *told_as_closest(conflicts, findings.closest, distances);
+  const auto in_the_air = told_as_closest(analysis::without(conflicts, findings.with_standing),
+                                          findings.closest_in_the_air, distances);
+  const auto is_conflict = [&conflicts](const Conflict& one) {
+    return std::find(conflicts.begin(), conflicts.end(), one) != conflicts.end();
+  };
+  const bool conflict = is_conflict(closest);
+  std::string text = encounter_text(closest, findings.recording, distances,
                                     conflict ? Told::kConflict : Told::kDistance);
-  const bool both_stand =
-      conflicts.empty() && analysis::both_stand(findings.recording, *findings.closest);
+  if (conflict && analysis::is_of_shared_id(closest, findings.recording)) {
+    text += ", possible, as two seem to share an id";
+  }
+  const bool both_stand = conflicts.empty() && analysis::both_stand(findings.recording, closest);
   if (both_stand) text += ", both on the ground";
   const auto& low = findings.low.left_out;
-  const bool left_out = std::find(low.begin(), low.end(), *findings.closest) != low.end();
+  const bool left_out = std::find(low.begin(), low.end(), closest) != low.end();
   if (left_out) text += ", left out";
   const auto& standing = findings.with_standing;
-  const bool one_stands =
-      std::find(standing.begin(), standing.end(), *findings.closest) != standing.end();
-  if (!one_stands && !both_stand && !(left_out && findings.closest_in_the_air)) {
+  const bool one_stands = std::find(standing.begin(), standing.end(), closest) != standing.end();
+  if (!one_stands && !both_stand && !(left_out && in_the_air)) {
     return append_summary_line(out, "closest", text);
   }
   if (one_stands) text += ", " + std::string(with_standing_words(findings.recording));
-  if (findings.closest_in_the_air) {
+  if (in_the_air) {
     append_summary_line(
         out, "closest",
-        encounter_text(*findings.closest_in_the_air, findings.recording, distances));
+        encounter_text(*in_the_air, findings.recording, distances,
+                       is_conflict(*in_the_air) ? Told::kConflict : Told::kDistance));
   }
-  append_summary_line(out, findings.closest_in_the_air ? "" : "closest", text);
+  append_summary_line(out, in_the_air ? "" : "closest", text);
 }
 
 void append_worst(std::string& out, const analysis::Findings& findings,
@@ -185,17 +191,18 @@ void append_worst(std::string& out, const analysis::Findings& findings,
   constexpr std::size_t kMost = 5;
   for (std::size_t i = 0; i < std::min(kMost, pairs.size()); ++i) {
     const analysis::PairInConflict& pair = pairs[i];
-    std::string text = encounter_text(pair.closest, findings.recording, distances, Told::kConflict);
+    std::string text = encounter_text(pair.worst, findings.recording, distances, Told::kConflict);
     const auto& standing = findings.with_standing;
-    if (std::count(standing.begin(), standing.end(), pair.closest) > 0) {
+    if (std::count(standing.begin(), standing.end(), pair.worst) > 0) {
       text += ", " + std::string(with_standing_words(findings.recording));
     }
-    if (analysis::is_with_shared_id(findings.recording, pair.closest)) text += ", possible";
     text += "; in conflict for " + io::grouped(pair.time_s, 2) + " s";
-    if (findings.curves != nullptr && findings.curves->given && !pair.closest.certain) {
+    if (pair.conflicts > 1) text += " in " + io::grouped(pair.conflicts) + " conflicts";
+    if (analysis::is_of_shared_id(pair.worst, findings.recording)) {
+      text += ", possible, as two seem to share an id";
+    } else if (findings.curves != nullptr && findings.curves->given && !pair.worst.certain) {
       text += ", on curves with the given velocities";
     }
-    if (pair.conflicts > 1) text += " in " + io::grouped(pair.conflicts) + " conflicts";
     append_summary_line(out, i == 0 ? "worst" : "", text);
   }
   if (pairs.size() > kMost) {
@@ -370,7 +377,7 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
         "compares heights and ways over ground apart from each other");
   }
   append_traffic_hint(out, recording, request, figures.threshold_m);
-  const auto pairs = analysis::pairs_in_conflict(findings.recorded.conflicts);
+  const auto pairs = analysis::pairs_in_conflict(findings.recorded.conflicts, distances.worst);
   std::string above = analysis::above_fl410_text(recording, figures.threshold_m, request.vertical);
   if (const auto closer = analysis::pairs_in_conflict(findings.above_fl410); !closer.empty()) {
     above += "; " +
@@ -379,7 +386,7 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
   }
   append_summary_line(out, "verdict", verdict(findings, pairs, above));
   append_closest(out, findings, distances);
-  append_worst(out, findings, in_the_air_first(findings, pairs), distances);
+  append_worst(out, findings, in_the_air_first(findings, pairs, distances), distances);
   append_cut_conflicts(out, findings);
   if (recording.of_aircraft && !findings.with_standing.empty()) {
     append_note(out,

@@ -6,7 +6,9 @@
 #include "io/table/record_walk.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -18,6 +20,30 @@ namespace {
 constexpr LeftOutReason kNoPositionEver = {"of aircraft that never tell a position (one each)"};
 // As a recording that was stopped ends.
 constexpr LeftOutReason kCutShort = {"cut short at the end of the input"};
+// As the last lines of a log, or a log that was begun anew, begin.
+constexpr LeftOutReason kCutOff = {"cut off at the beginning of the input"};
+
+// The line at the beginning of `text`, which is without it then.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t ends = text.find('\n');
+  std::string_view line = text.substr(0, ends);
+  text.remove_prefix(ends == std::string_view::npos ? text.size() : ends + 1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+// The rest of a message, and nothing but messages behind it.
+bool is_cut_off(std::string_view text) {
+  constexpr int kEnough = 3;
+  constexpr std::ptrdiff_t kSeparators = 21;
+  const std::string_view first = take_line(text);
+  const auto separators = std::count(first.begin(), first.end(), ',');
+  if (separators == 0 || separators > kSeparators) return false;
+  for (int line = 0; line < kEnough; ++line) {
+    if (!is_base_station_line(take_line(text))) return false;
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -27,7 +53,7 @@ bool is_base_station(std::string_view bytes) {
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   if (begin == std::string_view::npos) return false;
   const std::string_view rest = text.substr(begin, kLongestMessage);
-  return is_base_station_line(rest.substr(0, rest.find_first_of("\r\n")));
+  return is_base_station_line(rest.substr(0, rest.find_first_of("\r\n"))) || is_cut_off(rest);
 }
 
 std::optional<Error> read_base_station(std::string_view bytes, RecordingAssembly& assembly) {
@@ -40,7 +66,12 @@ std::optional<Error> read_base_station(std::string_view bytes, RecordingAssembly
   std::unordered_map<std::string, bool> heard;  // whether it tells positions
   const std::string_view text = without_byte_order_mark(bytes);
   RecordWalk walk(text, 0, '\n');
+  bool is_first = true;
   while (walk.next()) {
+    if (std::exchange(is_first, false) && !is_base_station_line(walk.record())) {
+      assembly.leave_out(kCutOff, {});
+      continue;
+    }
     const AircraftReport* report = nullptr;
     auto error = station.take(walk.record(), report);
     if (!error && report != nullptr) error = gathering.add(*report, walk.line() + 1);

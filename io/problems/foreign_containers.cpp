@@ -69,8 +69,9 @@ constexpr std::string_view kTrackMateSpots =
 constexpr std::string_view kGpx =
     "a track of a GPS receiver (GPX), which is not read; make a table of it, and of all that are "
     "of one recording: python3 -c \"import sys, xml.etree.ElementTree as E; "
-    "print('id,time,lon,lat'); [print(f, p.findtext('{*}time'), p.get('lon'), p.get('lat'), "
-    "sep=',') for f in sys.argv[1:] for p in E.parse(f).iterfind('.//{*}trkpt')]\" FILE > "
+    "print('id,time,lon,lat,height_m'); [print(f, p.findtext('{*}time'), p.get('lon'), "
+    "p.get('lat'), p.findtext('{*}ele', ''), sep=',') for f in sys.argv[1:] for p in "
+    "E.parse(f).iterfind('.//{*}trkpt')]\" FILE > "
     "tracks.csv, with the names of the others behind the first one";
 
 // Whether a name is there, near the beginning or the end: such files have their names there, and

@@ -48,12 +48,17 @@ struct RecordedBee {
   // The height from which it took off, as its records say.
   std::optional<double> took_off_at_m = {};
   bool on_surface = false;  // it drives or swims, by its own word
+  bool shared = false;      // two or more seem to have its id (see MissingRecords::shared)
   // Since when, and until when, it has records without a place, if it has any.
   std::optional<double> unplaced_from_s = {};
   std::optional<double> unplaced_until_s = {};
   // Of a cut of a sector: when it has such records, or none of a position at all, before its first
   // fix and after its last one; of several at one time one.
   std::vector<double> beside_s = {};
+  // How often one of its fixes was said again, and of these how often its last one, as feeds do
+  // that keep an aircraft for a while when they hear nothing more of it.
+  std::uint64_t repeats = 0;
+  std::uint64_t repeats_of_last = 0;
   // From a fix to the next one, where there are two records without a place between them, or more.
   std::vector<TimeSpan> lost = {};
   // What it is called beside its id: the flight, or several, one after the other; or nothing.

@@ -259,6 +259,7 @@ void RecordingAssembly::settle_heard() {
 
 void RecordingAssembly::share(const SharedTrack& track) {
   MissingRecords& missing = recording_.missing;
+  shared_ids_.insert(track.id);
   if (++missing.shared > MissingRecords::kMostNamed) return;
   missing.shared_ids.push_back(track.id);
   note("bee " + excerpt(track.id) + " is at two places in turn, from " + place_text(track.first) +

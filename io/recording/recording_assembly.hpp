@@ -326,6 +326,7 @@ class RecordingAssembly {
   std::unordered_set<std::string> told_by_others_;               // by id
   TakeOffs take_offs_;
   std::unordered_set<std::string> on_surface_;  // by id
+  std::unordered_set<std::string> shared_ids_;
   std::uint64_t kept_in_flight_ = 0;
   std::uint64_t doubted_standing_ = 0;
   AccuracyGathering accuracy_;

@@ -3,6 +3,7 @@
 #include "io/problems/excerpt.hpp"
 #include "io/problems/left_out.hpp"
 #include "io/problems/unplaced.hpp"
+#include "io/recording/coasting.hpp"
 #include "io/recording/doubled_drones.hpp"
 #include "io/recording/local_topics.hpp"
 #include "io/recording/missing_numbers.hpp"
@@ -329,10 +330,13 @@ Result<Recording> RecordingAssembly::finish() {
     settle_ground(bee);
     bee.on_surface = on_surface_.contains(bee.id);
     if (!take_offs_.empty()) bee.took_off_at_m = take_offs_.of(bee.id);
+    bee.shared = shared_ids_.contains(bee.id);
     settle_unplaced(bee);
     settle_beside(bee);
     settle_label(bee);
   }
+  // Of others it is asked anyway.
+  if (options_.sector) lose_coasting(recording_.bees);
   if (std::any_of(recording_.bees.begin(), recording_.bees.end(),
                   [](const RecordedBee& bee) { return !bee.landed.empty(); })) {
     note(

@@ -13,6 +13,7 @@
 #include <ios>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -273,6 +274,20 @@ Error nothing_to_read(Listed found, const std::string& folder) {
                                                " more, which say when named what to do");
   }
   const std::string inside = first_folder_with_recordings(folder, kDepth);
+  // Of each encounter, and each run of a simulator, the clock begins anew.
+  constexpr std::array<std::string_view, 3> kEachByItself = {".daa", ".log", ".scn"};
+  const auto of_that =
+      std::find_if(kEachByItself.begin(), kEachByItself.end(), [&found](std::string_view ending) {
+        return std::all_of(found.others.begin(), found.others.end(),
+                           [ending](const std::string& name) { return name.ends_with(ending); });
+      });
+  if (inside.empty() && found.others.size() > 1 && of_that != kEachByItself.end()) {
+    message += "; each of these is a recording of its own, as a rule: for f in \"" + folder;
+    message.append("\"/*").append(*of_that).append("; do beespace ");
+    message += *of_that == ".scn" ? "predict" : "replay";
+    message += " \"$f\" --separation nmac; done";
+    return {ErrorCode::kNoPoints, std::move(message), {folder}};
+  }
   message += inside.empty() ? "; name the files, or the folder that holds them"
                             : "; folders in it are not looked into: name " + inside;
   // As idtracker.ai writes them, in pixels.

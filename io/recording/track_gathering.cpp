@@ -217,6 +217,8 @@ void TrackGathering::settle(Bee& bee, Frame frame, const TakeConflict& conflict,
       const Fix& last = settled.recorded.fixes.back();
       if (is_heard_again(last, fixes[i], repeat_s_)) {
         ++repeated_;
+        ++settled.recorded.repeats;
+        ++settled.recorded.repeats_of_last;
         continue;
       }
       if (last.time_s == fixes[i].time_s) {
@@ -238,11 +240,14 @@ void TrackGathering::settle(Bee& bee, Frame frame, const TakeConflict& conflict,
       }
     }
     settled.recorded.fixes.push_back(fixes[i]);
+    settled.recorded.repeats_of_last = 0;
     if (!velocities.empty()) settled.recorded.velocities.push_back(velocities[i]);
     if (!heights.empty()) settled.recorded.stated_heights.push_back(heights[i]);
     settled.origins.push_back(bee.origins[i]);
   }
   bee.recorded.fixes = std::move(settled.recorded.fixes);
+  bee.recorded.repeats = settled.recorded.repeats;
+  bee.recorded.repeats_of_last = settled.recorded.repeats_of_last;
   bee.recorded.velocities = std::move(settled.recorded.velocities);
   bee.recorded.stated_heights = std::move(settled.recorded.stated_heights);
   bee.origins = std::move(settled.origins);

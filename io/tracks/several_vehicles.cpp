@@ -192,6 +192,22 @@ std::string columns_option(const Set& set, Axis first, Axis second) {
   return text;
 }
 
+// "latitude_x" and "latitude_y", "longitude_x" and "longitude_y": as pandas merges two tables, and
+// not x and y of something.
+bool are_merged_pairs(const std::vector<std::string>& names) {
+  constexpr std::string_view kFirst = "_x";
+  bool longitudes = false;
+  bool latitudes = false;
+  for (const std::string& name : names) {
+    if (!name.ends_with(kFirst)) continue;
+    const std::string stem = name.substr(0, name.size() - kFirst.size());
+    if (std::find(names.begin(), names.end(), stem + "_y") == names.end()) continue;
+    longitudes = longitudes || axis_of(stem) == Axis::kLongitude;
+    latitudes = latitudes || axis_of(stem) == Axis::kLatitude;
+  }
+  return longitudes && latitudes;
+}
+
 // As awk makes a record for each vehicle of them.
 std::string recipe_of(const TableLayout& table, const std::vector<Set>& sets) {
   std::vector<VehicleColumns> vehicles;
@@ -207,6 +223,16 @@ std::string recipe_of(const TableLayout& table, const std::vector<Set>& sets) {
 }  // namespace
 
 std::optional<Error> several_vehicles(const TableLayout& table) {
+  if (are_merged_pairs(table.names)) {
+    Error error;
+    error.code = ErrorCode::kMissingColumn;
+    error.message =
+        "this is a table of pairs, with one of the two in the columns that end with _x and the "
+        "other in those that end with _y, as closest_point_of_approach of traffic makes them: it "
+        "has no more than what was found close there; give the flights themselves, as by "
+        "flights.to_csv('flights.csv') of the Traffic that was asked";
+    return error;
+  }
   const std::vector<Set> sets = sets_of(table.names);
   for (const auto& [first, second] :
        {std::pair(Axis::kX, Axis::kY), std::pair(Axis::kLongitude, Axis::kLatitude)}) {

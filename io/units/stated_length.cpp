@@ -90,8 +90,8 @@ std::string vertical_note(const std::optional<StatedLength>& vertical, Unit heig
   const std::string heights(symbol_of(height_unit));
   const Unit compared = compared_in(vertical, height_unit);
   if (height_unit == Unit::kMetre && compared != Unit::kMetre) {
-    return text_of(*vertical) + ", compared with heights in metres as " +
-           exact(*exactly_in(*vertical, compared)) + " cm";
+    return text_of(*vertical) + ", compared with heights in metres as " + exact(vertical->metric) +
+           " m";
   }
   if (compared != Unit::kMetre) {
     return text_of(*vertical) + ", compared with heights in " + heights + " as they stand";

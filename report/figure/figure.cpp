@@ -14,6 +14,7 @@
 #include "report/separation_words.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -114,13 +115,11 @@ std::string findings_of(const RecordingFacts& facts) {
   return text + ".";
 }
 
-// Where two limits count, that of a list by how far apart they are in a straight line.
-std::string order_words(const SwarmFacts& swarm) {
-  return swarm.vertical_m ? " (straight line)" : "";
-}
-
 Listing closest_pairs(const SnapshotFacts& facts) {
-  Listing listing{"Closest pairs" + order_words(facts.swarm), {}, facts.pair_count};
+  // Where two limits count, the list is by how far apart they are in a straight line.
+  Listing listing{facts.swarm.vertical_m ? "Closest pairs (straight line)" : "Closest pairs",
+                  {},
+                  facts.pair_count};
   for (std::size_t i = 0; i < std::min(kMostRows, facts.pairs.size()); ++i) {
     const auto& [first, second] = facts.pairs[i];
     listing.rows.push_back(
@@ -145,6 +144,24 @@ Listing closest_pairs(const SnapshotFacts& facts) {
   return listing;
 }
 
+// No more digits than say something to who looks at a picture; a line does not break before a unit.
+std::string duration_words(double seconds) {
+  constexpr double kWhole_s = 10.0;
+  constexpr double kTenths_s = 1.0;
+  double told_s = seconds;
+  if (seconds >= kTenths_s) told_s = std::round(seconds * 10.0) / 10.0;
+  if (seconds >= kWhole_s) told_s = std::round(seconds);
+  std::string words;
+  for (const char letter : io::time_span(told_s)) {
+    if (letter == ' ') {
+      words += "\u00a0";
+    } else {
+      words += letter;
+    }
+  }
+  return words;
+}
+
 // ", for 2 h", or "; 19 conflicts, 2 h 10 min in all"; nothing of an encounter that is none.
 std::string duration_of(const Conflict& conflict, const std::vector<PairInConflict>& pairs) {
   const auto ids = [](const auto& pair) { return std::pair(pair.first, pair.second); };
@@ -153,10 +170,10 @@ std::string duration_of(const Conflict& conflict, const std::vector<PairInConfli
       [&ids](const PairInConflict& a, const Conflict& b) { return ids(a) < ids(b); });
   if (pair != pairs.end() && ids(*pair) == ids(conflict) && pair->conflicts > 1) {
     return "; " + count_label(pair->conflicts, "conflict", "conflicts") + ", " +
-           io::time_span(pair->time_s) + " in all";
+           duration_words(pair->time_s) + " in all";
   }
   const double lasts_s = conflict.ends_s - conflict.begins_s;
-  return lasts_s > 0.0 ? ", for " + io::time_span(lasts_s) : std::string();
+  return lasts_s > 0.0 ? ", for " + duration_words(lasts_s) : std::string();
 }
 
 std::vector<Ink> inks_of(const Conflict& conflict, const RecordingFacts& facts) {
@@ -202,7 +219,10 @@ std::vector<std::size_t> closest_of_each_pair(const RecordingFacts& facts,
 }
 
 Listing closest_conflicts(const RecordingFacts& facts) {
-  Listing listing{"Closest pairs in conflict" + order_words(facts.swarm), {}, facts.pair_count};
+  // Where two limits count, those are first who are farthest within both.
+  Listing listing{facts.swarm.vertical_m ? "Worst pairs in conflict" : "Closest pairs in conflict",
+                  {},
+                  facts.pair_count};
   const auto add = [&](const Conflict& conflict, const std::optional<Apart>& apart,
                        const char* kind) {
     listing.rows.push_back({name_of(facts.swarm.names, conflict),

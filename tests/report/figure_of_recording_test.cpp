@@ -180,9 +180,10 @@ TEST(FigureOfRecording, OfManyPathsTheClosestTwoAreNamedWhereTheyAre) {
 TEST(FigureOfRecording, OfAPairAllConflictsAreTold) {
   RecordingFacts facts = two_tracks();
   facts.pairs = {{0, 1, 19, 7'800.0}};
-  EXPECT_TRUE(says(figure_of(facts), "3.000 m at 50.0 s; 19 conflicts, 2 h 10 min in all"));
+  EXPECT_TRUE(
+      says(figure_of(facts), "3.000 m at 50.0 s; 19 conflicts, 2\u00a0h\u00a010\u00a0min in all"));
   facts.pairs = {{0, 1, 1, 4.0}};
-  EXPECT_TRUE(says(figure_of(facts), "3.000 m at 50.0 s, for 4 s"));
+  EXPECT_TRUE(says(figure_of(facts), "3.000 m at 50.0 s, for 4\u00a0s"));
 }
 
 TEST(FigureOfRecording, AFewPathsHaveColoursOfTheirOwnWhichTheListHasToo) {

@@ -23,8 +23,8 @@ io::Recording with_shared() {
     }
     recording.bees.push_back(bee);
   }
+  recording.bees.front().shared = true;
   recording.missing.shared = 1;
-  recording.missing.shared_ids = {"1"};
   return recording;
 }
 
@@ -47,13 +47,13 @@ TEST(SharedIds, MakeConflictsPossibleOnly) {
   recording.bees.push_back(recording.bees[1]);
   recording.bees.back().id = "4";
   std::vector<Conflict> conflicts = {between(0, 1), between(1, 2), between(0, 2)};
-  EXPECT_EQ(count_with_shared_id(recording, conflicts), 2u);
-  doubt_with_shared_id(recording, conflicts);
+  EXPECT_EQ(count_of_shared_ids(conflicts, recording), 2u);
+  doubt_shared_ids(recording, conflicts);
   EXPECT_FALSE(conflicts[0].certain);
   EXPECT_TRUE(conflicts[1].certain);
   EXPECT_FALSE(conflicts[2].certain);
-  recording.missing.shared_ids.clear();
-  EXPECT_EQ(count_with_shared_id(recording, conflicts), 0u);
+  recording.missing.shared = 0;
+  EXPECT_EQ(count_of_shared_ids(conflicts, recording), 0u);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include "tests/cli/run/command_run.hpp"
 #include "tests/cli/run/expectations.hpp"
@@ -154,6 +155,21 @@ TEST(CutOfASector, RecordsWithoutAPlaceAtItsEndsAreOutsideToo) {
   expect_parts(long_one.err, {"no conflict in the known time; 30 records were left out"});
 }
 
+// As OpenSky goes on to say the last place of who is not heard any more, at the time of that place:
+// such an aircraft was lost, and did not leave.
+TEST(CutOfASector, DoesNotExcuseWhomTheFeedKeepsAtItsLastPlace) {
+  const auto with_repeats = [](int times) {
+    std::string text = sector(false);
+    for (int k = 0; k < times; ++k) text += row(118, "4b1814", 47.0, 30'000.0);
+    return text;
+  };
+  const Finished leaves = run(kEnroute + Arguments{"--sector"}, with_repeats(2));
+  EXPECT_EQ(leaves.exit_code, 0) << leaves.err;
+  const Finished lost = run(kEnroute + Arguments{"--sector"}, with_repeats(30));
+  EXPECT_EQ(lost.exit_code, 1) << lost.err;
+  expect_parts(lost.err, {"no conflict in the known time; 1 bee there without a place"});
+}
+
 TEST(CutOfASector, AppliesToPicturesAndPagesAndNotToMoments) {
   const TemporaryFolder folder;
   const std::string file = folder.file("t.csv", sector(false));
@@ -227,14 +243,16 @@ TEST(VerticalMinima, WhoHardlyFallsShortIsSaidWithWhatWouldLeaveThemOut) {
   EXPECT_EQ(run(kEnroute, apart(30'000, 30'925)).err.find("would leave"), std::string::npos);
 }
 
-// A conflict that begins by heights while they fly apart: closest at the limit, and worse later.
-TEST(VerticalMinima, OfAConflictThatBeginsAtTheLimitTheLeastHeightIsSaidToo) {
+// A conflict that begins by heights while they fly apart: closest at the limit, and worse later,
+// which is what is said.
+TEST(VerticalMinima, OfAConflictThatBeginsAtTheLimitTheWorstMomentIsSaid) {
   std::string text = kHeader;
   for (int t = 0; t < 60; ++t) {
     text += row(t, "4b1814", 47.0, 30'000);
     text += row(t, "3c6444", 47.02 + 0.0005 * t, 31'200 - 10 * t, -600);
   }
-  expect_parts(run(kEnroute, text).err, {"least height apart 610 ft"});
+  expect_parts(run(kEnroute, text).err,
+               {"and 610 ft (185.928 m) vertically apart at 2026-11-23T14:00:59.000Z; in"});
 }
 
 TEST(VerticalMinima, AboveFl410WhoIsCloserThanHoldsThereIsNoAllClear) {
@@ -330,18 +348,77 @@ TEST(RecipesOfAirTraffic, AnEncounterWithoutItsUnitsIsSaidToLackThem) {
             std::string::npos);
 }
 
+// ---- What is not read, or in part -------------------------------------------------------------
+
+TEST(TablesOfPairs, AreRefusedWithWhatToGiveInstead) {
+  const Finished finished =
+      run(kEnroute,
+          ",timestamp,latitude_x,longitude_x,altitude_x,icao24_x,latitude_y,longitude_y,altitude_y,"
+          "icao24_y,lateral,vertical\n0,2024-06-05 08:00:00+00:00,50.67,2.31,38000.0,4b1801,50.6,"
+          "2.43,38000.0,4d0101,6.3,0.0\n");
+  EXPECT_NE(finished.exit_code, 0);
+  expect_parts(finished.err, {"this is a table of pairs", "flights.to_csv('flights.csv')"});
+  EXPECT_EQ(finished.err.find("awk"), std::string::npos) << finished.err;
+}
+
+TEST(TracksOfGpx, BecomeTablesWithTheirHeights) {
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.file("a.gpx", "<?xml version=\"1.0\"?><gpx version=\"1.1\"></gpx>");
+  expect_parts(run({"replay", "--threshold", "5", file}).err,
+               {"id,time,lon,lat,height_m", "p.findtext('{*}ele', '')"});
+}
+
+TEST(FoldersOfEncounters, SayHowToAskOfEach) {
+  const TemporaryFolder folder;
+  folder.file("a.daa", "NAME lat lon\n");
+  folder.file("b.daa", "NAME lat lon\n");
+  expect_parts(run({"replay", folder.path("")}).err,
+               {"each of these is a recording of its own", "/*.daa; do beespace replay \"$f\""});
+}
+
+// The last lines of a log of BaseStation, of which the first is cut.
+TEST(MessagesOfBaseStation, AreKnownByThoseBehindTheFirst) {
+  std::string text = "/05,08:00:00.179,,30300,,,53.11557,8.43151,,,0,0,0,0\n";
+  for (int t = 0; t < 30; ++t) {
+    for (const auto& [id, latitude] : {std::pair("39A701", 53.1), std::pair("39A702", 53.6)}) {
+      const std::string at = "2024/06/05,08:00:" + std::to_string(10 + t) + ".000";
+      text += "MSG,3,1,1," + std::string(id) + ",1," + at + "," + at + ",,30300,,," +
+              std::to_string(latitude) + "," + std::to_string(8.0 + 0.002 * t) + ",,,0,0,0,0\n";
+    }
+  }
+  const Finished finished = run(kEnroute, text);
+  expect_parts(finished.err, {"BaseStation messages", "bees       2",
+                              "1 record cut off at the beginning of the input is left out"});
+}
+
+// Two that report under one address in turn, and a third between: no one flies from one of the two
+// places to the other.
+TEST(SharedAddresses, MakeNoConflictThatIsCertain) {
+  std::string text = kHeader;
+  for (int t = 0; t < 60; ++t) {
+    text += row(t, "000000", t % 2 == 0 ? 47.0 : 48.0, 30'000.0);
+    text += row(t, "3c6444", 47.5, 30'000.0);
+  }
+  const Finished finished = run(kEnroute, text);
+  EXPECT_EQ(finished.exit_code, 1) << finished.err;
+  expect_parts(finished.err, {"may not keep its distance", " possible, of a shared id",
+                              "possible, as two seem to share an id"});
+  EXPECT_EQ(finished.err.find("does not keep"), std::string::npos) << finished.err;
+  EXPECT_EQ(finished.out.find("\tyes\t"), std::string::npos) << finished.out;
+}
+
 // ---- Gliders that circle ------------------------------------------------------------------------
 
-// One that circles within 80 m of a place, a fix every 4 s, as an IGC log; `phase` in turns.
-std::string circling(const std::string& id, double phase) {
+// One that circles so far from a place, a fix every 4 s, as an IGC log; `phase` in turns.
+std::string circling(const std::string& id, double phase, double radius_m = 80.0, int from_s = 0) {
   constexpr double kTurn = 6.283185307179586;
-  constexpr double kRadius_m = 80.0;
   constexpr double kPeriod_s = 20.0;
   std::string text = "AXXX" + id + "\nHFDTE200726\n";
-  for (int t = 0; t < 120; t += 4) {
+  for (int t = from_s; t < 120; t += 4) {
     const double angle = kTurn * (t / kPeriod_s + phase);
-    const double north_minutes = kRadius_m * std::sin(angle) / 1852.0;
-    const double east_minutes = kRadius_m * std::cos(angle) / (1852.0 * 0.682);
+    const double north_minutes = radius_m * std::sin(angle) / 1852.0;
+    const double east_minutes = radius_m * std::cos(angle) / (1852.0 * 0.682);
     std::array<char, 80> line{};
     std::snprintf(line.data(), line.size(), "B11%02d%02d47%05.0fN008%05.0fEA0150001550\n",
                   30 + t / 60, t % 60, 1000.0 * (30.0 + north_minutes),
@@ -359,13 +436,29 @@ TEST(GlidersThatCircle, AreInConflictPerhapsWhereOnlyStraightLinesAre) {
       run({"replay", "--threshold", "150", "--fail-on-risk", folder.path("")});
   EXPECT_EQ(finished.exit_code, 1) << finished.err;
   expect_parts(finished.err, {"may not keep its distance",
-                              "possible, not certain: where the two "
-                              "turn, straight lines between fixes may "
-                              "be off by up to"});
+                              "where two in conflict turn, straight lines between fixes may be "
+                              "off by up to",
+                              "and so may how close they come; ", "possible, not certain"});
   EXPECT_EQ(finished.out.find("yes"), std::string::npos) << "certain";
   const Finished surely = run({"replay", "--threshold", "200", folder.path("")});
   expect_parts(surely.err, {"does not keep its distance"});
   EXPECT_EQ(surely.err.find("not certain"), std::string::npos);
+}
+
+// One 40 m farther out than the other in the same thermal, always beside it, with fixes between
+// those of the other: chords cut both circles in turn, and what is between swings to and fro.
+TEST(GlidersThatCircle, AreInOneConflictAsLongAsTheyMayStayClose) {
+  const TemporaryFolder folder;
+  folder.file("a.igc", circling("001", 0.0, 80.0, 0));
+  folder.file("b.igc", circling("002", 0.0, 120.0, 2));
+  const Finished one = run({"replay", "--threshold", "45", folder.path("")});
+  EXPECT_EQ(rows_of(one.out).size(), 1u) << one.out;
+  expect_parts(one.err, {"of 1 pair", "and so may how close they come",
+                         "stretches between which the two may have stayed closer are told as one"});
+  // Fixes of both at one time say where both are: they are apart there.
+  folder.file("b.igc", circling("002", 0.5, 80.0, 0));
+  const Finished apart = run({"replay", "--threshold", "150", folder.path("")});
+  EXPECT_GT(rows_of(apart.out).size(), 10u) << apart.out;
 }
 
 // ---- Heights by pressure, climbs by heights

@@ -199,6 +199,9 @@ TEST(Encounters, ADaidalusEncounterIsReplayed) {
   }
   const TemporaryFolder folder;
   const std::string file = folder.file("encounter.daa", text);
+  expect_parts(run({"replay", file}).err,
+               {"how close is too close? Say --separation well-clear-suas", "--separation nmac",
+                "--threshold 4000ft --vertical 450ft"});
   const Finished finished = run({"replay", file, "--separation", "well-clear-suas", "--csv"});
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   const TextRows rows = rows_of(finished.out, ',');

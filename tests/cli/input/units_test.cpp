@@ -243,7 +243,7 @@ TEST(Units, AThousandFeetAreExactOfHeightsInMetres) {
   EXPECT_GE(lines_of(events), kLevels);
   expect_parts(events, {R"("distance_m": 304.8)"});
   expect_parts(run({"detect", snapshot, "--threshold", "5NM", "--vertical", "1000ft"}).err,
-               {"vertical   1000 ft, compared with heights in metres as 30480 cm\n"});
+               {"vertical   1000 ft, compared with heights in metres as 304.8 m\n"});
   expect_parts(
       run({"replay", recorded, "--threshold", "5NM", "--vertical", "1000ft", "--json"}).out,
       {R"("compared_in": "cm")"});

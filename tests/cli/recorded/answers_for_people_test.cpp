@@ -8,6 +8,7 @@
 #include "tests/cli/run/command_run.hpp"
 #include "tests/cli/run/expectations.hpp"
 #include "tests/cli/run/json_check.hpp"
+#include "tests/cli/run/temporary_folder.hpp"
 
 namespace beespace::cli_test {
 namespace {
@@ -34,7 +35,8 @@ TEST(AnswersForPeople, HorizontalAndVerticalStandBehindTheOthers) {
   ASSERT_EQ(rows.size(), 2u) << finished.err;
   EXPECT_EQ(rows[0],
             (std::vector<std::string>{"first", "second", "begins_s", "closest_s", "closest_m",
-                                      "ends_s", "horizontal_m", "vertical_m", "lasts_s"}));
+                                      "ends_s", "horizontal_m", "vertical_m", "lasts_s", "worst_s",
+                                      "worst_share", "worst_horizontal_m", "worst_vertical_m"}));
   expect_rows({{rows[1][3], rows[1][4], rows[1][6], rows[1][7]}}, {{"50", "5", "3", "4"}});
   expect_parts(
       finished.err,
@@ -46,7 +48,9 @@ TEST(AnswersForPeople, HorizontalAndVerticalStandBehindTheOthers) {
           .out;
   EXPECT_TRUE(is_json(json)) << json;
   expect_parts(json, {R"("distance_m": 5, "horizontal_m": 3, "vertical_m": 4})",
-                      R"("horizontal_m": 3, "vertical_m": 4, "lasts_s": )"});
+                      R"("horizontal_m": 3, "vertical_m": 4, "lasts_s": )",
+                      R"("worst": {"first": "a", "second": "b", "time_s": 50, "share": 0.666)",
+                      R"("worst_s": 50, "worst_share": 0.666)"});
 }
 
 TEST(AnswersForPeople, WithoutAVerticalThresholdAllIsAsItWas) {
@@ -60,7 +64,8 @@ TEST(AnswersForPeople, AVerticalThresholdHasItsColumnsWithoutAnyConflict) {
   const Finished finished = run(
       {"replay", "--threshold", "1", "--vertical", "6", "--csv", "--max-gap", "never"}, kMetres);
   EXPECT_EQ(finished.out,
-            "first,second,begins_s,closest_s,closest_m,ends_s,horizontal_m,vertical_m,lasts_s\n");
+            "first,second,begins_s,closest_s,closest_m,ends_s,horizontal_m,vertical_m,lasts_s,"
+            "worst_s,worst_share,worst_horizontal_m,worst_vertical_m\n");
 }
 
 TEST(AnswersForPeople, PredictTellsThemWhereTheyWillBe) {
@@ -248,9 +253,9 @@ TEST(AnswersForPeople, UnitsOfAviationMayBeAskedForOrNot) {
                {"1,113.195 m horizontally and 30.480 m vertically apart"});
 }
 
-// One climbs through the height of the other, nearer to it before: the least distance is told where
-// the heights part them, and how close they come in height, too.
-TEST(AnswersForPeople, AConflictByHeightsTellsTheLeastHeight) {
+// One climbs through the height of the other, nearer to it before: told is when they are farthest
+// within both limits, and not the end of the conflict, where its heights are the limit.
+TEST(AnswersForPeople, AConflictByHeightsIsToldWhenItIsWorst) {
   std::string input = "id,time_s,x,y,z\n";
   for (int t = 0; t <= 100; t += 10) {
     input += "a," + std::to_string(t) + "," + std::to_string(1000 + 10 * t) + ",0,1000\n";
@@ -259,8 +264,17 @@ TEST(AnswersForPeople, AConflictByHeightsTellsTheLeastHeight) {
   const Finished replay =
       run({"replay", "--threshold", "5NM", "--vertical", "300m", "--max-gap", "20"}, input);
   expect_parts(replay.err,
-               {"just under 300.000 m) vertically apart at 20.00 s; least height apart 0 ft "
-                "(0 m), at 50.00 s"});
+               {"closest    a and b, 0.785 NM (1,452.929 m) horizontally and 154 ft (47.071 m) "
+                "vertically apart at 45.29 s\n",
+                "worst      a and b, 0.785 NM"});
+  EXPECT_EQ(replay.err.find("just under"), std::string::npos) << replay.err;
+  // Tables have when they are closest in a straight line beside.
+  const TextRows rows = rows_of(replay.out);
+  expect_rows({{rows[0][3], rows[0][7]}}, {{"20", "300"}});
+  for (const char* const command : {"verify", "replay"}) {
+    const Finished again = run({command, "--threshold", "5NM", "--vertical", "300m"}, input);
+    expect_parts(again.err, {"0.785 NM (1,452.929 m) horizontally and 154 ft"});
+  }
   // That it is a limit is no distance of those that keep it.
   std::string level = "id,time_s,x,y,z\n";
   for (int t = 0; t <= 20; t += 10) {
@@ -268,7 +282,30 @@ TEST(AnswersForPeople, AConflictByHeightsTellsTheLeastHeight) {
   }
   const Finished apart = run({"replay", "--threshold", "5NM", "--vertical", "300m"}, level);
   EXPECT_EQ(apart.err.find("just under"), std::string::npos) << apart.err;
-  EXPECT_EQ(apart.err.find("least height"), std::string::npos) << apart.err;
+}
+
+// By the straight line who climbs away would be first, though it is others who meet.
+TEST(AnswersForPeople, WhoMeetsAtOneHeightIsWorseThanWhoPassesNearALimit) {
+  const std::string input =
+      "id,time_s,x,y,z\n"
+      "a,0,0,0,1000\na,100,0,0,1000\nb,0,0,500,1290\nb,100,0,500,1290\n"
+      "c,0,90000,0,1000\nc,100,90000,0,1000\nd,0,90000,2000,1000\nd,100,90000,2000,1000\n";
+  const Arguments question = {"replay", "--threshold", "5NM", "--vertical", "300m"};
+  expect_parts(run(question, input).err,
+               {"closest    c and d, 1.080 NM (2,000.000 m) horizontally and 0 ft (0 m)",
+                "worst      c and d, 1.080 NM"});
+  const TextRows pairs = rows_of(run(question + Arguments{"--report", "pairs"}, input).out);
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_EQ(pairs[0][0] + pairs[0][1] + pairs[1][0] + pairs[1][1], "cdab");
+  const std::string json = run(question + Arguments{"--json"}, input).out;
+  expect_parts(json, {R"("closest": {"first": "a", "second": "b")",
+                      R"("worst": {"first": "c", "second": "d")"});
+  const TemporaryFolder folder;
+  run(Arguments{"plot", folder.file("t.csv", input)} +
+      Arguments{"--threshold", "5NM", "--vertical", "300m", "--output", folder.path("t.svg")});
+  const std::string picture = folder.read("t.svg");
+  expect_parts(picture, {"Worst pairs in conflict", "closest: 1.08 NM across, 0 ft in height"});
+  EXPECT_LT(picture.find("1.08 NM, 0 ft at"), picture.find("0.27 NM, 951 ft at"));
 }
 
 }  // namespace

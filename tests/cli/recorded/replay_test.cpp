@@ -72,8 +72,8 @@ TEST(Replay, ReportsOfPairsSayHowOftenAndForHowLong) {
   expect_rows(replayed({"--report", "pairs"}, input),
               {{"a", "c", "1", "10", "0", "2", "0"}, {"b", "c", "1", "10", "0", "4", "0"}});
   expect_rows(replayed({"--report", "pairs", "--vertical", "1"}, input),
-              {{"a", "c", "1", "10", "0", "2", "0", "2", "0"},
-               {"b", "c", "1", "10", "0", "4", "0", "4", "0"}});
+              {{"a", "c", "1", "10", "0", "2", "0", "2", "0", "0", "0.4", "2", "0"},
+               {"b", "c", "1", "10", "0", "4", "0", "4", "0", "0", "0.8", "4", "0"}});
   const std::string json =
       run({"replay", "--threshold", "5", "--report", "pairs", "--json"}, input).out;
   EXPECT_TRUE(is_json(json)) << json;

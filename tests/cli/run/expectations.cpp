@@ -83,19 +83,36 @@ TextRows without_lasts(TextRows rows) {
   constexpr std::size_t kEnds = 5;
   for (std::vector<std::string>& row : rows) {
     // In CSV dates stand behind all others.
-    const bool dated =
-        row.size() > kEnds + 4 && (row.back() == "ends" || row.back().ends_with('Z'));
-    if (dated) row.resize(row.size() - 3);
+    const auto is_date = [](const std::string& field) {
+      return field == "begins" || field == "closest" || field == "ends" || field == "worst" ||
+             field.ends_with('Z');
+    };
+    while (row.size() > kEnds + 1 && is_date(row.back())) row.pop_back();
     if (row.size() <= kEnds + 1) {
       ADD_FAILURE() << "no column says how long a conflict lasts";
       continue;
     }
     const auto begins_s = number_in(row[kBegins]);
     const auto ends_s = number_in(row[kEnds]);
-    if (begins_s && ends_s) {
-      EXPECT_NEAR(number_in(row.back()).value_or(HUGE_VAL), *ends_s - *begins_s, kTolerance);
+    if (!begins_s || !ends_s) {
+      const auto named = std::find(row.begin(), row.end(), "lasts_s");
+      row.erase(named == row.end() ? row.end() - 1 : named, row.end());
+      continue;
     }
-    row.pop_back();
+    // With a vertical threshold the columns of the worst moment stand behind it, of aviation in
+    // more units.
+    std::size_t lasts = row.size() - 1;
+    for (const std::size_t behind : {std::size_t{6}, std::size_t{4}}) {
+      if (row.size() <= kEnds + 1 + behind) continue;
+      const std::size_t place = row.size() - 1 - behind;
+      const auto value = number_in(row[place]);
+      if (value && std::abs(*value - (*ends_s - *begins_s)) <= kTolerance) {
+        lasts = place;
+        break;
+      }
+    }
+    EXPECT_NEAR(number_in(row[lasts]).value_or(HUGE_VAL), *ends_s - *begins_s, kTolerance);
+    row.resize(lasts);
   }
   return rows;
 }

@@ -36,8 +36,8 @@ TEST(BadShow, InvalidJsonOrNoShow) {
                {ErrorCode::kCorrupt, "show.json:1:23", "this is no JSON: a value is expected"});
   expect_error(load("{\"swarm\": {\"drones\": ["),
                {ErrorCode::kTruncated, "show.json:1:23", "the JSON ends too early"});
-  expect_error(load("{\"planes\": []}"),
-               {ErrorCode::kUnsupportedFormat, "show.json", "no Skybrush show: it has no 'swarm'"});
+  expect_error(load("{\"planes\": []}"), {ErrorCode::kUnsupportedFormat, "show.json",
+                                          "nor a Skybrush show, as it has no 'swarm'"});
   RecordingOptions options;
   options.format = RecordingFormat::kSkybrushShow;
   expect_error(load("id,time_s,x,y,z\n", options),

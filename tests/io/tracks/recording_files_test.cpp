@@ -330,6 +330,12 @@ TEST(RecordingFiles, WhatIsWrongInAZipIsBlamedOnItsPart) {
                {ErrorCode::kNotANumber, "bees.zip!2.csv:2:3", "'?' is not a number (y)"});
 }
 
+TEST(RecordingFiles, AZipOfTracesIsToBeUnpacked) {
+  expect_error(
+      load_recording_from_memory(zipped({{"traces/01/trace_full_4d0101.json", "{}"}}), "day.zip"),
+      {ErrorCode::kUnsupportedFormat, "day.zip", "; unpack it and name the folder"});
+}
+
 TEST(RecordingFiles, AZipOfSomethingElseIsRefused) {
   expect_error(load_recording_from_memory(zipped({{"word/document.xml", "<x/>"}}), "bees.zip"),
                {ErrorCode::kUnsupportedFormat, "bees.zip",

@@ -28,9 +28,15 @@ export async function completeSwarm(swarm: Swarm): Promise<Company> {
   };
 }
 
-/** The pairs that are too close at any time, the closest first. */
+/** The pairs that are too close at any time, the closest first; conflicts with a vertical threshold the worst first. */
 export function pairsOf(swarm: Swarm): Pairs {
   return swarm.kind === 'snapshot' ? swarm.pairs : swarm.conflicts;
+}
+
+/** How far apart a pair of that list is horizontally and in height, where that is known. */
+export function apartOf(swarm: Swarm, place: number): { horizontal_m: number; height_m: number } | null {
+  const { apart } = pairsOf(swarm);
+  return apart && { horizontal_m: apart.horizontal_m[place], height_m: apart.height_m[place] };
 }
 
 /** Where a pair stands in the list; of several conflicts the one that covers the time, or is nearest to it. −1: nowhere. */

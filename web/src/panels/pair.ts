@@ -1,8 +1,8 @@
 // The selected pair: how far apart the two are now and over time, how fast they close, and a look at it in slow motion.
 import type { ApartNow } from '../data/pair_ways';
-import { pairsOf } from '../data/swarm';
+import { apartOf, pairsOf } from '../data/swarm';
 import type { Choices, Selected } from '../state/choices';
-import { formatHorizontal, formatVertical } from '../text/apart';
+import { formatApart, formatHorizontal, formatVertical } from '../text/apart';
 import { formatMoment } from '../text/calendar';
 import { button, element, panel } from '../text/element';
 import { isolate, nameElement } from '../text/names';
@@ -83,7 +83,7 @@ function stillFacts(shown: Shown, { bee, other, place }: Selected): Fact[] {
 
 function closestText(swarm: Recording, place: number): string {
   const { conflicts, head } = swarm;
-  return `${formatBelow(conflicts.distance_m[place], head.threshold_m)} at ${formatMoment(conflicts.closest_s[place], head.time)}`;
+  return `${formatApart(conflicts.distance_m[place], apartOf(swarm, place), head)} at ${formatMoment(conflicts.closest_s[place], head.time)}`;
 }
 
 /** How long a conflict lasts; and all of the two together, where that is known and they have more than this one. */
@@ -112,9 +112,9 @@ function nowFacts(shown: Shown, swarm: Recording, way: number, within_s: number)
   }
   // What rounding leaves of nothing is nothing.
   const still_mps = Math.max(kStill_mps, (closest ? kStillShareWhenClosest : kStillShare) * apart.relative_mps);
-  // So it is where it is closest, unless that is how the conflict begins or ends.
+  // So it is where it is closest, unless that is how the conflict begins or ends; with a vertical threshold it need not be.
   const { begins_s, ends_s } = swarm.conflicts;
-  const turns = closest && begins_s[way] < within_s && within_s < ends_s[way];
+  const turns = closest && swarm.head.vertical_m === undefined && begins_s[way] < within_s && within_s < ends_s[way];
   const closing = turns || Math.abs(apart.closing_mps) < still_mps ? 0 : apart.closing_mps;
   return [
     ...limitFacts(shown, rounded(apart, swarm.head.threshold_m)),

@@ -1,7 +1,8 @@
 // The bees that are too close to each other: pairs of a snapshot, conflicts of a recording.
-import { pairsOf, type Swarm } from '../data/swarm';
+import { apartOf, pairsOf, type Swarm } from '../data/swarm';
 import type { Choices } from '../state/choices';
 import { csvOf, fileName, saveFile } from '../save';
+import { formatApart, rankOf } from '../text/apart';
 import { clockTime, formatTime, isoTime, tellsClock } from '../text/calendar';
 import { button, element, panel } from '../text/element';
 import { nameElement } from '../text/names';
@@ -48,8 +49,11 @@ function columnsOf(shown: Shown): TableColumn[] {
     bee('Other', second),
     {
       label: swarm.kind === 'snapshot' ? 'Distance' : 'Closest',
-      rank: (place) => distance_m[place],
-      cell: (place) => formatBelow(distance_m[place], swarm.head.threshold_m, swarm.kind === 'snapshot' ? 4 : 3),
+      rank: (place) => (swarm.kind === 'snapshot' ? distance_m[place] : rankOf(distance_m[place], apartOf(swarm, place), swarm.head)),
+      cell: (place) =>
+        swarm.kind === 'snapshot'
+          ? formatBelow(distance_m[place], swarm.head.threshold_m, 4)
+          : formatApart(distance_m[place], apartOf(swarm, place), swarm.head),
       numeric: true,
     },
   ];

@@ -4,15 +4,15 @@ import type { Fleet } from '../data/fleet';
 import { flownBy, stretchAt, type Flown } from '../data/flown';
 import { positionOf } from '../data/positions';
 import type { Recording } from '../data/recording';
-import { counterpart, pairsOf, type Swarm } from '../data/swarm';
+import { apartOf, counterpart, pairsOf, type Swarm } from '../data/swarm';
 import type { Choices, Selected } from '../state/choices';
 import type { Signal } from '../state/signal';
+import { formatApart } from '../text/apart';
 import { formatMoment } from '../text/calendar';
 import { button, element, panel } from '../text/element';
 import { formatHeight } from '../text/heights';
 import { isolate, nameElement, shorten } from '../text/names';
 import {
-  formatBelow,
   formatCoordinate,
   formatCount,
   formatDegrees,
@@ -178,7 +178,7 @@ function neighbourList(shown: Shown, bee: number, chosen: number | null, actions
     });
     made.append(nameElement(swarm.names.of(neighbour)));
     if (place === chosen) made.setAttribute('aria-current', 'true');
-    const distance = element('span', { class: 'figure' }, formatBelow(distance_m[place], swarm.head.threshold_m));
+    const distance = element('span', { class: 'figure' }, formatApart(distance_m[place], apartOf(swarm, place), swarm.head));
     const when =
       swarm.kind === 'recording'
         ? element('span', { class: 'when' }, ` at ${formatMoment(swarm.conflicts.closest_s[place], swarm.head.time)}`)
@@ -213,7 +213,7 @@ function announce(shown: Shown, { bee, other, place }: Selected): string {
   const { swarm, company } = shown;
   const name = isolate(swarm.names.of(bee));
   if (other !== null) {
-    const apart = place === null ? '' : `, ${formatBelow(pairsOf(swarm).distance_m[place], swarm.head.threshold_m)} apart`;
+    const apart = place === null ? '' : `, ${formatApart(pairsOf(swarm).distance_m[place], apartOf(swarm, place), swarm.head)} apart`;
     return `Selected ${name} and ${isolate(swarm.names.of(other))}${apart}.`;
   }
   const count = company.neighbours.placesOf(bee).length;

@@ -37,7 +37,26 @@ export function formatVertical(metres: number, head: Head): string {
   const limit_m = head.vertical_m;
   const text = limit_m === undefined ? formatMetres(metres, 4) : formatBelow(metres, limit_m, 4);
   if (!head.aviation) return text;
-  return `${feetBelow(metres, limit_m ?? Infinity, limit_m ?? head.threshold_m)} · ${text}`;
+  // Beside whole feet of a limit that is a flight level or more, millimetres say nothing.
+  const metric = (limit_m ?? head.threshold_m) >= 100 && metres < 0.1 ? formatMetres(0) : text;
+  return `${feetBelow(metres, limit_m ?? Infinity, limit_m ?? head.threshold_m)} · ${metric}`;
+}
+
+/** 1.393 NM, 300 ft: with a vertical threshold both, as short as they are; otherwise the straight line. */
+export function formatApart(distance_m: number, apart: { horizontal_m: number; height_m: number } | null, head: Head, digits = 3): string {
+  if (head.vertical_m === undefined || !apart || !Number.isFinite(apart.horizontal_m) || !Number.isFinite(apart.height_m)) {
+    return formatBelow(distance_m, head.threshold_m, digits);
+  }
+  // Of two units the first.
+  const short = (text: string): string => text.split(' · ')[0];
+  return `${short(formatHorizontal(apart.horizontal_m, head))}, ${short(formatVertical(apart.height_m, head))}`;
+}
+
+/** The greater of the shares of both thresholds: what conflicts are ordered by; without a vertical threshold the distance. */
+export function rankOf(distance_m: number, apart: { horizontal_m: number; height_m: number } | null, head: Head): number {
+  if (head.vertical_m === undefined || !apart) return distance_m;
+  const share = Math.max(apart.horizontal_m / head.threshold_m, apart.height_m / head.vertical_m);
+  return Number.isFinite(share) ? share : Infinity;
 }
 
 /** What the axis of a chart is told in: metres, or of aviation nautical miles and feet. */

@@ -45,8 +45,15 @@ export function formatMetres(metres: number, digits = 4): string {
   return `${formatDigits(metres, digits)}${kThin}m`;
 }
 
+/** Below a limit by what says nothing: a rounding. It is told as in the summaries of the command. */
+function isJustUnder(value: number, limit: number): boolean {
+  const nothing = 1e-7; // of the limit
+  return value < limit && value > limit - nothing * limit;
+}
+
 /** A number below a limit, with so many digits that it reads as one: 4.997, not 5.00. Others have the least digits. */
 export function readsBelow(value: number, limit: number, least: number, format: (value: number, digits: number) => string): string {
+  if (isJustUnder(value, limit)) return `just under ${format(limit, least)}`;
   const read = (text: string): number => parseFloat(text.replace(/,/g, ''));
   for (let digits = least; value < limit && digits < least + 12; ++digits) {
     const text = format(value, digits);
@@ -58,6 +65,7 @@ export function readsBelow(value: number, limit: number, least: number, format: 
 /** A distance below a limit, with so many digits that it reads as one: 4.9997 m, not 5.000 m. */
 export function formatBelow(metres: number, limit_m: number, digits = 4): string {
   if (!(metres < limit_m)) return formatMetres(metres, digits);
+  if (isJustUnder(metres, limit_m)) return `just under ${formatExactly(limit_m)}`;
   // Beside metres what is less than a millimetre says nothing.
   if (limit_m >= 1 && metres > 0 && metres < 0.001) return `<${kThin}1${kThin}mm`;
   const read = (text: string): number => {

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Head } from '../../src/data/page';
-import { axisUnits, formatHorizontal, formatVertical, lengthUnit, limitsOf } from '../../src/text/apart';
+import { axisUnits, formatApart, formatHorizontal, formatVertical, lengthUnit, limitsOf, rankOf } from '../../src/text/apart';
 import { niceBelow, niceTicks } from '../../src/text/nice_steps';
 import { isolate, shorten } from '../../src/text/names';
 import * as numbers from '../../src/text/numbers';
@@ -22,7 +22,7 @@ test('distances keep four digits that matter', () => {
 
 test('what is below a limit reads as below it', () => {
   const shown = [99.2, 99.9996, 99.99999999, 100, 120].map((m) => plain(numbers.formatBelow(m, 100)));
-  assert.deepEqual(shown, ['99.20 m', '99.9996 m', '< 100 m', '100.0 m', '120.0 m']);
+  assert.deepEqual(shown, ['99.20 m', '99.9996 m', 'just under 100 m', '100.0 m', '120.0 m']);
   assert.equal(plain(numbers.formatBelow(24999.7, 25000)), '24.9997 km');
   assert.equal(plain(numbers.formatBelow(1e-9, 5)), '< 1 mm');
   assert.equal(plain(numbers.formatBelow(1e-9, 0.1)), '< 1 µm');
@@ -32,6 +32,18 @@ test('what is below a limit reads as below it', () => {
   assert.equal(plain(numbers.formatBelow(0.0029999, 0.003)), '2.9999 mm');
 });
 
+test('conflicts with two limits are told and ordered by both', () => {
+  const head = { threshold_m: 9260, vertical_m: 304.8, aviation: true } as Head;
+  // A climb through a level, told where it ends, and two that meet at one height, farther apart.
+  const climb = { horizontal_m: 1945, height_m: 304.79999 };
+  const level = { horizontal_m: 2580, height_m: 0 };
+  assert.equal(plain(formatApart(2580, level, head)), '1.39 NM, 0 ft');
+  assert.ok(rankOf(2580, level, head) < rankOf(1968, climb, head));
+  assert.equal(plain(formatApart(2580, level, { threshold_m: 9260 } as Head)), '2,580 m');
+  assert.equal(rankOf(2580, level, { threshold_m: 9260 } as Head), 2580);
+  assert.equal(rankOf(2580, { horizontal_m: NaN, height_m: NaN }, head), Infinity);
+});
+
 test('separations are below their limits in every unit', () => {
   const head = { threshold_m: 9260, vertical_m: 304.8, aviation: true } as Head;
   assert.deepEqual([5475.3, 9259.9, 9260, 12000].map((m) => plain(formatHorizontal(m, head))), [
@@ -39,6 +51,9 @@ test('separations are below their limits in every unit', () => {
   ]);
   assert.deepEqual([91.44, 304.7, 304.8, 0].map((m) => plain(formatVertical(m, head))), [
     '300 ft · 91.44 m', '999.7 ft · 304.7 m', '1,000 ft · 304.8 m', '0 ft · 0 m',
+  ]);
+  assert.deepEqual([0.001416, 304.79998].map((m) => plain(formatVertical(m, head))), [
+    '0 ft · 0 m', 'just under 1,000 ft · just under 304.8 m',
   ]);
   assert.deepEqual(Object.values(limitsOf(head)).map(plain), ['5 NM', '1,000 ft']);
   assert.deepEqual(Object.values(limitsOf({ threshold_m: 9260, vertical_m: 304.8 } as Head)).map(plain), ['9,260 m', '304.8 m']);
