@@ -4,6 +4,9 @@
 #include "io/problems/excerpt.hpp"
 #include "io/recording/local_topics.hpp"
 
+#include <algorithm>
+#include <cctype>
+
 namespace beespace::io {
 namespace {
 
@@ -13,6 +16,19 @@ bool is_odometry(std::string_view frame) {
   if (frame.starts_with('/')) frame.remove_prefix(1);
   const std::string name = lower_case(frame);
   return name == "odom" || name == "odom_combined" || name == "odometry";
+}
+
+// How to take those of one frame out of a table, as of all transforms; empty where its name does
+// not mean itself there.
+std::string those_of(std::string_view frame) {
+  const bool means_itself =
+      !frame.empty() && std::all_of(frame.begin(), frame.end(), [](unsigned char c) {
+        return std::isalnum(c) != 0 || c == '_';
+      });
+  if (!means_itself) return {};
+  const std::string name(frame);
+  return ", or, of a table, read those of " + name + " alone, as by awk 'NR==1||/[,;\\t]" + name +
+         "[,;\\t]/' FILE > " + name + ".csv";
 }
 
 }  // namespace
@@ -29,7 +45,8 @@ std::optional<Error> RosFrames::agree(std::string_view frame, std::string_view b
     return Error{ErrorCode::kUnknownFrame,
                  "this position is in the frame " + excerpt(frame) + " of ROS, but others" + as_in +
                      " are in " + excerpt(*frame_) +
-                     ": they cannot be compared; bring all into one, as by the transforms of /tf",
+                     ": they cannot be compared; bring all into one, as by the transforms of /tf" +
+                     (input_ == input ? those_of(*frame_) : std::string()),
                  {}};
   }
   const bool local = is_local_to_its_vehicle(bee) || is_local_to_its_vehicle(bee_);

@@ -39,6 +39,23 @@ TEST_F(ReportRefusals, BadRecordsAreLeftOutWhenAskedAndThatIsInThePage) {
   EXPECT_NE(std::find(notes.begin(), notes.end(), "bad records left out: 1"), notes.end());
 }
 
+// What names a time is a recording: about its columns all ask what 'replay' asks.
+TEST_F(ReportRefusals, OfSeveralVehiclesBesideEachOtherTheLineOfAwkIsTold) {
+  const std::string wide =
+      folder_.file("wide.csv",
+                   "timestamp,cf1_x,cf1_y,cf1_z,cf2_x,cf2_y,cf2_z\n1777629600.0,0,0,1,5,5,1\n"
+                   "1777629600.1,0,1,1,5,6,1\n");
+  constexpr const char* kLine = "NR>1{p(\"cf1\",2,3,4);p(\"cf2\",5,6,7)}'";
+  expect_failure({"replay", wide, "--threshold", "1"}, {}, kBadInput, kLine);
+  for (const Arguments& shown :
+       {Arguments{"report", "-o", folder_.path("a.html")},
+        Arguments{"plot", "-o", folder_.path("a.svg")},
+        Arguments{"export", "-o", folder_.path("a.kml"), "--origin", "8,47,400,90"}}) {
+    expect_failure(shown + Arguments{wide, "--threshold", "1"}, {}, kBadInput, kLine);
+  }
+  EXPECT_EQ(folder_.names(), std::vector<std::string>{"wide.csv"});
+}
+
 TEST_F(ReportRefusals, WhatIsMissingIsNamed) {
   const std::string there = folder_.file("there.csv", kTwo);
   const std::string missing = folder_.path("missing.csv");

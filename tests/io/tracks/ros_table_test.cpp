@@ -145,6 +145,10 @@ TEST(RosTable, PositionsInSeveralFramesAreNotCompared) {
   mixed += "1700000002.9,2,1700000002,0,odom,base_link,4,5,6,0,0,0,1,0,9,9,9\n";
   expect_error(record(mixed),
                {ErrorCode::kUnknownFrame, "bees.csv:4", "is in the frame 'odom' of ROS"});
+  expect_error(record(mixed),
+               {ErrorCode::kUnknownFrame, "bees.csv:4",
+                "or, of a table, read those of map alone, as by awk 'NR==1||/[,;\\t]map[,;\\t]/' "
+                "FILE > map.csv"});
   const TemporaryFolder folder;
   std::string other(kOdometry);
   for (std::size_t at = 0; (at = other.find(",map,", at)) != std::string::npos;) {
