@@ -23,7 +23,9 @@ Status check_alike(const Scene& one, const Scene& other) {
   };
   if (one.index() != other.index()) return differ("a snapshot, the other a recording");
   if (first.origin.has_value() != second.origin.has_value()) {
-    return differ("in degrees, the other in metres");
+    return differ(
+        "in degrees, the other in metres; how far drones were from a show tells 'beespace fleet "
+        "FLOWN --set SHOW'");
   }
   return std::monostate{};
 }

@@ -31,7 +31,7 @@ std::string counted_from_sea(const io::Recording& recording) {
 std::string ground_hint(const io::Recording& recording, const analysis::PathBreach& worst,
                         double most_m) {
   const std::string from = counted_from_sea(recording);
-  if (from.empty()) return from;
+  if (from.empty()) return {};
   std::string text =
       "these heights count" + from + ", and limits of law are mostly above the ground";
   const auto ground_m = analysis::took_off_at_m(recording, worst.bee);

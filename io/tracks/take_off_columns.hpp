@@ -24,8 +24,8 @@ enum class StandingForm : std::uint8_t {
 
 struct TakeOffColumns {
   std::optional<std::size_t> above = {};  // how high above the place of take-off
-  Unit above_unit = Unit::kMetre;
   std::optional<std::size_t> standing = {};
+  Unit above_unit = Unit::kMetre;
   StandingForm form = StandingForm::kArmed;
   bool is_taken_height = false;  // the height that is taken counts from there itself
 

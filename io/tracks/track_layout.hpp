@@ -160,8 +160,8 @@ struct TrackLayout {
   std::optional<std::size_t> joined_place = {};
   // Likewise: heights of 0 are of no one that flies, on the ground or where it is not known.
   bool ground_at_zero = false;
-  TakeOffColumns take_off = {};       // of what drones logged
   bool keeps_grounded = false;        // aircraft on the ground count, too
+  TakeOffColumns take_off = {};       // of what drones logged
   std::vector<UnitTaken> units = {};  // of positions and velocities
   // Of a beginning whose ids come once each: what is wrong if those of the whole do.
   std::optional<Error> perhaps_numbers = {};
