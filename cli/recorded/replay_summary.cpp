@@ -394,7 +394,7 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
                 "may be on the ground without saying so: its conflicts come last");
   }
   append_note(out, analysis::chords_text(findings.chords));
-  append_note(out, near_limit_text(findings.recorded.conflicts, request, distances));
+  append_note(out, near_limit_text(findings.recorded.conflicts, request, distances, recording));
   append_low(out, findings.low, recording, request, distances, findings.with_standing);
   const std::string bars = findings.has_encounters && !figures.memory_bytes
                                ? bars_over_time(findings, figures.threshold_m)

@@ -240,7 +240,27 @@ TEST(VerticalMinima, WhoHardlyFallsShortIsSaidWithWhatWouldLeaveThemOut) {
   expect_parts(run(kEnroute, apart(30'000, 30'975)).err,
                {"the only conflict is within 50 ft of the vertical limit: --threshold 5NM "
                 "--vertical 900ft would leave 0"});
-  EXPECT_EQ(run(kEnroute, apart(30'000, 30'925)).err.find("would leave"), std::string::npos);
+  const Finished more = run(kEnroute, apart(30'000, 30'925));
+  EXPECT_EQ(more.err.find("would leave"), std::string::npos);
+  EXPECT_EQ(more.err.find("one step"), std::string::npos);
+}
+
+// Heights of transponders come in steps of 25 ft, by which they waver in level flight: also where
+// others are in conflict by more, it is said who is by one step, and what leaves those out.
+TEST(VerticalMinima, OneStepOfTheHeightsIsSaidToBeOne) {
+  std::string text = apart(30'000, 30'975);
+  for (int t = 0; t < 60; ++t) {
+    text += row(t, "4b1815", 48.0, 31'000) + row(t, "3c6445", 48.02, 31'300);
+    text += row(t, "4b1816", 49.0, 31'000) + row(t, "3c6446", 49.02, 31'300);
+  }
+  const Finished finished = run(kEnroute, text);
+  expect_parts(
+      finished.err,
+      {"25 ft is one step of the reported heights, and 1 conflict is by no more than that: "
+       "--threshold 5NM --vertical 975ft leaves it out"});
+  EXPECT_EQ(rows_of(finished.out).size(), 3u);
+  EXPECT_EQ(rows_of(run({"replay", "--threshold", "5NM", "--vertical", "975ft"}, text).out).size(),
+            2u);
 }
 
 // A conflict that begins by heights while they fly apart: closest at the limit, and worse later,
