@@ -28,7 +28,7 @@ double with_few_digits(double value) {
 // are of other sources.
 std::optional<double> height_step_ft(const io::Recording& recording) {
   constexpr double kNearlyAll = 0.98;
-  constexpr double kRounded_ft = 0.02;  // of metres in centimetres
+  constexpr double kRoundedFeet = 0.02;  // of metres in centimetres
   if (!recording.of_aircraft || recording.flat) return std::nullopt;
   for (const double step_ft : {100.0, 25.0}) {
     std::size_t all = 0;
@@ -37,7 +37,7 @@ std::optional<double> height_step_ft(const io::Recording& recording) {
       for (const Fix& fix : bee.fixes) {
         const double steps = io::from_metric(fix.position.z, io::Unit::kFoot) / step_ft;
         ++all;
-        if (std::abs(steps - std::round(steps)) * step_ft <= kRounded_ft) ++whole;
+        if (std::abs(steps - std::round(steps)) * step_ft <= kRoundedFeet) ++whole;
       }
     }
     if (all > 0 && static_cast<double>(whole) >= kNearlyAll * static_cast<double>(all)) {
