@@ -75,7 +75,7 @@ std::optional<io::Unit> aviation_unit(PathLimit limit) {
 
 // "231.500 m/s"; of aviation "450.0 kt (231.500 m/s)".
 std::string quantity_text(PathLimit limit, double value, bool aviation) {
-  const std::string metric = io::grouped(value, 3) + " " + words_of(limit).unit;
+  std::string metric = io::grouped(value, 3) + " " + words_of(limit).unit;
   const auto unit = aviation ? aviation_unit(limit) : std::nullopt;
   if (!unit) return metric;
   const int decimals = *unit == io::Unit::kKnot ? 1 : 0;
