@@ -4,7 +4,6 @@
 #include "analysis/geometry/scale_doubt.hpp"
 #include "analysis/recorded/above_fl410.hpp"
 #include "analysis/recorded/all_conflicts.hpp"
-#include "analysis/recorded/begins_in_air.hpp"
 #include "analysis/recorded/chords.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/default_threshold.hpp"
@@ -19,6 +18,7 @@
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "analysis/recorded/worst_moment.hpp"
+#include "analysis/scene/coverage_notes.hpp"
 #include "analysis/scene/height_words.hpp"
 #include "analysis/scene/pair_ways.hpp"
 #include "analysis/scene/placed_tracks.hpp"
@@ -397,14 +397,6 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.gaps = recorded->gaps;
   Coverage coverage = coverage_of(recording, facts.gaps, max_gap);
   judge_places(recording, coarse_question(options, recorded->conflicts, facts.closest), coverage);
-  if (std::string note = begins_in_air_text(coverage.begins_in_air); !note.empty()) {
-    swarm.notes.push_back(std::move(note));
-  }
-  if (!coverage.whole_seconds.empty()) swarm.notes.push_back(coverage.whole_seconds);
-  if (coverage.bridged) {
-    swarm.notes.push_back("shorter gaps are bridged by straight lines; the longest of these: " +
-                          bridged_text(coverage, recording));
-  }
   const auto uprights = Uprights::of(recording, *in_space, max_gap.seconds);
   if (!uprights) return uprights.error();
   facts.unknown_spans = unknown_spans(recording, facts.gaps, max_gap);
@@ -427,24 +419,10 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   if (*kept) note_kept_by_height(**kept, recording, facts);
   facts.hidden = facts.hidden || coverage.may_hide_conflicts() || !curves->followed;
   note_curves(*curves, facts);
-  if (!coverage.complete()) {
-    swarm.notes.push_back("what is said of conflicts is of the known time: " + facts.unknown);
-  }
+  note_coverage(coverage, recording, facts.unknown, swarm);
   if (std::string above = above_fl410_text(recording, swarm.threshold_m, request.vertical);
       !above.empty()) {
     swarm.notes.push_back(std::move(above));
-  }
-  if (std::string sector = sector_text(coverage, swarm.noun); !sector.empty()) {
-    swarm.notes.push_back(std::move(sector));
-  }
-  if (coverage.gaps > 0) {
-    swarm.notes.push_back(
-        swarm.noun.several + " are unknown between two fixes that are farther apart in time than " +
-        max_gap_text(max_gap) +
-        "; the longest such gap: " + gap_text(coverage.longest.front(), recording));
-  }
-  if (std::string slow = slow_text(coverage, recording); !slow.empty()) {
-    swarm.notes.push_back(std::move(slow));
   }
   doubt_shared_ids(recording, *standing);
   doubt_shared_ids(recording, recorded->conflicts);

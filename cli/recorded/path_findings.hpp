@@ -1,4 +1,4 @@
-// What `beespace verify` found along curves, as rows and as the lines of a summary.
+// What `beespace verify` found along curves, as rows and as JSON.
 #pragma once
 
 #include "analysis/recorded/coverage.hpp"
@@ -37,7 +37,5 @@ Rows finding_rows(const PathFindings& findings);
 // The members of the JSON document before them.
 void write_verdict(io::JsonWriter& json, const PathFindings& findings,
                    const MovingRequest& request);
-
-std::string verify_summary(const PathFindings& findings, const MovingRequest& request);
 
 }  // namespace beespace::cli

@@ -3,9 +3,20 @@
 #include "analysis/recorded/verify_paths.hpp"
 #include "io/bytes/number_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace beespace::cli {
+
+const PathLimitWords& words_of(PathLimit limit) {
+  return kPathLimitWords[static_cast<std::size_t>(limit)];
+}
+
+double shown_value(const PathPeak& peak, PathLimit limit) {
+  const bool signed_one = limit == PathLimit::kClimb || limit == PathLimit::kDescent;
+  return signed_one ? std::max(0.0, peak.value) : peak.value;
+}
+
 SettledLimits settle_limits(const AskedLimits& asked, const std::optional<io::ShowFacts>& show) {
   SettledLimits settled;
   for (const PathLimitWords& words : kPathLimitWords) {

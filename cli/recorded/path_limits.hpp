@@ -28,6 +28,11 @@ inline constexpr std::array<PathLimitWords, kPathLimits> kPathLimitWords = {{
     {PathLimit::kHeight, "height", "height", "m", "--max-height"},
 }};
 
+const PathLimitWords& words_of(PathLimit limit);
+
+// Down is no climb, and up no descent.
+double shown_value(const PathPeak& peak, PathLimit limit);
+
 // What options say, in the order of PathLimit.
 using AskedLimits = std::array<std::optional<double>, kPathLimits>;
 

@@ -18,6 +18,7 @@
 #include "cli/output/output_file.hpp"
 #include "cli/recorded/flight_check.hpp"
 #include "cli/recorded/path_findings.hpp"
+#include "cli/recorded/path_summary.hpp"
 #include "cli/recorded/verify_findings.hpp"
 #include "cli/recorded/verify_steps.hpp"
 #include "io/bytes/number_text.hpp"

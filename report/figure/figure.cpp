@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -218,9 +219,25 @@ std::vector<std::size_t> closest_of_each_pair(const RecordingFacts& facts,
   return places;
 }
 
+// Animals meet; who are together for longest come first, and of drones who may collide.
+void sort_longest_first(const RecordingFacts& facts, std::vector<std::size_t>& places) {
+  std::map<std::pair<PointId, PointId>, double> together_s;
+  for (const PairInConflict& pair : facts.pairs) {
+    together_s[{pair.first, pair.second}] = pair.time_s;
+  }
+  const auto lasts_s = [&](std::size_t place) {
+    return together_s[{facts.conflicts[place].first, facts.conflicts[place].second}];
+  };
+  std::stable_sort(places.begin(), places.end(),
+                   [&lasts_s](std::size_t a, std::size_t b) { return lasts_s(a) > lasts_s(b); });
+}
+
 Listing closest_conflicts(const RecordingFacts& facts) {
+  const bool of_animals = facts.swarm.noun.one == "animal";
   // Where two limits count, those are first who are farthest within both.
-  Listing listing{facts.swarm.vertical_m ? "Worst pairs in conflict" : "Closest pairs in conflict",
+  Listing listing{of_animals               ? "Pairs that are together for longest"
+                  : facts.swarm.vertical_m ? "Worst pairs in conflict"
+                                           : "Closest pairs in conflict",
                   {},
                   facts.pair_count};
   const auto add = [&](const Conflict& conflict, const std::optional<Apart>& apart,
@@ -232,7 +249,9 @@ Listing closest_conflicts(const RecordingFacts& facts) {
                             inks_of(conflict, facts)});
   };
   const WithStanding with_standing(facts);
-  for (const std::size_t place : closest_of_each_pair(facts, with_standing)) {
+  std::vector<std::size_t> places = closest_of_each_pair(facts, with_standing);
+  if (of_animals) sort_longest_first(facts, places);
+  for (const std::size_t place : places) {
     if (listing.rows.size() == kMostRows) break;
     const Conflict& conflict = facts.conflicts[place];
     const bool known = place < facts.conflicts_apart.size();
@@ -260,10 +279,10 @@ double draw_views(const std::vector<View>& views, const Draw& draw, Drawing& dra
   return views.back().panel.box.bottom() + kBelowViews;
 }
 
-// The list below the chart; returns where the sheet ends above its notes. A few rows have room
-// where the views are low, too.
+// The list below the chart; returns where the sheet ends above its notes. Some rows have room where
+// the views are low, too.
 double draw_below_chart(const Listing& listing, double bottom, Drawing& drawing) {
-  constexpr std::size_t kFew = 2;
+  constexpr std::size_t kFew = 6;
   const Spot corner{kChart.left, kChart.bottom() + kBelowChart};
   const double least = corner.y + listing_height(listing, kChart.width, kFew);
   bottom = std::max(bottom, least);

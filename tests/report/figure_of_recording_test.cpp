@@ -137,6 +137,27 @@ TEST(FigureOfRecording, TheHeadingOfTheListGivesTheTotal) {
   EXPECT_TRUE(says(figure_of(flown), "Closest pairs in conflict: 1 of 26"));
 }
 
+// Of drones the closest come first.
+TEST(FigureOfRecording, AnimalsThatAreTogetherForLongestComeFirst) {
+  RecordingFacts facts = two_tracks();
+  facts.tracks.push_back(facts.tracks.back());
+  facts.swarm.names.texts = {"Ada", "Bo", "Cy"};
+  facts.conflicts = {{0, 1, 1.0, 1.5, 2.0, 0.5}, {0, 2, 1.0, 1.5, 9.0, 2.5}};
+  facts.pairs = {{0, 1, 1, 1.0}, {0, 2, 1, 8.0}};
+  facts.conflict_count = facts.pair_count = 2;
+  const auto order = [&facts] {
+    std::vector<std::string> pairs;
+    for (const Text& text : shapes_of<Text>(figure_of(facts))) {
+      if (text.text.starts_with("Ada \u2013 ")) pairs.push_back(text.text);
+    }
+    return pairs;
+  };
+  EXPECT_EQ(order(), (std::vector<std::string>{"Ada \u2013 Bo", "Ada \u2013 Cy"}));
+  facts.swarm.noun = {"animal", "animals"};
+  EXPECT_EQ(order(), (std::vector<std::string>{"Ada \u2013 Cy", "Ada \u2013 Bo"}));
+  EXPECT_TRUE(says(figure_of(facts), "Pairs that are together for longest"));
+}
+
 TEST(FigureOfRecording, ListsEachPairOnceAndThoseOnTheGroundBehindThoseInTheAir) {
   RecordingFacts facts = two_tracks();
   const Track third = facts.tracks[0];

@@ -327,8 +327,7 @@ TEST(Coverage, WhereFixesFailedItIsUnknownUnlessTheGapIsAskedFor) {
 TEST(Coverage, TwoOfOneIdAreNeverKnown) {
   io::Recording recording;
   recording.bees = {bee_at("a", {0, 10, 40}), bee_at("b", {0, 10, 40})};
-  recording.missing.shared = 1;
-  recording.missing.shared_ids = {"b"};
+  recording.bees[1].shared = true;
   EXPECT_EQ(unknown_spans(recording, {}, {50.0, 10.0}), (std::vector<Gap>{{1, 0.0, 40.0}}));
 }
 

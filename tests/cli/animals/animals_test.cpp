@@ -137,6 +137,10 @@ TEST(Animals, FramesAndPixelsAreAskedForAndThenRead) {
   EXPECT_EQ(asked.exit_code, 2);
   expect_parts(asked.err, {"column 1 'frame' counts the frames of a video", "--fps 25",
                            "are they pixels?", "--scale 0.1mm"});
+  const Finished picture =
+      run({"plot"}, "frame,bee_id,x_mm,y_mm\n0,0,331.6,103.7\n1,0,331.7,103\n");
+  EXPECT_EQ(picture.exit_code, 2);
+  expect_parts(picture.err, {"column 1 'frame' counts the frames of a video", "--fps 25"});
   const Finished finished = run({"replay", table("pixels.csv"), "--threshold", "3mm", "--fps", "25",
                                  "--scale", "0.1mm", "--csv"});
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
