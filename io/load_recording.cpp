@@ -253,7 +253,7 @@ std::optional<Error> read_json_file(const Bytes& bytes, const std::string& sourc
         {}};
   }
   return Error{ErrorCode::kUnsupportedFormat,
-               "this is no Skybrush show, as it has no 'swarm', but " + what,
+               (any ? "this is " : "this is no Skybrush show, as it has no 'swarm', but ") + what,
                {}};
 }
 

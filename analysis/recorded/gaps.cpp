@@ -1,5 +1,6 @@
 #include "analysis/recorded/gaps.hpp"
 
+#include "analysis/recorded/own_gaps.hpp"
 #include "io/bytes/number_text.hpp"
 
 #include <algorithm>
@@ -99,10 +100,11 @@ std::optional<Gap> longest_bridged(const io::Recording& recording, const MaxGap&
     const io::RecordedBee& of = recording.bees[bee];
     std::optional<Gap> of_this;
     double of_this_s = longest_s;
+    const double joined_s = own_max_gap_s(recording, bee, max_gap).value_or(max_gap.seconds);
     for (std::size_t i = 1; i < of.fixes.size(); ++i) {
       const double from_s = of.fixes[i - 1].time_s;
       const double to_s = of.fixes[i].time_s;
-      if (!(to_s - from_s > of_this_s) || to_s - from_s > max_gap.seconds) continue;
+      if (!(to_s - from_s > of_this_s) || to_s - from_s > joined_s) continue;
       const bool lost = std::any_of(of.lost.begin(), of.lost.end(), [&](const TimeSpan& span) {
         return span.begins_s < to_s && from_s < span.ends_s;
       });

@@ -1,5 +1,7 @@
 #include "analysis/recorded/jump_spans.hpp"
 
+#include "analysis/recorded/own_gaps.hpp"
+
 #include "io/recording/jumped_stretches.hpp"
 
 #include <algorithm>
@@ -61,7 +63,7 @@ std::vector<Gap> lost_spans(const io::Recording& recording, const MaxGap& max_ga
       spans.push_back({static_cast<PointId>(track), lost.begins_s, lost.ends_s});
     }
   }
-  return spans;
+  return joined_gaps(std::move(spans), own_gaps(recording, max_gap));
 }
 
 std::vector<Gap> doubtful_spans(const io::Recording& recording, const MaxGap& max_gap) {

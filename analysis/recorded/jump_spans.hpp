@@ -23,7 +23,8 @@ std::vector<Gap> jump_spans(const io::Recording& recording);
 void leave_out_jumps(const io::Recording& recording, std::vector<Conflict>& conflicts);
 
 // When bees have records without a place, two in a row or more: from the fix before to the one
-// behind. Who says with --max-gap how far fixes may be apart means these, too.
+// behind; and their own gaps (see own_gaps.hpp). Who says with --max-gap how far fixes may be apart
+// means these, too.
 std::vector<Gap> lost_spans(const io::Recording& recording, const MaxGap& max_gap);
 
 // Both: when a bee is not known where it has fixes, beside its gaps.

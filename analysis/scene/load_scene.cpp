@@ -108,7 +108,7 @@ Error better_of(Error as_snapshot, Error as_recording, bool names_a_time) {
                             as_recording.code == ErrorCode::kMissingColumn) &&
                            as_snapshot.code != ErrorCode::kInvalidArgument;
   // Pictures of a video may be as many moments.
-  const bool of_video = as_recording.message.find("--fps") != std::string::npos;
+  const bool of_video = as_recording.message.find("the frames of a video") != std::string::npos;
   if ((names_a_time || of_video) && is_question) return as_recording;
   const bool is_other = as_snapshot.code == ErrorCode::kUnsupportedFormat &&
                         !as_recording.message.starts_with("this is no text");

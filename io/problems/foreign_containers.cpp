@@ -41,8 +41,10 @@ constexpr std::string_view kNpz =
 constexpr std::string_view kTRexNpz =
     "a file of TRex (.npz), which is not read; let TRex write CSV (output_format csv), or make it "
     "of each: pip install numpy pandas, then python3 -c \"import numpy, pandas, sys; "
-    "[pandas.DataFrame({k + (' (cm)' if k[0] in 'XY' else ' (cm/s)' if k[:2] in ('VX', 'VY', 'SP') "
-    "else ''): f[k] for k in f if f[k].shape == f['time'].shape}).to_csv(n[:-3] + 'csv', "
+    "[pandas.DataFrame({k + ('' if '(' in k else ' (cm)' if k[0] in 'XY' else ' (cm/s)' if k[:2] "
+    "in "
+    "('VX', 'VY', 'SP') else ''): f[k] for k in f if f[k].shape == f['time'].shape}).to_csv(n[:-3] "
+    "+ 'csv', "
     "index=False) for n in sys.argv[1:] for f in [numpy.load(n)]]\" FILE, with the names of the "
     "others behind the first one";
 constexpr std::string_view kExcel =
@@ -169,7 +171,7 @@ std::string words_of_hdf5(std::string_view bytes) {
 
 std::string words_of_npz(std::string_view bytes) {
   if (!first_name(bytes).ends_with(".npy")) return {};
-  return std::string(has_name(bytes, "wcentroid.npy") ? kTRexNpz : kNpz);
+  return std::string(has_name(bytes, "#wcentroid") ? kTRexNpz : kNpz);
 }
 
 std::string words_of_workbook(std::string_view bytes) {

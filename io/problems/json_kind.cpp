@@ -14,9 +14,12 @@ struct Kind {
 };
 
 // The keys that say more first: shows have "settings", and so may anything.
-constexpr std::array<Kind, 12> kKinds = {{
+constexpr std::array<Kind, 13> kKinds = {{
     {"\"obstacles\"",
      "JSON with obstacles; give it with --obstacles to 'beespace simulate', 'advise' or 'verify'"},
+    {"\"number_of_animals\"",
+     "JSON that describes a session of idtracker.ai, without the places; make CSV of its "
+     "trajectories: idtrackerai_csv FOLDER, with the folder of the session"},
     {"\"FeatureCollection\"",
      "GeoJSON, which beespace writes and does not read; export the positions as CSV"},
     {"\"Feature\"",

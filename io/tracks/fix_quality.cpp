@@ -28,15 +28,17 @@ bool ends_as(std::string_view name, std::string_view end) {
                          name[name.size() - end.size() - 1] == '_');
 }
 
-// Of animals' collars and tags, in their makers' words: Lotek ("3D-V Fix", "No Fix"), Vectronic
+// Of animals' collars and tags, in their makers' words: Lotek ("3D-V Fix", "No Fix", "3-D
+// least-squares", "4 or more SV KF", and "DR", which is dead reckoning), Vectronic
 // ("val. GPS-3D"), Telonics ("Succeeded (3D)", "Unresolved QFP", "Failed"), QStarz ("SPS"), NMEA.
 // What says none does so whatever stands beside it: "not fixed", "GPS timeout".
 constexpr std::string_view kSaysNone =
     "no none not nofix unfixed failed fail failure timeout timed unresolved unsuccessful invalid "
     "false void lost missing 0d 1d insufficient searching kein keine nein ung\u00fcltig ungueltig "
-    "fehlgeschlagen falsch aucun aucune non sin ninguno falso faux";
+    "dr fehlgeschlagen falsch aucun aucune non sin ninguno falso faux";
 constexpr std::string_view kSaysFix =
-    "fix fixed 2d 3d 3dv 2dv d2 d3 ok valid val validated succeeded success successful resolved "
+    "fix fixed squares kf 2d 3d 3dv 2dv d2 d3 ok valid val validated succeeded success successful "
+    "resolved "
     "good true yes gps gnss dgps dgnss sps pps rtk frtk float sbas waas egnos differential "
     "autonomous g\u00fcltig gueltig ja wahr oui vrai si s\u00ed verdadero";
 // These words are of no other status.

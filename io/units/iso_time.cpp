@@ -383,12 +383,26 @@ std::string_view parse_clock(std::string_view text, WallTime& time) {
   return {};
 }
 
+namespace {
+
+// Of what stands behind a day: nothing, or " 00:00:00".
+bool is_midnight(std::string_view behind) {
+  if (behind.empty()) return true;
+  if (behind.front() != ' ' && behind.front() != 'T') return false;
+  const std::string_view time = behind.substr(1);
+  return time == "00:00:00" || time == "00:00" || time == "0:00" || time == "0:00:00" ||
+         time == "00:00:00.000";
+}
+
+}  // namespace
+
 std::string_view parse_day(std::string_view text, std::int64_t& seconds, DateOrder order) {
   Front front(text);
   std::int64_t days = 0;
   const auto problem = parse_date(front, order, days);
   if (problem == kForm) return "write the day as 2024-05-01";
-  if (problem.empty() && !front.rest().empty()) return "write the day as 2024-05-01";
+  // Excel and pandas write a day as its midnight.
+  if (problem.empty() && !is_midnight(front.rest())) return "write the day as 2024-05-01";
   seconds = days * kSecondsPerDay;
   return problem;
 }

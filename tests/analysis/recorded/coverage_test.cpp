@@ -1,6 +1,7 @@
 // How far apart two fixes may be, and of how much time it is known where the bees were.
 #include "analysis/recorded/coverage.hpp"
 
+#include "analysis/recorded/jump_spans.hpp"
 #include "analysis/recorded/track_ends.hpp"
 
 #include <gtest/gtest.h>
@@ -322,6 +323,32 @@ TEST(Coverage, WhereFixesFailedItIsUnknownUnlessTheGapIsAskedFor) {
   EXPECT_TRUE(coverage.may_hide_conflicts());
   EXPECT_EQ(unknown_spans(recording, {}, {50.0, 10.0}), (std::vector<Gap>{{1, 10.0, 40.0}}));
   EXPECT_FALSE(coverage_of(recording, {}, {50.0, std::nullopt, true}).may_hide_conflicts());
+}
+
+// Its collar tells where it is each hour, but for a day; those of the others each 12 hours.
+TEST(Coverage, WhoHasFixesFarMoreOftenHasGapsOfItsOwn) {
+  io::Recording recording;
+  const auto every = [](const char* id, double hours, double until) {
+    std::vector<double> times_s;
+    for (int i = 0; i * hours <= until; ++i) times_s.push_back(3600.0 * hours * i);
+    return bee_at(id, times_s);
+  };
+  recording.bees = {every("hourly", 1, 96), every("b", 12, 96), every("c", 12, 96),
+                    every("d", 12, 96)};
+  const MaxGap max_gap = max_gap_of(recording, std::nullopt);
+  EXPECT_EQ(max_gap.seconds, 216'000.0);
+  EXPECT_TRUE(lost_spans(recording, max_gap).empty());
+  std::vector<Fix>& fixes = recording.bees[0].fixes;
+  fixes.erase(fixes.begin() + 20, fixes.begin() + 45);
+  const std::vector<Gap> lost = {{0, 19 * 3600.0, 45 * 3600.0}};
+  EXPECT_EQ(lost_spans(recording, max_gap), lost);
+  const Coverage coverage = coverage_of(recording, {}, max_gap);
+  EXPECT_EQ(coverage.gaps, 1u);
+  EXPECT_FALSE(coverage.complete());
+  EXPECT_FALSE(coverage.bridged);
+  EXPECT_TRUE(lost_spans(recording, max_gap_of(recording, 216'000.0)).empty());
+  recording.of_aircraft = true;
+  EXPECT_TRUE(lost_spans(recording, max_gap).empty());
 }
 
 TEST(Coverage, TwoOfOneIdAreNeverKnown) {

@@ -33,7 +33,7 @@ TEST(RecipesOfAnimals, AFolderOfFilesOfTrexHasOneLine) {
   TemporaryFolder folder;
   std::string bytes("PK\x03\x04", 4);
   bytes += std::string(22, '\0') + std::string("\x06\0\0\0", 4) + "id.npy";
-  bytes += std::string(9000, '\0') + "X#wcentroid.npy";
+  bytes += std::string(9000, '\0') + "X#wcentroid (cm).npy";
   folder.file("fish0.npz", bytes);
   folder.file("fish1.npz", bytes);
   const std::string said = run({"replay", folder.path("")}).err;
@@ -72,6 +72,50 @@ TEST(RoundedPlaces, CoarserThanTheThresholdAreNoAllClear) {
   const Finished large = run({"replay", folder.file("e.csv", elephants(3)), "--threshold", "50",
                               "--fail-on-risk", "--memory", "40MB"});
   EXPECT_EQ(large.exit_code, 1) << large.err;
+}
+
+// As pandas writes the sheet of a workbook.
+TEST(RecipesOfAnimals, ADayMayBeWrittenAsItsMidnight) {
+  const Finished finished = run({"replay", "--threshold", "50", "--time-zone", "UTC"},
+                                "id,Date,Time,Latitude,Longitude\n"
+                                "Ada,2024-05-03 00:00:00,01:00:00,52.7,23.85\n"
+                                "Bo,2024-05-03 00:00:00,01:00:00,52.7001,23.85\n"
+                                "Ada,2024-05-03 00:00:00,02:00:00,52.7,23.85\n"
+                                "Bo,2024-05-03 00:00:00,02:00:00,52.7001,23.85\n");
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  expect_parts(finished.err, {"from       2024-05-03T01:00:00.000Z to 2024-05-03T02:00:00.000Z"});
+  const Finished noon = run({"replay", "--threshold", "50", "--time-zone", "UTC"},
+                            "id,Date,Time,Latitude,Longitude\n"
+                            "Ada,2024-05-03 12:00:00,01:00:00,52.7,23.85\n");
+  EXPECT_NE(noon.exit_code, 0);
+}
+
+TEST(RecipesOfAnimals, TheSessionOfIdtrackerHasNoPlaces) {
+  const Finished session =
+      run({"replay", "--threshold", "2cm"},
+          R"({"session": "fish", "number_of_animals": 3, "frames_per_second": 25})");
+  EXPECT_EQ(session.exit_code, 3);
+  expect_parts(session.err, {"a session of idtracker.ai", "idtrackerai_csv FOLDER"});
+}
+
+// How Lotek's processing found a place.
+TEST(RecipesOfAnimals, LotekSaysHowItFoundAPlace) {
+  const auto deer = [](const std::string& status) {
+    return "Device ID,Date & Time [GMT],Latitude,Longitude,Fix Status\n"
+           "1,2024-05-03 01:00:00,52.7,23.85," +
+           status +
+           "\n2,2024-05-03 01:00:00,52.7001,23.85,3-D least-squares\n"
+           "1,2024-05-03 02:00:00,52.7,23.85,3-D least-squares\n"
+           "2,2024-05-03 02:00:00,52.7001,23.85,2-D least-squares\n";
+  };
+  const Arguments replay = {"replay", "--threshold", "50"};
+  for (const char* const fix : {"3-D least-squares", "4 or more SV KF", "3_SV KF"}) {
+    const Finished found = run(replay, deer(fix));
+    EXPECT_EQ(found.exit_code, 0) << found.err;
+    EXPECT_EQ(found.err.find("had no fix"), std::string::npos) << found.err;
+  }
+  expect_parts(run(replay, deer("DR")).err,
+               {"1 record of receivers that say that they had no fix"});
 }
 
 }  // namespace
