@@ -5,6 +5,7 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/earth_flights.hpp"
 #include "analysis/recorded/gaps.hpp"
+#include "analysis/recorded/kept_by_height.hpp"
 #include "analysis/recorded/verify_paths.hpp"
 #include "c/door/door.hpp"
 #include "c/door/structs.hpp"
@@ -235,6 +236,9 @@ Result<std::unique_ptr<beespace_io_verdict>> verify(const io::Recording& recordi
 
   analysis::Coverage coverage = analysis::coverage_of(recording, found->gaps, max_gap);
   analysis::judge_places(recording, analysis::coarse_question(*found, question), coverage);
+  if (auto good = analysis::judge_heights(recording, question, *found, coverage); !good) {
+    return good.error();
+  }
   const bool compared = analysis::compares(recording, *found, question);
   facts.holds = found->holds() && !coverage.may_hide_conflicts() && compared ? 1 : 0;
   facts.motion = *motion;

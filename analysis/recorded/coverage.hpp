@@ -81,6 +81,7 @@ struct Coverage {
   // Or the column by which they are off: half of the places of one of them by that much, or more.
   std::string coarse_by = {};
   std::size_t begins_in_air = 0;   // drones that fly when the recording begins
+  std::string heights = {};        // who is kept apart by heights alone, which say little
   std::string whole_seconds = {};  // what is to be said of times that may be cut off
 
   static constexpr std::size_t kMostNamed = 3;
@@ -94,7 +95,7 @@ struct Coverage {
   // Whether a bee was there, but it is not known where.
   [[nodiscard]] bool may_hide_conflicts() const {
     return gaps > 0 || !missing.none() || bees_cut_off > 0 || bees_unplaced > 0 || instants_only ||
-           !unseen.empty() || compared_with_none() || coarse > 0;
+           !unseen.empty() || compared_with_none() || coarse > 0 || !heights.empty();
   }
 };
 

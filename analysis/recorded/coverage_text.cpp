@@ -108,6 +108,7 @@ std::string unknown_text(const Coverage& coverage, const io::Recording* recordin
                                        : " places that are off by up to ") +
            io::length(coverage.coarse_m));
   }
+  append(coverage.heights);
   return text;
 }
 

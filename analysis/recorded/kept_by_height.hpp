@@ -3,6 +3,8 @@
 // these say little. Of aircraft and drones that is how they fly.
 #pragma once
 
+#include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/verify_paths.hpp"
 #include "io/recording/recording.hpp"
 
 #include <beespace/conflict.hpp>
@@ -55,5 +57,10 @@ std::string kept_by_height_text(const KeptByHeight& kept, const io::Recording& r
 // What keeps a verdict from being an all-clear: those whose heights say little; nothing where there
 // are none.
 std::string unsure_heights_text(const KeptByHeight& kept);
+
+// Of flights that were verified: keeps those of animals, rovers and boats from holding where
+// heights alone do (Coverage::heights). Errors: those of kept_by_height().
+Status judge_heights(const io::Recording& recording, const PathQuestion& question,
+                     const PathVerdict& verdict, Coverage& coverage);
 
 }  // namespace beespace::analysis

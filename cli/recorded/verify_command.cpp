@@ -6,6 +6,7 @@
 #include "analysis/recorded/default_threshold.hpp"
 #include "analysis/recorded/earth_flights.hpp"
 #include "analysis/recorded/gaps.hpp"
+#include "analysis/recorded/kept_by_height.hpp"
 #include "analysis/recorded/landed_times.hpp"
 #include "analysis/recorded/verify_paths.hpp"
 #include "analysis/text/unit_notes.hpp"
@@ -251,6 +252,9 @@ Result<ExitCode> verify_along_curves(const VerifyRequest& request, const io::Rec
   if (!verdict) return verdict.error();
   analysis::Coverage coverage = analysis::coverage_of(recording, verdict->gaps, max_gap);
   analysis::judge_places(recording, analysis::coarse_question(*verdict, question), coverage);
+  if (Status good = analysis::judge_heights(recording, question, *verdict, coverage); !good) {
+    return good.error();
+  }
   const PathFindings findings{recording, question,           limits, *verdict,
                               coverage,  *std::move(motion), read_s, watch.lap()};
   const auto head = [&](io::JsonWriter& json) { write_verdict(json, findings, moving); };

@@ -242,6 +242,22 @@ TEST(Animals, CollarsAreCalledAfterTheirAnimals) {
   expect_parts(finished.out, {"F1", "M3"});
 }
 
+// Heights by satellites say little of animals; replay says so, too.
+TEST(Animals, WhoIsKeptApartByHeightsAloneIsNotVerified) {
+  const std::string storks =
+      "timestamp,location-long,location-lat,height-above-ellipsoid,individual-local-identifier\n"
+      "2024-05-03 00:00:00.000,9.1,47.7,400,Ada\n2024-05-03 00:00:00.000,9.1,47.7001,480,Bo\n"
+      "2024-05-03 00:10:00.000,9.1,47.7,400,Ada\n2024-05-03 00:10:00.000,9.1,47.7001,480,Bo\n";
+  const Arguments of_pairs = {"--threshold", "50"};
+  for (const Arguments& command : {Arguments{"verify"}, Arguments{"replay", "--fail-on-risk"}}) {
+    const Finished finished = run(command + of_pairs, storks);
+    EXPECT_EQ(finished.exit_code, 1) << finished.err;
+    expect_parts(finished.err, {"1 pair of animals is kept apart by heights alone"});
+  }
+  const Finished over_ground = run({"verify", "--threshold", "50", "--vertical", "10m"}, storks);
+  EXPECT_EQ(over_ground.exit_code, 0) << over_ground.err;
+}
+
 // By the estimate of the receiver itself.
 TEST(Animals, PlacesThatAreOffByTheirOwnAccuracyAreNoAllClear) {
   const auto deer = [](const char* accuracy) {
