@@ -236,9 +236,13 @@ Result<std::unique_ptr<beespace_io_verdict>> verify(const io::Recording& recordi
 
   analysis::Coverage coverage = analysis::coverage_of(recording, found->gaps, max_gap);
   analysis::judge_places(recording, analysis::coarse_question(*found, question), coverage);
-  if (auto good = analysis::judge_heights(recording, question, *found, coverage); !good) {
-    return good.error();
-  }
+  const Status good = analysis::judge_heights(recording,
+                                              {.threshold_m = question.threshold_m,
+                                               .max_gap_s = question.max_gap_s,
+                                               .threads = question.threads,
+                                               .stop = question.stop},
+                                              found->losses, found->low.left_out, coverage);
+  if (!good) return good.error();
   const bool compared = analysis::compares(recording, *found, question);
   facts.holds = found->holds() && !coverage.may_hide_conflicts() && compared ? 1 : 0;
   facts.motion = *motion;

@@ -189,18 +189,15 @@ std::string unsure_heights_text(const KeptByHeight& kept) {
          " kept apart by heights alone";
 }
 
-Status judge_heights(const io::Recording& recording, const PathQuestion& question,
-                     const PathVerdict& verdict, Coverage& coverage) {
+Status judge_heights(const io::Recording& recording, const ConflictOptions& options,
+                     const std::vector<Conflict>& conflicts, const std::vector<Conflict>& low,
+                     Coverage& coverage) {
   const bool any = recording.of_animals ||
                    std::any_of(recording.bees.begin(), recording.bees.end(),
                                [](const io::RecordedBee& bee) { return bee.on_surface; });
-  if (!any || question.vertical) return std::monostate{};
-  const ConflictOptions options{.threshold_m = question.threshold_m,
-                                .max_gap_s = question.max_gap_s,
-                                .threads = question.threads,
-                                .stop = question.stop};
+  if (!any) return std::monostate{};
   // No curves are brought to lines: shows are not looked at.
-  const auto kept = kept_by_height(recording, options, 0.0, verdict.losses, verdict.low.left_out);
+  const auto kept = kept_by_height(recording, options, 0.0, conflicts, low);
   if (!kept) return kept.error();
   if (*kept) coverage.heights = unsure_heights_text(**kept);
   return std::monostate{};

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "analysis/recorded/coverage.hpp"
-#include "analysis/recorded/verify_paths.hpp"
 #include "io/recording/recording.hpp"
 
 #include <beespace/conflict.hpp>
@@ -59,8 +58,9 @@ std::string kept_by_height_text(const KeptByHeight& kept, const io::Recording& r
 std::string unsure_heights_text(const KeptByHeight& kept);
 
 // Of flights that were verified: keeps those of animals, rovers and boats from holding where
-// heights alone do (Coverage::heights). Errors: those of kept_by_height().
-Status judge_heights(const io::Recording& recording, const PathQuestion& question,
-                     const PathVerdict& verdict, Coverage& coverage);
+// heights alone do (Coverage::heights). The rest as above.
+Status judge_heights(const io::Recording& recording, const ConflictOptions& options,
+                     const std::vector<Conflict>& conflicts, const std::vector<Conflict>& low,
+                     Coverage& coverage);
 
 }  // namespace beespace::analysis

@@ -252,8 +252,14 @@ Result<ExitCode> verify_along_curves(const VerifyRequest& request, const io::Rec
   if (!verdict) return verdict.error();
   analysis::Coverage coverage = analysis::coverage_of(recording, verdict->gaps, max_gap);
   analysis::judge_places(recording, analysis::coarse_question(*verdict, question), coverage);
-  if (Status good = analysis::judge_heights(recording, question, *verdict, coverage); !good) {
-    return good.error();
+  if (!question.vertical) {
+    const Status good = analysis::judge_heights(recording,
+                                                {.threshold_m = question.threshold_m,
+                                                 .max_gap_s = question.max_gap_s,
+                                                 .threads = question.threads,
+                                                 .stop = question.stop},
+                                                verdict->losses, verdict->low.left_out, coverage);
+    if (!good) return good.error();
   }
   const PathFindings findings{recording, question,           limits, *verdict,
                               coverage,  *std::move(motion), read_s, watch.lap()};
@@ -318,6 +324,13 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
       *recording, gaps_of_all(*recording, *times_s, max_gap.seconds), max_gap);
   analysis::judge_places(*recording, {check.threshold_m, verdict->losses > 0, verdict->closest_m},
                          coverage);
+  if (verdict->losses == 0) {
+    const Status good = analysis::judge_heights(
+        *recording,
+        {.threshold_m = check.threshold_m, .max_gap_s = max_gap.seconds, .threads = moving.threads},
+        {}, {}, coverage);
+    if (!good) return good.error();
+  }
   const Verification verification{*recording, *times_s, check,  *verdict,
                                   coverage,   *motion,  read_s, watch.lap()};
   const auto head = [&](io::JsonWriter& json) { write_verdict(json, verification, moving); };
