@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace beespace::io {
@@ -41,6 +42,18 @@ std::optional<std::size_t> names_of_animals(const Header& header, std::size_t id
   return std::nullopt;
 }
 
+// Packages of R for animals: "x_", "y_", "t_" of amt; "individual_local_identifier" of move2.
+bool is_of_packages_for_animals(const Header& header) {
+  const std::vector<std::string>& names = header.table().names;
+  const auto has = [&names](std::string_view wanted) {
+    return std::find(names.begin(), names.end(), wanted) != names.end();
+  };
+  if (has("x_") && has("y_") && has("t_")) return true;
+  return std::any_of(names.begin(), names.end(), [](const std::string& name) {
+    return plain_name(name) == "individual_local_identifier";
+  });
+}
+
 // In the words of --columns.
 HeightColumns height_columns(const Header& header, const TrackLayout& layout) {
   const ColumnChoice& choice = layout.table.choice;
@@ -64,7 +77,7 @@ void settle_animals(const Header& header, TrackLayout& layout) {
   const bool of_animals = source != nullptr && source->of_animals;
   // Who tells how fast it is is no animal in a picture: it should know where it is.
   layout.places_may_be_unknown = of_animals || !layout.velocity;
-  layout.of_animals = of_animals || names_collars(header);
+  layout.of_animals = of_animals || names_collars(header) || is_of_packages_for_animals(header);
   layout.y_is_down =
       (of_animals && source->name == "TRex") || layout.table.choice.units.front() == Unit::kPixel;
   const auto& id_column = layout.table.choice.id;

@@ -229,6 +229,18 @@ TEST(Animals, IdtrackerHasColumnsForEachAnimal) {
   expect_parts(pictures.err, {"4.000 m apart at 0.50 s"});
 }
 
+// Packages of R write tables with names of their own.
+TEST(Animals, AmtAndMove2AreOfAnimals) {
+  for (const char* const header : {"id,t_,x_,y_", "individual_local_identifier,timestamp,x,y"}) {
+    const std::string table = std::string(header) +
+                              "\nF01,2024-05-03T00:00:00Z,692000,5843000\n"
+                              "F02,2024-05-03T00:00:00Z,692020,5843000\n"
+                              "F01,2024-05-03T01:00:00Z,692000,5843000\n"
+                              "F02,2024-05-03T01:00:00Z,692020,5843000\n";
+    expect_parts(run({"plot", "--threshold", "50"}, table).out, {"2 animals. 1 conflict"});
+  }
+}
+
 // A collar is one animal's after another's, so that its number stays the id.
 TEST(Animals, CollarsAreCalledAfterTheirAnimals) {
   const Finished finished = run({"replay", "--threshold", "50", "--report", "pairs", "--csv"},
