@@ -356,9 +356,9 @@ std::optional<Error> read_path(const std::string& path, RecordingAssembly& assem
 
 }  // namespace
 
-Result<Recording> load_recording(const std::vector<std::string>& paths,
+Result<Recording> load_recording(const std::vector<std::string>& named,
                                  const RecordingOptions& options) {
-  if (paths.empty()) {
+  if (named.empty()) {
     return Error{ErrorCode::kInvalidArgument, "no input is named; name a file, a folder, or -", {}};
   }
   if (options.progress != nullptr) {
@@ -366,6 +366,8 @@ Result<Recording> load_recording(const std::vector<std::string>& paths,
     options.progress->total = 0;
   }
   RecordingAssembly assembly(options);
+  std::vector<std::string> paths = named;
+  for (const std::string& no_log : last_logs_in(named)) std::erase(paths, no_log);
   if (paths.size() > 1) assembly.expect_several();
   std::vector<std::string> sources;
   for (const std::string& path : paths) {
@@ -377,7 +379,7 @@ Result<Recording> load_recording(const std::vector<std::string>& paths,
   for (const std::string& path : paths) {
     if (auto error = read_path(path, assembly)) return *std::move(error);
   }
-  count_left_out(paths, assembly);
+  count_left_out(named, assembly);
   return assembly.finish();
 }
 

@@ -89,14 +89,16 @@ class DataflashReading {
                  {}};
   }
 
-  // Logs of several drones have one clock only by GPS.
+  // Logs of several drones have one clock only by GPS, or where it is said.
   [[nodiscard]] std::optional<Error> clock_problem() const {
     if (!assembly_.has_several()) return std::nullopt;
     if (log_.clock) return contradiction(*log_.clock, kLogName);
+    if (assembly_.options().one_clock) return std::nullopt;
     return Error{ErrorCode::kInvalidArgument,
                  "this DataFlash log of ArduPilot has no time of GPS, only one since the vehicle "
-                 "was switched on, so that it shares no clock with other inputs; read it alone, or "
-                 "leave it out",
+                 "was switched on, so that it shares no clock with other inputs; if all have one "
+                 "clock, as vehicles of one simulator may, say so with --one-clock; else read it "
+                 "alone, or leave it out",
                  {}};
   }
 

@@ -114,7 +114,8 @@ class FlightReading {
     if (assembly_.options().frame == Frame::kMetres || !assembly_.has_several()) {
       return std::nullopt;
     }
-    if (!log_.clock) return std::nullopt;  // which is asked first, as no option helps there
+    // Which is asked first.
+    if (!log_.clock && !assembly_.options().one_clock) return std::nullopt;
     return Error{ErrorCode::kUnknownFrame,
                  "this PX4 log tells metres from the drone's own origin only, and not where on the "
                  "Earth that is; say --crs metres if all drones have the same origin, as with "
@@ -139,23 +140,27 @@ class FlightReading {
     return {ErrorCode::kNoPoints, std::move(message), {}};
   }
 
-  // Logs of several drones have one clock only by GPS.
+  // Logs of several drones have one clock only by GPS, or where it is said.
   [[nodiscard]] std::optional<Error> clock_problem() const {
     if (!assembly_.has_several()) return std::nullopt;
+    if (!log_.clock && assembly_.options().one_clock) return std::nullopt;
     if (!log_.clock) {
+      const std::string topic =
+          source_ == Source::kGlobal ? "vehicle_global_position" : "vehicle_local_position";
       return Error{
           ErrorCode::kInvalidArgument,
           "this PX4 log has no time of GPS (vehicle_gps_position, sensor_gps), only one since the "
-          "drone "
-          "was switched on, so that it shares no clock with other inputs; read it alone, leave it "
-          "out, or, if you know how far the clocks are apart, make tables with a common time: "
-          "ulog2csv -m vehicle_local_position FILE (pip install pyulog), and of each, with what "
-          "its "
-          "clock is ahead, awk -F, -v ahead_s=SECONDS "
-          "'NR==1{for(i=1;i<=NF;i++)c[$i]=i;print\"time_s,x_m,y_m,z_m\";next}"
-          "{printf\"%.6f,%s,%s,%.9g\\n\",$c[\"timestamp\"]/"
-          "1e6-ahead_s,$c[\"y\"],$c[\"x\"],-$c[\"z\"]}' "
-          "FILE_vehicle_local_position_0.csv > NAME.csv (all must count metres from one place)",
+          "drone was switched on, so that it shares no clock with other inputs; if all have one "
+          "clock, as vehicles of one simulator may, say so with --one-clock; else read it alone, "
+          "leave it out, or, if you know how far the clocks are apart, make tables with a common "
+          "time: ulog2csv -m " +
+              topic +
+              " FILE (pip install pyulog), and of each, with what its "
+              "clock is ahead, awk -F, -v OFS=, -v ahead_s=SECONDS "
+              "'NR==1{for(i=1;i<=NF;i++)if($i==\"timestamp\")c=i}"
+              "NR>1{$c=sprintf(\"%.0f\",$c-1e6*ahead_s)}1' NAME_" +
+              topic + "_0.csv > NAME.csv (NAME: that of the log), and name these with --one-clock" +
+              (source_ == Source::kLocal ? " (all must count metres from one place)" : ""),
           {}};
     }
     return contradiction(*log_.clock, "PX4 log");
@@ -174,6 +179,13 @@ class FlightReading {
     facts.heights = !degrees         ? HeightDatum::kHome
                     : by_ellipsoid() ? HeightDatum::kEllipsoid
                                      : HeightDatum::kMeanSeaLevel;
+    const bool has_both = std::any_of(log_.global.begin(), log_.global.end(), [](const auto& at) {
+      return std::isfinite(at.ellipsoid_height);
+    });
+    if (source_ == Source::kGlobal && has_both && !by_ellipsoid()) {
+      facts.other_heights =
+          ", or take those of PX4 logs above the ellipsoid, too, with --heights geometric";
+    }
     facts.units = {{degrees ? "heights" : "x, y and z", Unit::kMetre, UnitEvidence::kNamed,
                     "PX4 logs have them so"}};
     facts.description = "PX4 log (ULog)";

@@ -16,7 +16,7 @@ constexpr std::string_view kForPeople =
     "md rst pdf rtf doc docx odt ppt pptx odp html htm png jpg jpeg gif bmp svg tif tiff webp heic "
     "eps mp3 wav ogg flac m4a aac mp4 m4v mov avi mkv webm blend blend1 py ipynb r m sh bat yaml "
     "yml "
-    "toml ini cfg parm czml";
+    "toml ini cfg parm param params czml";
 constexpr std::string_view kOfSystems =
     "__macosx thumbs.db desktop.ini $recycle.bin lost+found icon\r";
 constexpr std::string_view kOfRecordings =
@@ -78,6 +78,16 @@ void note_receiver_files(const std::vector<std::string>& paths, RecordingAssembl
   }
 }
 
+void note_last_logs(const std::vector<std::string>& paths, RecordingAssembly& assembly) {
+  std::string names;
+  for (const std::string& file : last_logs_in(paths)) {
+    names.append(names.empty() ? "" : ", ").append(file);
+  }
+  if (names.empty()) return;
+  assembly.note("not read, as it has the number of the last log of ArduPilot and no places: " +
+                names);
+}
+
 }  // namespace
 
 bool holds_no_places(std::string_view path) {
@@ -99,6 +109,7 @@ bool is_other_form_of(std::string_view name, std::string_view stem) {
 
 void count_left_out(const std::vector<std::string>& paths, RecordingAssembly& assembly) {
   note_receiver_files(paths, assembly);
+  note_last_logs(paths, assembly);
   std::vector<std::string> left;
   for (const std::string& path : paths) {
     if (!is_folder(path)) continue;

@@ -95,7 +95,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
     recording_.heights_beside = facts.heights_beside;
     recording_.y_is_down = facts.y_is_down;
     recording_.flies_on = facts.flies_on;
-    return agree_on_heights(facts.heights);
+    return agree_on_heights(facts);
   }
   if (facts.frame != facts_->frame && facts.frame != Frame::kAuto &&
       facts_->frame != Frame::kAuto) {
@@ -156,7 +156,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   recording_.called_drones = recording_.called_drones && facts.called_drones;
   recording_.y_is_down = recording_.y_is_down && facts.y_is_down;
   recording_.flies_on = recording_.flies_on && facts.flies_on;
-  if (auto error = agree_on_heights(facts.heights)) return error;
+  if (auto error = agree_on_heights(facts)) return error;
   if (facts_->trials.column.empty()) facts_->trials = facts.trials;
   if (facts_->scenes.column.empty()) facts_->scenes = facts.scenes;
   if (facts_->tags.column.empty()) facts_->tags = facts.tags;
@@ -292,17 +292,20 @@ std::optional<Error> RecordingAssembly::overlapping_tags() const {
                location_of(second.begins)};
 }
 
-std::optional<Error> RecordingAssembly::agree_on_heights(HeightDatum heights) {
+std::optional<Error> RecordingAssembly::agree_on_heights(const SourceFacts& facts) {
+  const HeightDatum heights = facts.heights;
   if (heights != HeightDatum::kUnstated) {
     if (stated_heights_ != HeightDatum::kUnstated && heights != stated_heights_) {
       return Error{ErrorCode::kInvalidArgument,
                    "heights here are " + height_words(heights) + ", but elsewhere, as in " +
-                       stated_by_ + ", " + height_words(stated_heights_) + "; read them apart",
+                       stated_by_ + ", " + height_words(stated_heights_) + "; read them apart" +
+                       (facts.other_heights.empty() ? facts_->other_heights : facts.other_heights),
                    {sources_.back()}};
     }
     if (stated_by_.empty()) stated_by_ = sources_.back();
     stated_heights_ = heights;
   }
+  if (facts_->other_heights.empty()) facts_->other_heights = facts.other_heights;
   if (heights == facts_->heights) return std::nullopt;
   note("some inputs say that heights are " + height_words(stated_heights_) +
        ", others say nothing; they are compared as they are");

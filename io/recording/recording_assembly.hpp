@@ -75,6 +75,7 @@ struct SourceFacts {
   Unit time_unit = Unit::kUnstated;   // in which times are numbers
   Unit named_time = Unit::kUnstated;  // that of the times, where nothing but the header says it
   HeightDatum heights = HeightDatum::kUnstated;
+  std::string other_heights = {};   // how to take those above something else: ", or take ..."
   Unit height_unit = Unit::kMetre;  // in which TrackGathering is told them as they are stated
   std::vector<UnitTaken> units = {};
   HeightColumns height_columns = {};  // of animals, of which some may have none
@@ -304,7 +305,7 @@ class RecordingAssembly {
   void note_clocks();
   void note_one_clock();
   [[nodiscard]] Error nothing_left() const;
-  std::optional<Error> agree_on_heights(HeightDatum heights);
+  std::optional<Error> agree_on_heights(const SourceFacts& facts);
   [[nodiscard]] std::optional<Error> agree_on_origins(const SourceFacts& facts);
   [[nodiscard]] std::optional<Error> agree_on_zeros(const SourceFacts& facts);
   [[nodiscard]] std::optional<Error> overlapping_trials() const;

@@ -54,6 +54,11 @@ bool is_snapshot_name(std::string_view name) {
   return name == "aircraft.json" || (name.starts_with("history_") && name.ends_with(".json"));
 }
 
+// In which ArduPilot keeps the number of the last log.
+bool is_number_of_last_log(std::string_view name) {
+  return lower_case(name) == "lastlog.txt";
+}
+
 std::string_view name_in_folder(std::string_view path) {
   return path.substr(path.rfind('/') + 1);
 }
@@ -78,6 +83,7 @@ struct Listed {
   std::vector<std::string> flights = {};
   std::vector<std::string> others = {};
   std::vector<std::string> of_receiver = {};
+  std::vector<std::string> last_logs = {};
   std::string_view foreign = {};  // what is said of a show of other editors
   std::error_code problem = {};
 
@@ -121,6 +127,18 @@ struct Listed {
         [](const auto& path) { return !is_beside_snapshots(name_in_folder(path)); });
     of_receiver.assign(aside, documents.end());
     documents.erase(aside, documents.end());
+  }
+  // Beside logs of ArduPilot, and there alone, what counts them is none.
+  void leave_last_log() {
+    const bool logs_of_ardupilot =
+        std::any_of(flights.begin(), flights.end(),
+                    [](const auto& path) { return has_ending(path, {".bin"}); });
+    if (!logs_of_ardupilot) return;
+    const auto aside = std::stable_partition(tables.begin(), tables.end(), [](const auto& path) {
+      return !is_number_of_last_log(name_in_folder(path));
+    });
+    last_logs.assign(aside, tables.end());
+    tables.erase(aside, tables.end());
   }
   // The kind that is read.
   std::vector<std::string>& chosen() {
@@ -166,6 +184,7 @@ Listed listed(const std::string& folder) {
   found.leave_trajectories();
   found.leave_cues();
   found.leave_receiver();
+  found.leave_last_log();
   return found;
 }
 
@@ -366,6 +385,22 @@ std::vector<std::string> recordings_left_in(const std::string& folder) {
 std::vector<std::string> receiver_files_in(const std::string& folder) {
   std::vector<std::string> files = listed(folder).of_receiver;
   std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<std::string> last_logs_in(const std::vector<std::string>& paths) {
+  std::vector<std::string> files;
+  const bool any_log = std::any_of(paths.begin(), paths.end(), [](const std::string& path) {
+    return has_ending(path, {".bin"}) && !is_folder(path);
+  });
+  for (const std::string& path : paths) {
+    if (is_folder(path)) {
+      const std::vector<std::string> inside = listed(path).last_logs;
+      files.insert(files.end(), inside.begin(), inside.end());
+    } else if (any_log && is_number_of_last_log(name_in_folder(path))) {
+      files.push_back(path);
+    }
+  }
   return files;
 }
 

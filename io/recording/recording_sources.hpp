@@ -39,6 +39,10 @@ std::vector<std::string> recordings_left_in(const std::string& folder);
 // ascending order: these are not read, and harmless.
 std::vector<std::string> receiver_files_in(const std::string& folder);
 
+// LASTLOG.TXT of ArduPilot, in folders with its logs and among names of them: it has the number of
+// the last log, and no places.
+std::vector<std::string> last_logs_in(const std::vector<std::string>& paths);
+
 // "swarm" of "data/swarm.csv.gz"; "stdin" of "-".
 std::string stem_of(std::string_view path);
 

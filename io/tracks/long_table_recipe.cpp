@@ -12,13 +12,6 @@
 namespace beespace::io {
 namespace {
 
-// Whether it means itself within quotes of awk, and in a table with any delimiter.
-bool means_itself(std::string_view text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == ' ';
-  });
-}
-
 // The column of the time, or else that of the pictures.
 std::optional<std::size_t> time_column(const TableLayout& table) {
   for (const Role role : {Role::kTime, Role::kFrame}) {
@@ -39,15 +32,22 @@ std::string unit_named(std::string_view name) {
 
 // "p("r1",2,3,4)", with columns counted from 1.
 std::string call_of(const VehicleColumns& vehicle) {
-  std::string call = "p(\"" + vehicle.name + "\"," + std::to_string(vehicle.x + 1) + "," +
-                     std::to_string(vehicle.y + 1);
+  std::string call = "p(";
+  if (vehicle.named_by) {
+    call.append("$").append(std::to_string(*vehicle.named_by + 1));
+  } else {
+    call.append("\"").append(vehicle.name).append("\"");
+  }
+  call.append(",").append(std::to_string(vehicle.x + 1));
+  call.append(",").append(std::to_string(vehicle.y + 1));
   if (vehicle.z) call += "," + std::to_string(*vehicle.z + 1);
   return call + ")";
 }
 
 // The name that the time has in the long table.
 std::string time_name(const std::string& named) {
-  return means_itself(named) ? named : "time";
+  if (named == "%time") return "time_ns";  // of rostopic
+  return means_itself_in_awk(named) ? named : "time";
 }
 
 // What is asked at once otherwise, and what nothing in the long table says.
@@ -64,6 +64,12 @@ std::string replay_options(const std::string& time) {
 
 }  // namespace
 
+bool means_itself_in_awk(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == ' ';
+  });
+}
+
 std::string long_table_recipe(const TableLayout& table,
                               const std::vector<VehicleColumns>& vehicles) {
   constexpr std::size_t kMostVehicles = 40;
@@ -73,7 +79,7 @@ std::string long_table_recipe(const TableLayout& table,
   const bool high = vehicles.front().z.has_value();
   const std::string unit = unit_named(table.names[vehicles.front().x]);
   for (const VehicleColumns& vehicle : vehicles) {
-    const bool fits = vehicle.z.has_value() == high && means_itself(vehicle.name) &&
+    const bool fits = vehicle.z.has_value() == high && means_itself_in_awk(vehicle.name) &&
                       unit_named(table.names[vehicle.x]) == unit;
     if (!fits) return {};
   }
@@ -83,10 +89,16 @@ std::string long_table_recipe(const TableLayout& table,
   text += table.delimiter == '\t' ? std::string("\\t") : std::string(1, table.delimiter);
   // Carriage returns would be part of the last column.
   text += "' '{sub(/\\r$/,\"\")}";
-  text += std::string("function p(i,a,b") + (high ? ",c" : "") + "){if($a!=\"\")print $" +
-          std::to_string(*time + 1) + "\",\"i\",\"$a\",\"$b" + (high ? "\",\"$c" : "") + "}";
+  const bool ground = std::any_of(vehicles.begin(), vehicles.end(),
+                                  [](const VehicleColumns& of) { return of.named_by.has_value(); });
+  // Then it is asked about when it is read, as it is where frames are said.
+  const bool own = std::any_of(vehicles.begin(), vehicles.end(),
+                               [](const VehicleColumns& of) { return of.own_origin; });
+  text += std::string("function p(i,a,b") + (high ? ",c" : "") + "){if($a!=\"\"" +
+          (ground ? "&&i!=\"ground_plane\"" : "") + ")print $" + std::to_string(*time + 1) +
+          "\",\"i\",\"$a\",\"$b" + (high ? "\",\"$c" : "") + (own ? "\",odom\"" : "") + "}";
   text += "NR==" + std::to_string(table.lines_before) + "{print \"" + time_name(named) + ",id,x" +
-          end + ",y" + end + (high ? ",z" + end : "") + "\"}NR>" +
+          end + ",y" + end + (high ? ",z" + end : "") + (own ? ",header.frame_id" : "") + "\"}NR>" +
           std::to_string(table.lines_before) + "{";
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     text += (i == 0 ? "" : ";") + call_of(vehicles[i]);

@@ -273,6 +273,15 @@ std::optional<RosTable> find_ros_table(std::string_view text, const TableLayout&
   return table.names.empty() ? by_content(text, table) : by_names(text, table, free);
 }
 
+bool is_altitude_of_fix(const TableLayout& table, std::size_t column) {
+  if (column >= table.names.size()) return false;
+  if (!plain_name(table.names[column]).ends_with("altitude")) return false;
+  return std::any_of(table.names.begin(), table.names.end(), [](const std::string& name) {
+    const std::string plain = plain_name(name);  // no other table has these
+    return plain.ends_with("status_status") || plain.ends_with("position_covariance_type");
+  });
+}
+
 void prefer_own_id(const TableLayout& table, std::optional<RosTable>& ros) {
   if (!ros) return;
   for (std::size_t i = 0; i < table.names.size(); ++i) {

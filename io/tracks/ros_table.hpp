@@ -28,6 +28,10 @@ std::optional<std::size_t> find_axes_name(const TableLayout& table);
 // not said (`free`), where it has several.
 std::optional<RosTable> find_ros_table(std::string_view text, const TableLayout& table, bool free);
 
+// Whether the column is the altitude of sensor_msgs/NavSatFix, which is above the WGS84 ellipsoid
+// by definition of the message.
+bool is_altitude_of_fix(const TableLayout& table, std::size_t column);
+
 // Of JSON, to whose objects an id of their own may be added: that tells whose pose it is.
 void prefer_own_id(const TableLayout& table, std::optional<RosTable>& ros);
 

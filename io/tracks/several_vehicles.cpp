@@ -43,7 +43,8 @@ bool names_something_else(std::string_view word) {
       "img px pixel pixels screen utm rel relative delta diff gps gnss rtk est estimate "
       "estimated "
       "filtered smooth smoothed kalman ekf truth true gt measured meas obs observed imu raw fused "
-      "odom odometry mocap vicon local global centroid wcentroid pcentroid head tail thorax "
+      "linear angular odom odometry mocap vicon local global centroid wcentroid pcentroid head "
+      "tail thorax "
       "abdomen nose body map amcl slam geom ecef enu ned display normal",
       word);
 }
@@ -51,7 +52,7 @@ bool names_something_else(std::string_view word) {
 bool says_nothing(std::string_view word) {
   return is_one_of(
       "pos position pose point coord coordinate location m cm mm km ft deg degree degrees rad "
-      "metre metres meter meters in",
+      "metre metres meter meters in field",
       word);
 }
 
@@ -208,6 +209,32 @@ bool are_merged_pairs(const std::vector<std::string>& names) {
   return longitudes && latitudes;
 }
 
+// Of "name0" beside "pose0", as rostopic writes /gazebo/model_states: what names a vehicle.
+std::optional<std::size_t> name_of(const TableLayout& table, const std::string& whose) {
+  const std::size_t digits = whose.find_last_not_of("0123456789") + 1;
+  if (digits == whose.size()) return std::nullopt;
+  const std::string name = "name" + whose.substr(digits);
+  for (std::size_t i = 0; i < table.names.size() && i < table.contents.size(); ++i) {
+    const std::vector<std::string> words = split_words(table.names[i]);
+    if (table.contents[i] == ColumnContent::kText && !words.empty() && words.back() == name) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
+// Of "/robot1/odom/pose/pose/position/x" as PlotJuggler writes it: places that each robot may count
+// from where it was switched on. Frames are not in such a table.
+bool is_topic_of_odometry(std::string_view name) {
+  if (!name.starts_with('/')) return false;
+  bool own = false;
+  for (const std::string& word : split_words(name)) {
+    if (is_one_of("map global world gps gnss", word)) return false;
+    own = own || is_one_of("odom odometry local", word);
+  }
+  return own;
+}
+
 // As awk makes a record for each vehicle of them.
 std::string recipe_of(const TableLayout& table, const std::vector<Set>& sets) {
   std::vector<VehicleColumns> vehicles;
@@ -215,7 +242,9 @@ std::string recipe_of(const TableLayout& table, const std::vector<Set>& sets) {
     if (!set.has(Axis::kX, Axis::kY)) continue;
     std::string name = set.whose.empty() ? std::to_string(vehicles.size() + 1) : set.whose;
     if (set.time > 0) name += "_" + std::to_string(set.time + 1);
-    vehicles.push_back({std::move(name), *set.at(Axis::kX), *set.at(Axis::kY), set.at(Axis::kZ)});
+    const std::size_t x = *set.at(Axis::kX);
+    vehicles.push_back({std::move(name), x, *set.at(Axis::kY), set.at(Axis::kZ),
+                        name_of(table, set.whose), is_topic_of_odometry(table.names[x])});
   }
   return long_table_recipe(table, vehicles);
 }

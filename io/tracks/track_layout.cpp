@@ -331,6 +331,10 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
     if (seen == SeenRecords::kBeginning) layout.no_height_yet = choice.axes[2];
     leave_out_heights(choice);
   }
+  if (layout.frame == Frame::kWgs84 && choice.dimensions == 3 &&
+      choice.datum == HeightDatum::kUnstated && is_altitude_of_fix(layout.table, choice.axes[2])) {
+    choice.datum = HeightDatum::kEllipsoid;
+  }
   layout.units = choice.units_taken;
   UnitChoice units(layout.table.names, options.units);
   auto velocity = choose_velocity({header, choice, layout.frame, units, options.velocities_needed},

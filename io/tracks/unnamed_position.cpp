@@ -3,6 +3,7 @@
 #include "io/bytes/characters.hpp"
 #include "io/table/column_names.hpp"
 #include "io/table/record_problems.hpp"
+#include "io/tracks/echoed_messages.hpp"
 #include "io/tracks/joined_place.hpp"
 #include "io/tracks/mavlogdump.hpp"
 #include "io/tracks/offered_columns.hpp"
@@ -76,15 +77,7 @@ std::optional<Error> nameless_position(std::string_view text, const Header& head
   }
   if (auto problem = nested_problem(text, table)) return problem;
   if (auto problem = lights_problem(table)) return problem;
-  // "header:", the first line of most messages, or that of a list of transforms.
-  const bool echoed = table.names.size() == 1 && table.names.front().ends_with(':');
-  if (echoed && table.columns == 1) {
-    return missing_column(
-        "this is what 'ros2 topic echo' writes for reading, '" + table.names.front() +
-        "' and lines below it, which is not read: record it as a table, as by ros2 "
-        "topic echo --csv TOPIC > NAME.csv, or make one of the bag, which says how "
-        "when it is named");
-  }
+  if (auto problem = echoed_messages(table)) return problem;
   if (table.names.size() == 1 && table.columns == 1) {
     return missing_column(
         "the first line has one cell, '" + table.names.front() +

@@ -200,7 +200,17 @@ void draw_unknown(const RecordingFacts& facts, const Panel& panel, Drawing& draw
   hatch(times_in_conflict(unknown), kFoot);
 }
 
-// Broken where there are no two bees for longer than from one moment to the next.
+// Whether it is not known, for most of the time from one moment to the next, who is closest.
+bool is_open_between(const RecordingFacts& facts, double begins_s, double ends_s) {
+  double open_s = 0.0;
+  for (const TimeSpan& span : facts.separation_open) {
+    open_s += std::max(0.0, std::min(span.ends_s, ends_s) - std::max(span.begins_s, begins_s));
+  }
+  return open_s > 0.5 * (ends_s - begins_s);
+}
+
+// Broken where there are no two bees for longer than from one moment to the next, and where who is
+// closest is not known.
 Lines line_of(const RecordingFacts& facts, const Measure& measure, const Panel& panel) {
   const auto& all = facts.separation;
   double usual_s = 0.0;
@@ -214,7 +224,8 @@ Lines line_of(const RecordingFacts& facts, const Measure& measure, const Panel& 
   }
   Lines lines{{{}}, kText, 1.3};
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i > 0 && usual_s > 0.0 && all[i].time_s - all[i - 1].time_s > 1.5 * usual_s) {
+    const bool later = i > 0 && usual_s > 0.0 && all[i].time_s - all[i - 1].time_s > 1.5 * usual_s;
+    if (later || (i > 0 && is_open_between(facts, all[i - 1].time_s, all[i].time_s))) {
       lines.runs.emplace_back();
     }
     lines.runs.back().push_back(

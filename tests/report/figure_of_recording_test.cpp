@@ -74,6 +74,24 @@ TEST(FigureOfRecording, AFewFarSecondsDoNotPressAllElseAgainstTheAxis) {
   EXPECT_FALSE(says(figure_of(facts), "cut off"));
 }
 
+// A straight line would tell distances that nobody knows.
+TEST(FigureOfRecording, NoLineGoesThroughTimeInWhichTheClosestTwoAreNotKnown) {
+  RecordingFacts facts = two_tracks();
+  facts.separation = {{0.0, {0, 1, 9.0}}, {1.0, {0, 1, 8.0}}, {2.0, {0, 1, 9.0}}};
+  const auto runs_of = [](const RecordingFacts& of) {
+    std::size_t runs = 0;
+    for (const Lines& lines : shapes_of<Lines>(figure_of(of))) {
+      if (lines.width == 1.3) runs += lines.runs.size();
+    }
+    return runs;
+  };
+  const std::size_t runs = runs_of(facts);
+  facts.separation_open = {{0.0, 1.0}};
+  EXPECT_EQ(runs_of(facts), runs + 1);
+  facts.separation_open = {{0.9, 1.1}};
+  EXPECT_EQ(runs_of(facts), runs);
+}
+
 // Of two axes above each other there is no room for it in the titles.
 TEST(FigureOfRecording, AxesByPowersOfTenHaveATickAtTheLimit) {
   RecordingFacts facts = two_tracks();

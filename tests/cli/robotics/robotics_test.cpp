@@ -389,8 +389,12 @@ TEST(Robotics, WhatRos2EchoesForReadingIsKnown) {
   const Finished echoed =
       run({"replay", "--threshold", "5"}, "header:\n  stamp:\n    sec: 1\n    nanosec: 2\n---\n");
   EXPECT_NE(echoed.exit_code, 0);
-  expect_parts(echoed.err,
-               {"this is what 'ros2 topic echo' writes", "ros2 topic echo --csv TOPIC"});
+  expect_parts(echoed.err, {"this is what 'ros2 topic echo' writes", "ros2 topic echo --csv TOPIC",
+                            "import yaml; docs = [m for m in yaml.load_all(open('FILE')"});
+  const Finished of_gazebo = run({"replay", "--threshold", "5"},
+                                 "header {\n  stamp {\n  }\n}\npose {\n  name: \"x500_0\"\n}\n");
+  EXPECT_NE(of_gazebo.exit_code, 0);
+  expect_parts(of_gazebo.err, {"poses as 'gz topic -e' prints them", "python3 -c \"import re; "});
 }
 
 TEST(Robotics, AFolderThatROS2RecordedIntoIsKnown) {

@@ -37,6 +37,22 @@ TEST_F(SeveralDataflashLogs, OfAnArchiveAreReadByTheirNames) {
   EXPECT_EQ(ids_of(recording_of(load_recording({path}, {}))), (std::vector<std::string>{"1", "2"}));
 }
 
+// As the card of a flight controller has them.
+TEST_F(SeveralDataflashLogs, HaveTheNumberOfTheLastOneBesideThem) {
+  const std::string one = write("00000001.BIN", small_dataflash_log().bytes());
+  const std::string two = write("00000002.BIN", small_dataflash_log().bytes());
+  const std::string number = write("LASTLOG.TXT", "2\r\n");
+  write("vehicle.params", "1\t1\tARMING_CHECK\t1\t6\n");
+  const std::vector<std::vector<std::string>> ways = {{folder_.file("")}, {one, two, number}};
+  for (const auto& named : ways) {
+    const auto recording = recording_of(load_recording(named, {}));
+    EXPECT_EQ(recording.bees.size(), 2u);
+    EXPECT_TRUE(has_note(recording, "the number of the last log of ArduPilot and no places: "));
+    EXPECT_FALSE(has_note(recording, "left out"));
+  }
+  EXPECT_FALSE(load_recording({number}, {}));
+}
+
 TEST_F(SeveralDataflashLogs, WithoutATimeOfGpsShareNoClock) {
   DataflashMaking other = ardupilot_log();
   other.pos(2'000'000);
@@ -44,6 +60,9 @@ TEST_F(SeveralDataflashLogs, WithoutATimeOfGpsShareNoClock) {
   const std::string without = write("2.bin", other.bytes());
   expect_error(load_recording({with, without}, {}),
                {ErrorCode::kInvalidArgument, without, "it shares no clock with other inputs"});
+  RecordingOptions one_clock;
+  one_clock.one_clock = true;
+  EXPECT_TRUE(load_recording({without, without}, one_clock));
   EXPECT_TRUE(load_recording({without}, {}));
 }
 

@@ -91,6 +91,47 @@ TEST_F(SeveralLogs, WithoutATimeOfGpsShareNoClock) {
   EXPECT_TRUE(load_recording({without}, {}));
 }
 
+// As logs of one simulator, or of one time base, may have it: then it is for the caller to say.
+TEST_F(SeveralLogs, WithoutATimeOfGpsHaveOneClockWhereThatIsSaid) {
+  UlogMaking other = px4_log();
+  other.data(kGlobalNumber, global_message({.micros = 2'000'000}));
+  const std::string first = write("a.ulg", other.bytes());
+  const std::string second = write("b.ulg", other.bytes());
+  RecordingOptions options;
+  options.one_clock = true;
+  const auto recording = recording_of(load_recording({first, second}, options));
+  EXPECT_EQ(ids_of(recording), (Ids{"a", "b"}));
+  EXPECT_EQ(times_of(recording.bees[1]), Times{2});
+  const std::string since_1970 = write("c.ulg", small_log().bytes());
+  EXPECT_FALSE(load_recording({first, since_1970}, options));
+  expect_error(
+      load_recording({first, second}, {}),
+      {ErrorCode::kInvalidArgument, first,
+       "say so with --one-clock; else read it alone, leave it out, or, if you know how far "
+       "the clocks are apart, make tables with a common time: ulog2csv -m "
+       "vehicle_global_position FILE"});
+}
+
+// sensor_msgs/NavSatFix has its altitude above the ellipsoid, whatever the header calls it.
+TEST_F(SeveralLogs, HaveOtherHeightsThanSatelliteFixesOfRos) {
+  const std::string log = write("a.ulg", small_log().bytes());
+  const std::string echoed =
+      write("b.csv", "1795000000,0,gps,0,1,47,8,535.0,1,0,0,0,1,0,0,0,1,2\n");
+  const std::string named = write("c.csv",
+                                  "%time,field.header.stamp,field.status.status,field.latitude,"
+                                  "field.longitude,field.altitude,field.position_covariance_type\n"
+                                  "1795000000000000000,1795000000000000000,0,47,8,535.0,2\n");
+  const std::string of_bag =
+      write("d.csv", "id,time_ns,lon,lat,height_ellipsoid_m\nr,1795000000000000000,8,47,535\n");
+  for (const std::string& table : {echoed, named, of_bag}) {
+    expect_error(load_recording({log, table}, {}),
+                 {ErrorCode::kInvalidArgument, table,
+                  "heights here are above the WGS84 ellipsoid, but elsewhere, as in " + log +
+                      ", above mean sea level; read them apart"});
+    EXPECT_TRUE(load_recording({table}, {}));
+  }
+}
+
 // What a receiver says is logged before it is blended, and perhaps alone.
 TEST_F(SeveralLogs, HaveTheTimeOfAReceiverWhereThatIsAllTheyHave) {
   constexpr unsigned kReceiver = 13;

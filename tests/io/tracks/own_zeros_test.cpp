@@ -424,6 +424,9 @@ TEST(Airsim, CountsPlacesFromWhereEachBeganAndDownward) {
   expect_problem(record(two),
                  "AirSim counts the places of each vehicle from where it began, and here are "
                  "several ('Drone1', 'Drone2')");
+  expect_problem(record(two),
+                 "OFS='\\t' '$1==\"Drone1\"{$3+=<X>;$4+=<Y>;$5+=<Z>}$1==\"Drone2\"{$3+=<X>;$4+=<Y>;"
+                 "$5+=<Z>}1' FILE > common.txt, with these numbers for <X>, <Y> and <Z>");
   const auto said = recording_of(record(two, in_frame(Frame::kMetres)));
   ASSERT_EQ(ids_of(said), (std::vector<std::string>{"Drone1", "Drone2"}));
   EXPECT_EQ(said.bees[0].fixes[0].position, (Point{2, 1, 3}));

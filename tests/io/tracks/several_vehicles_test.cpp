@@ -46,6 +46,39 @@ TEST(SeveralVehicles, ALineOfAwkMakesRecords) {
                 "'time' is not in seconds, the unit is ms, us or ns; if"});
 }
 
+// As rostopic writes /gazebo/model_states: velocities are no places, and names are in the table.
+TEST(SeveralVehicles, StatesOfModelsHaveTheirNames) {
+  std::string header = "%time,field.name0,field.name1";
+  for (const std::string part : {"pose0.position", "pose1.position", "twist0.linear",
+                                 "twist0.angular", "twist1.linear", "twist1.angular"}) {
+    for (const std::string axis : {"x", "y", "z"}) {
+      header.append(",field.").append(part).append(".").append(axis);
+    }
+  }
+  std::string row = "1764331200000000000,ground_plane,robot1";
+  for (int i = 0; i < 18; ++i) row += ",1";
+  expect_error(record(header + "\n" + row + "\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "{if($a!=\"\"&&i!=\"ground_plane\")print "
+                "$1\",\"i\",\"$a\",\"$b\",\"$c}NR==1{print \"time_ns,id,x,y,z\"}NR>1{p($2,4,5,6);"
+                "p($3,7,8,9)}' FILE > long.csv, and then beespace replay long.csv --threshold "
+                "YOUR_THRESHOLD; if"});
+}
+
+// Frames are not in tables of PlotJuggler: topics of odometry are taken for what they are called.
+TEST(SeveralVehicles, OdometryOfSeveralIsInFramesOfTheirOwn) {
+  expect_error(load_with("__time,/r1/odom/pose/pose/position/x,/r1/odom/pose/pose/position/y,/r2/"
+                         "odom/pose/pose/position/x,/r2/odom/pose/pose/position/y"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "$1\",\"i\",\"$a\",\"$b\",odom\"}NR==1{print \"__time,id,x,y,header.frame_id\"}"});
+  expect_error(record("__time,id,x,y,header.frame_id\n1,r1,0,0,odom\n1,r2,0,0,odom\n",
+                      columns_are("", Unit::kSecond)),
+               {ErrorCode::kUnknownFrame, "bees.csv:3", "are in a frame 'odom' of ROS"});
+  expect_error(load_with("__time,/r1/pose/position/x,/r1/pose/position/y,/r2/pose/position/x,/r2/"
+                         "pose/position/y"),
+               {ErrorCode::kMissingColumn, "bees.csv:1", "{print \"__time,id,x,y\"}"});
+}
+
 // As PlotJuggler writes what is told of all transforms; those within a robot place none.
 TEST(SeveralVehicles, TransformsOfSeveralAreTheirPlaces) {
   std::string header = "__time";
