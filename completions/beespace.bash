@@ -138,9 +138,9 @@ _beespace() {
         --dates) values='auto day-first month-first' ;;
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
-        --set) files=yes ;;
-        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --set-columns | --set-begins | --origin) return ;;
-        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --set --set-columns --set-begins --origin --max-gap --json --quiet --help --version' files=yes ;;
+        --set | -o | --output) files=yes ;;
+        --columns | --time-zone | --fps | --scale | --least-likelihood | --units | --set-columns | --set-begins | --origin | --max-deviation) return ;;
+        *) options='--crs --columns --time-unit --one-clock --time-zone --dates --fps --scale --least-likelihood --grounded --units --heights --skip-bad --set --set-columns --set-begins --origin --max-gap --max-deviation --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     report)

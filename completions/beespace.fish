@@ -292,7 +292,11 @@ complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l set-columns -d
 complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l set-begins -d 'When 0 s of what was set was, by the clock of what was flown: 2025-11-27T19:00:00Z, or seconds'
 complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l origin -d 'Where 0,0,0 of what was set in metres is, if flown in degrees: lon,lat,height,heading of x (0 north, 90 east), by heights as flown (default: as a show says itself)'
 complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l max-gap -a 'never' -d 'Unknown between fixes farther apart in time (default: 5 times the typical interval)'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l max-deviation -d 'Name who is farther than this from where it was set to be (default: no limit)'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -r -s o -l output -d 'Where the answer goes, by its ending .csv or .json, perhaps with .gz, in this form (default: standard output)'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -f -l csv -d 'With a header, values between commas'
 complete -c beespace -n '__fish_seen_subcommand_from fleet' -f -l json -d 'One JSON document with everything in it'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -f -l fail-on-risk -d 'Exit with 1 when one is farther than --max-deviation, or it is not known how far: in gaps, or set or flown alone'
 complete -c beespace -n '__fish_seen_subcommand_from fleet' -f -l quiet -d 'No summary and no progress, only errors'
 
 complete -c beespace -n '__fish_seen_subcommand_from report' -x -l crs -a 'auto wgs84 metres' -d 'Whether positions are in degrees or metres'

@@ -8,6 +8,7 @@
 #include <beespace/track.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -18,8 +19,17 @@ namespace {
 constexpr double kClearlyHigher_m = 5.0;
 constexpr double kMoves_m = 1.0;
 constexpr double kMovesWithin_s = 5.0;
+// Satellite fixes of one that stands wander over ground by less in that time.
+constexpr double kMovesAtOnce_m = 2.0;
+// No roof is above the ground beside it so near.
+constexpr double kSamePlace_m = 3.0;
 // Above the place of take-off, by its own word.
 constexpr double kFliesAbove_m = 2.0;
+
+double over_ground_m(const Point& a, const Point& b, io::Frame frame) {
+  const Point apart = io::flat_offset_m(a, b, frame);
+  return std::hypot(apart.x, apart.y);
+}
 
 bool moves_at_first(const io::RecordedBee& bee, io::Frame frame) {
   const Fix& first = bee.fixes.front();
@@ -29,15 +39,21 @@ bool moves_at_first(const io::RecordedBee& bee, io::Frame frame) {
   });
 }
 
+// Its lowest fix, of which there are some.
+const Fix& lowest_of(const io::RecordedBee& bee) {
+  return *std::min_element(bee.fixes.begin(), bee.fixes.end(),
+                           [](const Fix& a, const Fix& b) { return a.position.z < b.position.z; });
+}
+
 bool flies_at_first(const io::Recording& recording, PointId number) {
   const io::RecordedBee& bee = recording.bees[number];
   const Fix& first = bee.fixes.front();
   if (bee.on_surface || has_landed(recording, number, first.time_s)) return false;
   if (bee.took_off_at_m) return first.position.z - *bee.took_off_at_m > kFliesAbove_m;
-  double lowest_m = std::numeric_limits<double>::infinity();
-  for (const Fix& fix : bee.fixes) lowest_m = std::min(lowest_m, fix.position.z);
-  if (first.position.z - lowest_m <= kClearlyHigher_m) return false;
-  return !bee.landed.empty() || moves_at_first(bee, recording.frame);
+  const Point& lowest = lowest_of(bee).position;
+  if (first.position.z - lowest.z <= kClearlyHigher_m) return false;
+  return !bee.landed.empty() || moves_at_first(bee, recording.frame) ||
+         over_ground_m(first.position, lowest, recording.frame) <= kSamePlace_m;
 }
 
 }  // namespace
@@ -59,6 +75,20 @@ std::size_t begins_in_air(const io::Recording& recording, const MaxGap& max_gap)
     if (flies_at_first(recording, number)) ++count;
   }
   return count;
+}
+
+bool may_stand_at_first(const io::Recording& recording, PointId number) {
+  const io::RecordedBee& bee = recording.bees[number];
+  if (bee.fixes.empty()) return false;
+  const Fix& first = bee.fixes.front();
+  if (bee.on_surface || has_landed(recording, number, first.time_s)) return true;
+  if (bee.took_off_at_m) return first.position.z - *bee.took_off_at_m <= kFliesAbove_m;
+  if (first.position.z - lowest_of(bee).position.z > kClearlyHigher_m) return false;
+  // It may take off at once.
+  return std::none_of(bee.fixes.begin(), bee.fixes.end(), [&](const Fix& fix) {
+    return fix.time_s <= first.time_s + kMovesWithin_s &&
+           over_ground_m(first.position, fix.position, recording.frame) > kMovesAtOnce_m;
+  });
 }
 
 std::string begins_in_air_text(std::size_t bees) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace beespace::analysis {
 
@@ -25,10 +26,11 @@ double length_of(const Point& p) {
   return std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
 }
 
-Extreme extreme_of(std::vector<double>& values) {
+// The greatest, and that which only one of so many exceeds.
+Extreme extreme_of(std::vector<double>& values, std::size_t one_of = 1000) {
   if (values.empty()) return {};
   const std::size_t last = values.size() - 1;
-  const std::size_t usual = last - last / 1000;
+  const std::size_t usual = last - last / one_of;
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(usual);
   std::nth_element(values.begin(), at, values.end());
   return {*std::max_element(at, values.end()), *at};
@@ -73,13 +75,21 @@ double mean_square(const std::vector<double>& lengths) {
   return lengths.empty() ? 0.0 : sum / static_cast<double>(lengths.size());
 }
 
-std::optional<FarthestFix> farthest_of(const std::vector<Deviation>& deviations) {
-  std::optional<FarthestFix> farthest;
-  for (const Deviation& one : deviations) {
-    const double metres = length_of(one.by);
-    if (!farthest || metres > farthest->deviation_m) farthest = {one.time_s, metres};
-  }
-  return farthest;
+std::optional<BeeDeviation> summed_up(const std::vector<Deviation>& deviations) {
+  if (deviations.empty()) return std::nullopt;
+  constexpr std::size_t kOneOf = 20;
+  std::vector<double> lengths;
+  lengths.reserve(deviations.size());
+  add_lengths(deviations, lengths);
+  const auto farthest = std::max_element(lengths.begin(), lengths.end());
+  BeeDeviation bee;
+  bee.fixes = lengths.size();
+  bee.farthest_m = *farthest;
+  bee.farthest_s = deviations[static_cast<std::size_t>(farthest - lengths.begin())].time_s;
+  bee.mean_m =
+      std::accumulate(lengths.begin(), lengths.end(), 0.0) / static_cast<double>(lengths.size());
+  bee.p95_m = extreme_of(lengths, kOneOf).usual;
+  return bee;
 }
 
 // What was flown so late that all lags can be compared on the same fixes.
@@ -118,12 +128,12 @@ TrackingFigures tracking_figures(const std::vector<SetAndFlown>& bees, double ma
   std::vector<double> rates;
   std::vector<double> accelerations;
   std::uint64_t flown = 0;
-  figures.farthest.reserve(bees.size());
+  figures.each.reserve(bees.size());
   for (const SetAndFlown& bee : bees) {
     const std::vector<Deviation> deviations = deviations_of(bee, 0.0, max_gap_s);
     const std::vector<Deviation> changes = change_of(deviations, max_gap_s);
     add_lengths(deviations, distances);
-    figures.farthest.push_back(farthest_of(deviations));
+    figures.each.push_back(summed_up(deviations));
     add_lengths(changes, rates);
     add_lengths(change_of(changes, max_gap_s), accelerations);
     flown += bee.flown.fixes.size();

@@ -20,10 +20,13 @@ struct Extreme {
   double usual = 0.0;
 };
 
-// Where a bee was farthest from what was set.
-struct FarthestFix {
-  double time_s = 0.0;  // when it was flown
-  double deviation_m = 0.0;
+// How far one bee was from what was set.
+struct BeeDeviation {
+  std::uint64_t fixes = 0;  // that were compared: one or more
+  double farthest_s = 0.0;  // when it was farthest, by the clock of what was flown
+  double farthest_m = 0.0;  // and how far
+  double mean_m = 0.0;
+  double p95_m = 0.0;  // what 95 of 100 do not exceed
 };
 
 struct TrackingFigures {
@@ -37,7 +40,7 @@ struct TrackingFigures {
   std::optional<double> lag_s;
   Extreme without_lag_m;  // the deviation from what was set so much earlier
   // Of each bee; nothing of one of which no fix was compared.
-  std::vector<std::optional<FarthestFix>> farthest;
+  std::vector<std::optional<BeeDeviation>> each;
 };
 
 // The tracks that a bee was set to fly and flew.

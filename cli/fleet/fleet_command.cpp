@@ -2,18 +2,20 @@
 
 #include "analysis/recorded/gaps.hpp"
 #include "analysis/recorded/tracking_figures.hpp"
-#include "cli/console/standard_output.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/fleet/fleet_output.hpp"
+#include "cli/fleet/fleet_summary.hpp"
 #include "cli/fleet/set_beside_flown.hpp"
 #include "cli/input/moving_output.hpp"
+#include "cli/output/output_file.hpp"
 #include "io/load_recording.hpp"
 
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace beespace::cli {
 namespace {
@@ -51,6 +53,10 @@ std::string summary_of(const FleetRequest& request, const io::Recording& flown,
 }  // namespace
 
 Result<ExitCode> run_fleet(const FleetRequest& request) {
+  std::vector<std::string> inputs = request.moving.inputs;
+  inputs.push_back(request.set);
+  auto output = open_output("fleet", request.moving.output, inputs, request.moving.form.packing);
+  if (!output) return std::move(output).error();
   io::RecordingOptions load = request.moving.load;
   load.one_of_several = true;
   const auto flown = io::load_recording(request.moving.inputs, load);
@@ -63,16 +69,25 @@ Result<ExitCode> run_fleet(const FleetRequest& request) {
                  "--set-columns is for tables, but '" + request.set + "' is none; leave it out",
                  {}};
   }
-  const analysis::MaxGap max_gap = analysis::max_gap_of(*set, request.max_gap_s);
-  const auto both = set_beside_flown(*flown, *set, request.beside, max_gap.seconds);
+  const MaxGaps max_gaps{analysis::max_gap_of(*flown, request.max_gap_s),
+                         analysis::max_gap_of(*set, request.max_gap_s)};
+  const auto both = set_beside_flown(*flown, *set, request.beside, max_gaps);
   if (!both) return both.error();
-  const analysis::TrackingFigures figures = analysis::tracking_figures(both->bees, max_gap.seconds);
+  const analysis::TrackingFigures figures =
+      analysis::tracking_figures(both->bees, max_gaps.set.seconds);
   if (Status compared = check_compared(*both, figures); !compared) return compared.error();
-  const FleetAnswer answer{*both, figures, *flown};
-  const ExitCode written = print(request.moving.json ? fleet_json(answer) : fleet_text(answer));
-  if (written != ExitCode::kFine || request.moving.quiet) return written;
-  say(summary_of(request, *flown, *set, *both));
-  return written;
+  const FleetAnswer answer{*both, figures, *flown, *set, request.max_deviation_m};
+  write_answer(
+      fleet_rows(answer), request.moving,
+      [&answer](io::JsonWriter& json) { write_figures(json, answer); }, "each", *output);
+  const Status written = output->commit();
+  if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
+  if (!written) return written.error();
+  if (!request.moving.quiet) {
+    say(summary_of(request, *flown, *set, *both) + fleet_summary(answer));
+  }
+  const bool risk = !bees_too_far(answer).empty() || !is_known(answer);
+  return request.moving.fail_on_risk && risk ? ExitCode::kRiskFound : ExitCode::kFine;
 }
 
 }  // namespace beespace::cli

@@ -16,6 +16,7 @@ struct FleetRequest {
   std::string set_columns;          // of that, as of --columns
   std::optional<double> max_gap_s;  // absent: from the data
   SetOptions beside;                // where and when what was set was to be flown
+  std::optional<double> max_deviation_m;
 };
 
 Command fleet_command();

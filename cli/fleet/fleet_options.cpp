@@ -24,29 +24,40 @@ constexpr const char* kDetails =
     "same by\n"
     "their ids. Compares each flown fix with the place that was set then, on straight lines "
     "between\n"
-    "fixes, and tells of all bees the greatest and what 99.9 % do not exceed:\n"
-    "  deviation     how far it is from where it was set to be\n"
-    "  rate          how fast that changes, from fix to fix\n"
-    "  acceleration  how fast the rate changes\n"
+    "fixes. What was set in metres and flown in degrees, as a show is, is set down on the Earth "
+    "where\n"
+    "the show says that it is, or --origin does; --set-begins says when it was begun. Ids that "
+    "differ are\n"
+    "matched by their numbers, 'Drone 3' and '3', or, where these mean others or there are none, "
+    "by\n"
+    "where each begins; so is a spare that flies for another.\n"
+    "\n"
+    "Standard output, or --output, gets a line for each bee: id, and in what was set; how far it "
+    "was\n"
+    "from where it was set to be, when, on average, and in 95 of 100 fixes; how many fixes; and "
+    "for\n"
+    "how long it was set to fly and it is not known where it was, in gaps of more than --max-gap "
+    "and\n"
+    "where its fixes begin late or end early.\n"
+    "The summary, on standard error, tells of all bees the greatest and what 99.9 % do not "
+    "exceed:\n"
+    "  deviation     how far one is from where it was set to be\n"
     "  lag           how much later than set they fly, and the deviation without that\n"
-    "and who strayed farthest, and when. What was set in metres and flown in degrees, as a show "
-    "is,\n"
-    "is set down on the Earth where the show says that it is, or --origin does; --set-begins says\n"
-    "when it was begun. Ids that differ are matched by their numbers, 'Drone 3' and '3',\n"
-    "or, where these mean others, by where each begins.\n"
-    "Then the figures to plan with. Set and flown positions cannot tell how wrong the flown ones "
-    "are\n"
-    "themselves, nor what was wind and what was corrected; see docs/fleet-figures.md. How both "
-    "were\n"
-    "read goes to standard error.\n"
+    "and, if what was set is no show, the figures to plan with:\n"
+    "  rate          how fast the deviation changes, from fix to fix\n"
+    "  changes by    how fast the rate changes\n"
+    "Set and flown positions cannot tell how wrong the flown ones are themselves, nor what was "
+    "wind\n"
+    "and what was corrected; see docs/fleet-figures.md.\n"
     "\n"
     "Examples:\n"
     "  beespace fleet flown.csv --set set.csv\n"
     "  beespace fleet telemetry.csv --set show.skyc --set-begins 2025-11-27T19:00:00Z\n"
+    "  beespace fleet logs/ --set show.skyc --max-deviation 1m --fail-on-risk --output drones.csv\n"
     "  beespace fleet log.csv --set log.csv --set-columns x=set_x,y=set_y,z=set_z --json\n"
     "\n"
-    "Exit status: 0 done, 2 wrong usage, 3 bad input, 4 cannot open, read or write, 130 "
-    "interrupted,\n"
+    "Exit status: 0 done, 1 one is farther than --max-deviation, or it is not known how far (with\n"
+    "--fail-on-risk), 2 wrong usage, 3 bad input, 4 cannot open, read or write, 130 interrupted,\n"
     "143 terminated, 141 closed pipe.";
 
 // "2025-11-27T19:00:00.2Z", or seconds of the clock of what was flown.
@@ -69,7 +80,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
 }
 
 Status settle_fleet(FleetRequest& request) {
-  if (Status settled = settle(request.moving, "fleet"); !settled) return settled;
+  if (Status settled = settle_answer(request.moving, "fleet"); !settled) return settled;
   if (request.set.empty()) {
     return usage_error("fleet", "--set is missing; give the file of what was set to be flown");
   }
@@ -112,8 +123,13 @@ Command fleet_command() {
                "lon,lat,height,heading of x (0 north, 90 east),\nby heights as flown (default: "
                "as a show says itself)");
   add_max_gap_option(fleet, request->max_gap_s);
-  fleet.group("Output");
-  fleet.flag("--json", moving.json, "One JSON document with everything in it");
+  fleet.option("--max-deviation", "LENGTH", request->max_deviation_m, amount("metres", kAboveZero),
+               "Name who is farther than this from where it was set to\nbe (default: no limit)");
+  add_form_options(fleet, moving);
+  fleet.flag(
+      "--fail-on-risk", moving.fail_on_risk,
+      "Exit with 1 when one is farther than --max-deviation,\nor it is not known how far: in "
+      "gaps, or set or flown alone");
   add_quiet_option(fleet, moving.quiet);
   return fleet;
 }

@@ -1,13 +1,14 @@
 // What was set beside what was flown: the same bees, in one frame and by one clock.
 #pragma once
 
+#include "analysis/recorded/gaps.hpp"
 #include "analysis/recorded/tracking_figures.hpp"
 #include "io/recording/recording.hpp"
 #include "report/placement.hpp"
 
+#include <beespace/conflict.hpp>
 #include <beespace/result.hpp>
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,17 +26,31 @@ struct SetOptions {
   std::optional<SetBegins> begins = {};
 };
 
+struct MaxGaps {
+  analysis::MaxGap flown;
+  analysis::MaxGap set;
+};
+
+// What was set and not flown, and for how long it was.
+struct OnlySet {
+  std::string id = {};
+  double seconds = 0.0;
+};
+
 struct SetBesideFlown {
   std::vector<analysis::SetAndFlown> bees = {};  // that were set and flown
   std::vector<std::string> flown_ids = {};       // of these
   std::vector<std::string> set_ids = {};
-  std::size_t only_one = 0;  // of which one of both is there
+  // Of these: when it was set, and it is not known where it was.
+  std::vector<std::vector<TimeSpan>> unknown = {};
+  std::vector<std::string> only_flown = {};
+  std::vector<OnlySet> only_set = {};
   std::vector<std::string> notes = {};
 };
 
 // Errors: kUnsupportedFormat for what cannot be compared, as ids, frames or clocks differ;
 // kInvalidArgument where the options have to say more, or less, with the line to type.
 Result<SetBesideFlown> set_beside_flown(const io::Recording& flown, const io::Recording& set,
-                                        const SetOptions& options, double max_gap_s);
+                                        const SetOptions& options, const MaxGaps& max_gaps);
 
 }  // namespace beespace::cli

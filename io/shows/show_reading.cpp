@@ -62,7 +62,7 @@ class ShowReading {
     if (!options.columns.empty() && !options.one_of_several) {
       return invalid("--columns is for text tables, but this is a Skybrush show; leave it out");
     }
-    if (options.units.any()) {
+    if (options.units.any() && !options.one_of_several) {
       return invalid("the numbers of a Skybrush show have their units; leave --units out");
     }
     if (options.time_unit != Unit::kUnstated && !options.one_of_several) {

@@ -75,7 +75,7 @@ class VvizReading {
     }
     UnitOverrides others = options.units;
     unit_ = std::exchange(others.position, Unit::kUnstated);
-    if (others.any()) {
+    if (others.any() && !options.one_of_several) {
       return invalid(
           "a show as VVIZ has positions alone; say their unit with --units position=ft, and leave "
           "other units out");

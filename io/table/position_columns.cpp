@@ -59,6 +59,8 @@ NamePattern coordinate() {
       {Says::kPart, "высота", Role::kHeight, "Russian"},
       {Says::kPart, "yükseklik", Role::kHeight, "Turkish"},
       {Says::kPart, "geoaltitude", Role::kHeight, "OpenSky", HeightDatum::kEllipsoid},
+      // With its unit, as "altitudeAMSL [m]"; without it the source says what it is.
+      {Says::kPart, "altitudeamsl", Role::kHeight, "QGroundControl", HeightDatum::kMeanSeaLevel},
       {Says::kPart, "baroaltitude", Role::kHeight, "OpenSky", HeightDatum::kPressure},
       {Says::kPart, "x", Role::kX},
       {Says::kPart, "y", Role::kY},

@@ -31,9 +31,12 @@ std::size_t count_in(const io::Recording& recording) {
 TEST(BeginsInAir, IsWhoIsHigherThanLaterAndMoves) {
   EXPECT_EQ(count_in(log_from(0.0)), 1u);
   EXPECT_EQ(count_in(log_from(52.0)), 0u);
-  // Who stands somewhere higher than where it lands is not known to fly.
+  // Who hovers comes down there; who stands somewhere higher than where it lands is not known to
+  // fly.
   io::Recording still = log_from(0.0);
   for (Fix& fix : still.bees[0].fixes) fix.position.x = 0.0;
+  EXPECT_EQ(count_in(still), 1u);
+  for (Fix& fix : still.bees[0].fixes) fix.position.x = fix.time_s < 30.0 ? 0.0 : 60.0;
   EXPECT_EQ(count_in(still), 0u);
   still.bees[0].landed = {{50.0, 60.0}};  // but who says later that it has landed
   EXPECT_EQ(count_in(still), 1u);
@@ -64,6 +67,17 @@ TEST(BeginsInAir, CountsThoseThatBeginWithTheRecording) {
   EXPECT_EQ(begins_in_air_text(1),
             "1 drone is in the air when the recording begins: what was before is not known");
   EXPECT_EQ(begins_in_air_text(0), "");
+}
+
+TEST(BeginsInAir, NothingSpeaksAgainstStandingOfWhoIsLowAndDoesNotMove) {
+  EXPECT_FALSE(may_stand_at_first(log_from(0.0), 0));
+  EXPECT_TRUE(may_stand_at_first(log_from(52.0), 0));
+  io::Recording above = log_from(52.0);
+  above.bees[0].took_off_at_m = -20.0;
+  EXPECT_FALSE(may_stand_at_first(above, 0));
+  io::Recording landed = log_from(0.0);
+  landed.bees[0].landed = {{0.0, 1.0}};
+  EXPECT_TRUE(may_stand_at_first(landed, 0));
 }
 
 }  // namespace

@@ -66,6 +66,22 @@ TEST(TrackingFigures, OneOutlierIsTheGreatestAndNotUsual) {
   EXPECT_EQ(figures.deviation_m.usual, 0.0);
 }
 
+TEST(TrackingFigures, OfEachBeeTheFarthestTheMeanAndWhat95Of100DoNotExceed) {
+  SetAndFlown bee{{{{0, {0, 0, 0}}, {100, {0, 0, 0}}}}, {}};
+  for (int second = 0; second < 100; ++second) {
+    bee.flown.fixes.push_back({static_cast<double>(second), {0, 0, second == 7 ? 5.0 : 1.0}});
+  }
+  const TrackingFigures figures = tracking_figures({bee, {bee.set, {}}}, kEver);
+  ASSERT_EQ(figures.each.size(), 2u);
+  ASSERT_TRUE(figures.each[0]);
+  EXPECT_EQ(figures.each[0]->fixes, 100u);
+  EXPECT_DOUBLE_EQ(figures.each[0]->farthest_m, 5.0);
+  EXPECT_DOUBLE_EQ(figures.each[0]->farthest_s, 7.0);
+  EXPECT_NEAR(figures.each[0]->mean_m, 1.04, 1e-12);
+  EXPECT_DOUBLE_EQ(figures.each[0]->p95_m, 1.0);
+  EXPECT_FALSE(figures.each[1]);
+}
+
 TEST(TrackingFigures, WhereNothingWasSetNothingIsCompared) {
   SetAndFlown bee = flight(on_circle);
   bee.set.fixes.erase(bee.set.fixes.begin() + 100, bee.set.fixes.begin() + 200);

@@ -28,12 +28,16 @@ TEST(Fleet, SaysHowFarAndHowFastBeesStray) {
   const std::string set = folder.file("set.csv", kSet);
   const Finished finished = run({"fleet", "--set", set}, kFlown);
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
-  expect_parts(finished.out,
-               {"2 bees, 6 fixes compared\n", "deviation     0.500 m (99.9 %: 0.500 m)\n",
-                "rate          0.500 m/s", "acceleration  0.750 m/s^2",
-                "lag           none that could be told\n",
-                "to plan with  sensing_error_m = 0.500, deviation_mps = 0, correction_mps = 0.500",
-                "Not told: how wrong flown positions are themselves."});
+  EXPECT_EQ(finished.out,
+            "id\tset_id\tfarthest_m\tfarthest_s\tmean_m\tp95_m\tfixes\tunknown_s\n"
+            "a\ta\t0.5\t1\t0.25\t0.5\t3\t0\nb\tb\t0\t0\t0\t0\t3\t0\n");
+  expect_parts(
+      finished.err,
+      {"compared   2 bees, 6 fixes\n", "deviation  at most 0.500 m (99.9 %: 0.500 m)\n",
+       "farthest   a, 0.500 m from where it was set to be at 1.00 s\n", "rate       0.500 m/s",
+       "changes by 0.750 m/s^2", "lag        none that could be told\n",
+       "to plan    sensing_error_m = 0.500, deviation_mps = 0, correction_mps = 0.500; how wrong "
+       "flown positions are themselves is not told"});
 }
 
 TEST(Fleet, ReadsBothFromColumnsOfOneTable) {
