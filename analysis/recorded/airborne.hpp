@@ -34,7 +34,17 @@ class Airborne {
 
 // Who is recorded while no other is, as by a log of another day, where others are at the same time:
 // it is compared with none. Nothing where all are alone, or each is known for an instant, and of
-// shows, which are one plan.
+// shows, which are one plan. Of tables of drones whose clock has no time zone these are also
+// several that are recorded together, but while none of most of the others is, and begin as much
+// earlier or later than these as two zones are apart, as where two computers wrote the tables.
 std::vector<PointId> recorded_alone(const io::Recording& recording);
+
+// How much later those begin than the others, by the middle of both.
+std::optional<double> alone_begins_s(const io::Recording& recording,
+                                     const std::vector<PointId>& alone);
+
+// The whole quarters of an hour that two clocks are apart which begin one flight about then, as far
+// as two time zones may be; nothing where it is another time.
+std::optional<double> zones_apart_s(double apart_s);
 
 }  // namespace beespace::analysis

@@ -416,7 +416,8 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& lon
   coverage.begins_in_air = begins_in_air(recording, max_gap);
   coverage.instants_only = is_of_instants(recording);
   coverage.alone = recorded_alone(recording);
-  coverage.alone_is_known = !recording.of_drones;
+  coverage.alone_is_known = !recording.of_drones && !recording.called_drones;
+  if (!coverage.alone_is_known) coverage.alone_begins_s = alone_begins_s(recording, coverage.alone);
   coverage.bridged = longest_bridged(recording, max_gap);
   coverage.missing = missing_within(recording, max_gap.seconds);
   return coverage;

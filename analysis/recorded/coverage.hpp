@@ -62,9 +62,11 @@ struct Coverage {
   std::vector<PointId> unseen = {};
   // Recorded while no other is, though others are at the same time: compared with none.
   std::vector<PointId> alone = {};
-  // As animals over years, and aircraft that pass. Logs of drones that fly together are of one
-  // time, or a clock is wrong.
+  // As animals over years, and aircraft that pass. Logs and tables of drones that fly together are
+  // of one time, or a clock is wrong.
   bool alone_is_known = true;
+  std::optional<double> alone_begins_s =
+      {};                           // of drones: how much later they begin than the others
   std::optional<Gap> bridged = {};  // the longest interval that was joined, where that is unusual
   bool in_a_plane = false;
   bool sector = false;  // before and after, those partly known are outside, and not asked about
@@ -136,7 +138,8 @@ std::string missing_text(const io::MissingRecords& missing, const io::RecordedNo
 // "a1b2c3 (UAL123) from 12.50 s for 3 min 20 s".
 std::string gap_text(const Gap& gap, const io::Recording& recording);
 
-// "3 is recorded while no other is: compared with none"; nothing where there is none.
+// "3 is recorded while no other is: compared with none"; of drones also by how much it is apart
+// from the others, and what to do about it. Nothing where there is none.
 std::string alone_text(const Coverage& coverage, const io::Recording& recording);
 
 // "3 from 20:00:33 for 5 s"; nothing where none is longer than is usual.

@@ -1,9 +1,11 @@
+#include "analysis/recorded/airborne.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/recording/moment_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -41,6 +43,23 @@ std::string names_cut_off(const Coverage& coverage, const io::Recording& recordi
   if (bees.size() != coverage.bees_cut_off) return {};
   std::sort(bees.begin(), bees.end());
   return names_of(bees, &recording);
+}
+
+// "; its times begin 1 h before those of the others", and what that may mean.
+std::string apart_in_time(double later_s, bool one, const io::Recording& recording) {
+  const auto zones_s = zones_apart_s(later_s);
+  const double apart_s = std::abs(zones_s.value_or(later_s));
+  if (!(apart_s >= 1.0)) return {};
+  const std::string whose = one ? "its" : "their";
+  std::string text = "; " + whose + " times begin " + (zones_s ? "about " : "") +
+                     io::time_span(apart_s) + (later_s < 0.0 ? " before" : " after") +
+                     " those of the others";
+  if (!zones_s) return text;
+  if (recording.clock) {
+    return text + ": was the clock in another time zone? Then write the zone behind " + whose +
+           " times, as in 2026-05-01 12:00:00+02:00, and say that of the others with --time-zone";
+  }
+  return text + ": is a clock set to another time zone?";
 }
 
 }  // namespace
@@ -170,8 +189,14 @@ std::string alone_text(const Coverage& coverage, const io::Recording& recording)
   const std::size_t more = coverage.alone.size() - first.size();
   std::string names = listed(first, recording);
   if (more > 0) names += " and " + io::grouped(std::uint64_t{more}) + " more";
-  return names + (coverage.alone.size() == 1 ? " is" : " are") +
-         " recorded while no other is: compared with none";
+  const bool one = coverage.alone.size() == 1;
+  std::string text = names + (one ? " is" : " are") +
+                     (one ? " recorded while no other is: compared with none"
+                          : " recorded while none of the others is: compared with none of these");
+  if (coverage.compared_with_none() && coverage.alone_begins_s) {
+    text += apart_in_time(*coverage.alone_begins_s, one, recording);
+  }
+  return text;
 }
 
 std::string bridged_text(const Coverage& coverage, const io::Recording& recording) {

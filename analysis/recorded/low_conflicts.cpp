@@ -121,6 +121,23 @@ LowConflicts leave_out_low(const io::Recording& recording, double below_m,
   return low;
 }
 
+bool may_be_of_grid(double closest_m, double threshold_m) {
+  // Closer than this the places of a grid are not.
+  constexpr double kOfThreshold = 0.25;
+  constexpr double kOfDrones_m = 0.8;
+  return closest_m >= std::min(kOfThreshold * threshold_m, kOfDrones_m);
+}
+
+std::size_t would_leave_out_low(const io::Recording& recording, double threshold_m,
+                                const std::vector<Conflict>& conflicts) {
+  if (conflicts.empty() || recording.of_aircraft || recording.of_animals || recording.flat)
+    return 0;
+  std::vector<Conflict> left = conflicts;
+  const LowConflicts low = leave_out_low(recording, threshold_m, left);
+  const auto closest = low.closest();
+  return closest && may_be_of_grid(closest->closest_m, threshold_m) ? low.left_out.size() : 0;
+}
+
 std::string low_text(const LowConflicts& low) {
   return io::counted(low.left_out.size(), "conflict", "conflicts") + " of two lower than " +
          io::exact(low.below_m) + " m above where they took off";

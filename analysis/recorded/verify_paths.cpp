@@ -39,6 +39,9 @@ class PathVerification {
     if (question_.ignore_below_m) {
       verdict_.low = leave_out_low(recording_, *question_.ignore_below_m, verdict_.losses);
       leave_out_too(verdict_.low, verdict_.with_standing);
+    } else {
+      verdict_.low.would_leave_out =
+          would_leave_out_low(recording_, question_.threshold_m, verdict_.losses);
     }
     for (PointId bee = 0; bee < flights_.size(); ++bee) {
       if (question_.stop.stop_requested()) {

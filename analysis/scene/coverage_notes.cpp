@@ -12,6 +12,7 @@ void note_coverage(const Coverage& coverage, const io::Recording& recording,
     if (!text.empty()) swarm.notes.push_back(std::move(text));
   };
   if (!coverage.complete()) note("what is said of conflicts is of the known time: " + unknown);
+  if (coverage.compared_with_none()) note(alone_text(coverage, recording));
   note(begins_in_air_text(coverage.begins_in_air));
   note(coverage.whole_seconds);
   note(sector_text(coverage, swarm.noun));

@@ -356,6 +356,12 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
     low = leave_out_low(recording, *request.ignore_below_m, recorded->conflicts);
     leave_out_too(low, *standing);
     take_low(low, recording, facts);
+  } else if (const auto count =
+                 would_leave_out_low(recording, swarm.threshold_m, recorded->conflicts);
+             count > 0) {
+    swarm.notes.push_back("--ignore-below " + io::exact(swarm.threshold_m) + " leaves out " +
+                          io::counted(count, "conflict", "conflicts") +
+                          " of two that are both lower than that above where they took off");
   }
   WorstOf worst;
   if (swarm.vertical_m) {

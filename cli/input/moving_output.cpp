@@ -272,16 +272,17 @@ void append_low(std::string& out, const analysis::LowConflicts& low, const io::R
                 const MovingRequest& request, const Distances& distances,
                 const std::vector<Conflict>& standing) {
   if (!request.ignore_below_m) {
-    // Closer than this the places of a grid are not.
-    constexpr double kOfGrid = 0.25;
-    const bool of_grid = std::none_of(standing.begin(), standing.end(), [&](const Conflict& one) {
-      return one.closest_m < kOfGrid * distances.threshold_m;
+    const bool of_grid = std::all_of(standing.begin(), standing.end(), [&](const Conflict& one) {
+      return analysis::may_be_of_grid(one.closest_m, distances.threshold_m);
     });
-    if (standing.empty() || !of_grid || recording.of_aircraft) return;
-    return append_summary_line(out, "",
-                               "--ignore-below " + io::exact(distances.threshold_m) +
-                                   " leaves out conflicts of two that are both lower than that "
-                                   "above where they took off");
+    const bool with_standing = !standing.empty() && of_grid && !recording.of_aircraft;
+    if (!with_standing && low.would_leave_out == 0) return;
+    return append_summary_line(
+        out, "",
+        "--ignore-below " + io::exact(distances.threshold_m) + " leaves out " +
+            (low.would_leave_out > 0 ? io::counted(low.would_leave_out, "conflict", "conflicts")
+                                     : std::string("conflicts")) +
+            " of two that are both lower than that above where they took off");
   }
   const auto closest = low.closest();
   std::string text = analysis::low_text(low) + " (--ignore-below)";

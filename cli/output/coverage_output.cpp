@@ -1,5 +1,6 @@
 #include "cli/output/coverage_output.hpp"
 
+#include "analysis/recorded/airborne.hpp"
 #include "analysis/recorded/begins_in_air.hpp"
 
 #include "cli/console/summary_line.hpp"
@@ -98,8 +99,11 @@ void append_coverage(std::string& out, const analysis::Coverage& coverage,
   if (const std::string alone = printable(analysis::alone_text(coverage, recording));
       !alone.empty()) {
     if (coverage.compared_with_none()) {
-      append_summary_line(out, "alone",
-                          red(alone) + "; is it of another day, or is a clock wrong? Leave it out");
+      const bool zone =
+          coverage.alone_begins_s && analysis::zones_apart_s(*coverage.alone_begins_s);
+      append_summary_line(
+          out, "alone",
+          red(alone) + (zone ? "" : "; is it of another day, or is a clock wrong? Leave it out"));
     } else if (!recording.of_aircraft && recording.frame == io::Frame::kWgs84) {
       append_summary_line(out, "note", alone);
     }

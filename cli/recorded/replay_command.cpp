@@ -146,6 +146,9 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   if (moving.ignore_below_m) {
     low = analysis::leave_out_low(*recording, *moving.ignore_below_m, found->recorded.conflicts);
     analysis::leave_out_too(low, found->with_standing);
+  } else if (!moving.quiet) {
+    low.would_leave_out =
+        analysis::would_leave_out_low(*recording, threshold_m, found->recorded.conflicts);
   }
   const double search_s = watch.lap();
 

@@ -12,6 +12,7 @@
 #include "io/mavlink/vehicle_landings.hpp"
 #include "io/problems/unplaced.hpp"
 #include "io/recording/recording_sources.hpp"
+#include "io/recording/take_offs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -379,6 +380,7 @@ class TelemetryReading {
     } else if (heard.landed) {
       assembly_.flies_at(id, {heard.time_s, heard.at.position});
     }
+    take_take_off(id, heard);
     Origin origin;
     origin.source = assembly_.source() & 0xFF'FFFFu;
     origin.line = (heard.frame + 1) & 0xFF'FFFF'FFFFu;
@@ -392,6 +394,14 @@ class TelemetryReading {
       assembly_.tracks().label(id, heard.at.name, heard.time_s);
     }
     return std::nullopt;
+  }
+
+  // From which height it took off: message 33 says beside its height how far that is above there.
+  void take_take_off(const std::string& id, const Heard& heard) {
+    if (!std::isfinite(heard.at.above_home_m)) return;
+    const double above_m = heard.at.above_home_m;
+    assembly_.take_offs().take(id, heard.time_s,
+                               {heard.at.position.z - above_m, above_m > kFliesAboveTakeOff_m});
   }
 
   // Who is there by other messages only.

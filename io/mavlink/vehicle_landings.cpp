@@ -9,14 +9,19 @@ namespace {
 constexpr std::uint8_t kUndefined = 0;
 constexpr std::uint8_t kOnTheGround = 1;
 
-// Whether an autopilot keeps its motors off, and says that it waits on the ground. One that says to
-// be active without being armed is not believed.
+constexpr std::uint8_t kNoAutopilot = 8;
+constexpr unsigned kArmed = 128;      // MAV_MODE_FLAG_SAFETY_ARMED
+constexpr std::uint8_t kStandby = 3;  // MAV_STATE_STANDBY
+
+// Whether an autopilot keeps its motors off.
+bool is_disarmed(const MavlinkPayload& heartbeat) {
+  return heartbeat.byte(5) != kNoAutopilot && (heartbeat.byte(6) & kArmed) == 0;
+}
+
+// Whether it says that it waits on the ground, too. What is disarmed and says to be active, or in a
+// failsafe, is hardly elsewhere, but that is less sure.
 bool stands_by(const MavlinkPayload& heartbeat) {
-  constexpr std::uint8_t kNoAutopilot = 8;
-  constexpr unsigned kArmed = 128;      // MAV_MODE_FLAG_SAFETY_ARMED
-  constexpr std::uint8_t kStandby = 3;  // MAV_STATE_STANDBY
-  return heartbeat.byte(5) != kNoAutopilot && (heartbeat.byte(6) & kArmed) == 0 &&
-         heartbeat.byte(7) == kStandby;
+  return heartbeat.byte(7) == kStandby;
 }
 
 }  // namespace
@@ -28,7 +33,7 @@ void VehicleLandings::take(const MavlinkFrame& frame, std::int64_t stamp) {
   if (frame.message == kHeartbeat) {
     said.never_lands = said.never_lands || never_lands(payload.byte(4));
     said.on_surface = said.on_surface || stays_on_surface(payload.byte(4));
-    said.heartbeats.take(stamp, stands_by(payload));
+    said.heartbeats.take(stamp, is_disarmed(payload), stands_by(payload));
     return;
   }
   const std::uint8_t state = payload.byte(1);

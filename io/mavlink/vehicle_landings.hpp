@@ -1,5 +1,6 @@
 // What vehicles of a log say of whether they stand on the ground: EXTENDED_SYS_STATE (245), or
-// where one never tells it there, its HEARTBEAT (0): disarmed and standing by. Source: mavlink.io.
+// where one never tells it there, its HEARTBEAT (0): disarmed and standing by, or with less
+// certainty disarmed alone (see LandedReports). Source: mavlink.io.
 #pragma once
 
 #include "io/mavlink/mavlink_frame.hpp"

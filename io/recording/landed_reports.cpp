@@ -62,9 +62,9 @@ void doubt_stretch(const std::vector<LandedReports::Place>& places, std::size_t 
 
 }  // namespace
 
-void LandedReports::take(std::int64_t micros, bool landed) {
+void LandedReports::take(std::int64_t micros, bool landed, bool sure) {
   if (!reports_.empty() && micros < reports_.back().micros) goes_back_ = true;
-  reports_.push_back({micros, landed});
+  reports_.push_back({micros, landed, sure});
 }
 
 bool LandedReports::any_landed() const {
@@ -72,13 +72,38 @@ bool LandedReports::any_landed() const {
                      [](const Report& report) { return report.landed; });
 }
 
-bool LandedReports::says_landed(std::int64_t micros) const {
+LandedReports::Word LandedReports::word_at(std::int64_t micros) const {
   const auto behind =
       std::upper_bound(reports_.begin(), reports_.end(), micros,
                        [](std::int64_t at, const Report& report) { return at < report.micros; });
-  if (behind == reports_.begin() || !std::prev(behind)->landed) return false;
-  return behind != reports_.end() && behind->landed &&
-         behind->micros - std::prev(behind)->micros <= kMostApartMicros;
+  if (behind == reports_.begin() || behind == reports_.end()) return Word::kFlies;
+  const Report& before = *std::prev(behind);
+  if (!before.landed || !behind->landed || behind->micros - before.micros > kMostApartMicros) {
+    return Word::kFlies;
+  }
+  return before.sure && behind->sure ? Word::kSure : Word::kHints;
+}
+
+// Of `ground`, which is what is left of the places that are said to be so.
+void LandedReports::doubt_hints(const std::vector<Place>& places, std::vector<bool>& ground) const {
+  const bool has_flown = std::any_of(reports_.begin(), reports_.end(),
+                                     [](const Report& report) { return !report.landed; });
+  for (std::size_t begin = 0; begin < places.size();) {
+    bool hints = false;
+    bool doubted = false;
+    std::size_t end = begin;
+    for (; end < places.size(); ++end) {
+      const Word word = word_at(places[end].micros);
+      if (word == Word::kFlies && !ground[end]) break;
+      hints = hints || word == Word::kHints;
+      doubted = doubted || !ground[end] || !(has_flown || std::isfinite(places[end].above_home_m));
+    }
+    if (hints && doubted) {
+      std::fill(ground.begin() + static_cast<std::ptrdiff_t>(begin),
+                ground.begin() + static_cast<std::ptrdiff_t>(end), false);
+    }
+    begin = std::max(end, begin + 1);
+  }
 }
 
 void LandedReports::add_before_first(const std::vector<Place>& places, Frame frame,
@@ -116,7 +141,8 @@ std::vector<bool> LandedReports::on_ground(const std::vector<Place>& places, Fra
   std::vector<bool> ground(places.size());
   if (goes_back_ || !any_landed()) return ground;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    ground[i] = says_landed(places[i].micros) && !is_faster_than_landed(places[i].velocity);
+    ground[i] =
+        word_at(places[i].micros) != Word::kFlies && !is_faster_than_landed(places[i].velocity);
   }
   if (std::find(ground.begin(), ground.end(), true) == ground.end()) return ground;
   if (reports_.front().landed) add_before_first(places, frame, ground);
@@ -128,6 +154,7 @@ std::vector<bool> LandedReports::on_ground(const std::vector<Place>& places, Fra
     if (end > begin) doubt_stretch(places, begin, end, levels, frame, ground);
     begin = end + 1;
   }
+  doubt_hints(places, ground);
   return ground;
 }
 

@@ -6,6 +6,11 @@
 // these say where it is the same place, within a metre. Who says at a place to be faster than a
 // drone on the ground flies.
 //
+// Of what is less sure, as that motors are off, a stretch counts as a whole or not at all: where a
+// drone goes anywhere while it says so throughout, it is not on the ground before, or after that,
+// either. And it counts only of a drone that has ever said that it is not so, or that says all the
+// while how high it is above where it took off.
+//
 // A flag may be stuck. So a stretch of such places counts only where it stays within 2 m of where
 // it begins or ends, is no more than that above its own lowest place, and at about the height at
 // which the drone is on the ground as its log begins or ends: where all of that is not so it flies.
@@ -49,8 +54,8 @@ class LandedReports {
     double above_home_m = std::numeric_limits<double>::quiet_NaN();
   };
 
-  // In the order in which they came.
-  void take(std::int64_t micros, bool landed);
+  // In the order in which they came; `sure` is not what only hints at it.
+  void take(std::int64_t micros, bool landed, bool sure = true);
   // Whether it has ever said so.
   [[nodiscard]] bool any_landed() const;
 
@@ -61,9 +66,12 @@ class LandedReports {
   struct Report {
     std::int64_t micros;
     bool landed;
+    bool sure;
   };
+  enum class Word : std::uint8_t { kFlies, kHints, kSure };
 
-  [[nodiscard]] bool says_landed(std::int64_t micros) const;
+  [[nodiscard]] Word word_at(std::int64_t micros) const;
+  void doubt_hints(const std::vector<Place>& places, std::vector<bool>& ground) const;
   void add_before_first(const std::vector<Place>& places, Frame frame,
                         std::vector<bool>& ground) const;
   void add_behind_last(const std::vector<Place>& places, Frame frame,

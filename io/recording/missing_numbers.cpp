@@ -58,7 +58,7 @@ std::optional<std::string> missing_numbers_note(const std::vector<RecordedBee>& 
   }
   return "drones are numbered from " + std::to_string(numbers.front()) + " to " +
          std::to_string(numbers.back()) + " without " + missing +
-         ": if a file was left out, nothing is known of that drone";
+         ": if one was left out, nothing is known of that drone";
 }
 
 }  // namespace beespace::io

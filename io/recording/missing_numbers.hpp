@@ -1,4 +1,4 @@
-// Drones that are numbered, but for some: as where a file of a show was forgotten.
+// Drones that are numbered, but for some: as where a file of a show, or a log, was forgotten.
 #pragma once
 
 #include "io/recording/recording.hpp"

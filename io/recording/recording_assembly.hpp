@@ -287,6 +287,7 @@ class RecordingAssembly {
   void leave_out_zero_runs();
   void leave_out_stale_places();
   void leave_out_frozen_places();
+  void leave_out_frozen_in_air();
   void find_doubtful_tracks();
   void leave_out_spikes(const std::unordered_set<std::string>& shared);
   void settle_heard();

@@ -4,6 +4,7 @@
 #include "io/problems/left_out.hpp"
 #include "io/problems/unplaced.hpp"
 #include "io/recording/coasting.hpp"
+#include "io/recording/continued_logs.hpp"
 #include "io/recording/doubled_drones.hpp"
 #include "io/recording/local_topics.hpp"
 #include "io/recording/missing_numbers.hpp"
@@ -303,6 +304,7 @@ Result<Recording> RecordingAssembly::finish() {
   if (!frame_is_settled_) {
     leave_out_stale_places();
     leave_out_frozen_places();
+    leave_out_frozen_in_air();
   }
   if (auto doubled = doubled_drone(tracks_)) {
     return Error{ErrorCode::kInvalidArgument, std::move(doubled->problem),
@@ -351,8 +353,12 @@ Result<Recording> RecordingAssembly::finish() {
   note_one_clock();
   note_counts();
   if (auto same = same_tracks_note(recording_.bees)) note(*std::move(same));
-  if (is_show()) {
+  if (is_show() || recording_.of_drones || recording_.called_drones) {
     if (auto missing = missing_numbers_note(recording_.bees)) note(*std::move(missing));
+  }
+  if (recording_.of_drones && several_) {
+    if (auto continued = continued_logs_note(recording_.bees, sources_))
+      note(*std::move(continued));
   }
   if (recording_.of_aircraft) {
     if (auto relayed = relayed_ids_note(recording_.bees)) note(*std::move(relayed));

@@ -2,6 +2,7 @@
 // bee was lost, and where a bee only jumps to.
 #include "io/bytes/number_text.hpp"
 #include "io/problems/unplaced.hpp"
+#include "io/recording/frozen_in_air.hpp"
 #include "io/recording/frozen_places.hpp"
 #include "io/recording/jumped_stretches.hpp"
 #include "io/recording/moment_text.hpp"
@@ -101,6 +102,22 @@ void RecordingAssembly::leave_out_frozen_places() {
         const FrozenPlaces& places = found.at(id);
         const bool at_end = places.end == FrozenEnd::kMeasured && fix.time_s > places.end_since_s;
         leave_out(at_end ? kFrozenToTheEnd : kFrozenPlace, id);
+        unplaced(id, fix.time_s);
+      });
+}
+
+// Likewise, of drones that hover or fly slowly.
+void RecordingAssembly::leave_out_frozen_in_air() {
+  const bool of_drones = recording_.of_drones || recording_.called_drones;
+  if (!facts_ || is_show() || !of_drones || facts_->dimensions != 3) return;
+  const Frame frame = facts_->frame;
+  tracks_.leave_out(
+      [frame, this](const RecordedBee& bee) {
+        return told_by_others_.contains(bee.id) ? std::vector<bool>()
+                                                : frozen_in_air(bee.fixes, frame);
+      },
+      [this](const std::string& id, const Fix& fix) {
+        leave_out(kFrozenInAir, id);
         unplaced(id, fix.time_s);
       });
 }

@@ -14,6 +14,8 @@
 namespace beespace::io {
 
 inline constexpr double kTakeOffWavers_m = 3.0;
+// Above the place of take-off by this, a drone flies: the heights of one that stands waver by less.
+inline constexpr double kFliesAboveTakeOff_m = 1.5;
 
 // By one record.
 struct TakeOffSaid {

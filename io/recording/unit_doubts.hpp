@@ -19,9 +19,10 @@ namespace beespace::io {
 // source.
 std::optional<Error> doubt_of_time_unit(const Recording& recording, Unit named);
 
-// Nothing is faster, as half of all its steps: in a show, before cameras, and below space but for
-// jets and what is shot.
+// Nothing is faster, as half of all its steps: in a show, of drones that are followed in a plane of
+// their own, before cameras, and below space but for jets and what is shot.
 inline constexpr double kFastestShow_mps = 20.0;
+inline constexpr double kFastestDrone_mps = 30.0;
 inline constexpr double kFastestFilmed_mps = 100.0;
 inline constexpr double kFastestUsual_mps = 340.0;
 

@@ -14,9 +14,6 @@
 namespace beespace::io {
 namespace {
 
-// Above the place of take-off by this, a drone flies: the heights of one that stands waver by less.
-constexpr double kFlies_m = 1.5;
-
 // Above the ground beneath, which is another one elsewhere.
 bool is_above_ground(const std::string& name) {
   const std::vector<std::string> words = split_words(name);
@@ -99,13 +96,13 @@ TakeOffColumns find_take_off_columns(const TableLayout& table) {
 
 TakeOffSaid take_off_said(const TakeOffColumns& columns, std::string_view above,
                           std::string_view standing, double height_m) {
-  if (columns.is_taken_height) return {0.0, height_m > kFlies_m};
+  if (columns.is_taken_height) return {0.0, height_m > kFliesAboveTakeOff_m};
   TakeOffSaid said;
   if (columns.above) {
     double value = 0.0;
     if (parse_number(above, value) != NumberKind::kNumber) return said;
     const double above_m = in_metric(value, columns.above_unit);
-    return {height_m - above_m, above_m > kFlies_m};
+    return {height_m - above_m, above_m > kFliesAboveTakeOff_m};
   }
   if (!columns.standing) return said;
   const auto stands = says_standing(columns.form, standing);

@@ -5,6 +5,7 @@
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/problems/unplaced.hpp"
+#include "io/recording/unit_doubts.hpp"
 #include "io/table/column_names.hpp"
 #include "io/table/column_overrides.hpp"
 #include "io/table/fields.hpp"
@@ -115,6 +116,9 @@ SourceFacts facts_of(const TrackLayout& layout, std::string description) {
     facts.named_time = layout.time->unit;
   }
   facts.doubted_above_mps = layout.doubted_above_mps;
+  if (facts.doubted_above_mps && facts.called_drones) {
+    facts.doubted_above_mps = std::min(*facts.doubted_above_mps, kFastestDrone_mps);
+  }
   facts.heights = choice.datum;
   facts.height_unit = choice.height_unit();
   facts.units = layout.units;

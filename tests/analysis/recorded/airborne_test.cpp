@@ -81,8 +81,10 @@ TEST(Airborne, ALogOfAnotherDayIsComparedWithNone) {
   const Coverage alone = coverage_of(recording, {}, kFiveSeconds);
   EXPECT_TRUE(alone.may_hide_conflicts());
   EXPECT_EQ(alone.alone, (std::vector<PointId>{2}));
-  EXPECT_EQ(alone_text(alone, recording),
-            "yesterday is recorded while no other is: compared with none");
+  EXPECT_EQ(
+      alone_text(alone, recording),
+      "yesterday is recorded while no other is: compared with none; its times begin 24 h before "
+      "those of the others");
   EXPECT_NE(unknown_text(alone, &recording).find("yesterday flies while no other is known"),
             std::string::npos);
   // Animals over years, and aircraft that pass, are so as a rule.
@@ -92,6 +94,43 @@ TEST(Airborne, ALogOfAnotherDayIsComparedWithNone) {
   // Where all are, it is said that there is nothing to compare.
   recording.bees.erase(recording.bees.begin());
   EXPECT_TRUE(recorded_alone(recording).empty());
+}
+
+// As one computer of two writes them, whose clock is of another time zone.
+TEST(Airborne, ATableOfAnotherTimeZoneIsComparedWithNone) {
+  io::Recording tables = logs();
+  tables.of_drones = false;
+  tables.called_drones = true;
+  tables.clock = io::WallClock{};
+  tables.bees.push_back(drone("west", 20.0, 0, 70));
+  for (Fix& fix : tables.bees.back().fixes) fix.time_s -= 3599.7;
+  const Coverage one = coverage_of(tables, {}, kFiveSeconds);
+  EXPECT_TRUE(one.may_hide_conflicts());
+  EXPECT_FALSE(one.complete());
+  const std::string text = alone_text(one, tables);
+  EXPECT_NE(text.find("west is recorded while no other is: compared with none; its times begin "
+                      "about 1 h before those of the others: was the clock in another time zone?"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("--time-zone"), std::string::npos) << text;
+  // Two of them are compared with each other, and with none of the others.
+  tables.bees.push_back(drone("west 2", 30.0, 0, 70));
+  for (Fix& fix : tables.bees.back().fixes) fix.time_s -= 3600.0;
+  tables.bees.push_back(drone("here", 40.0, 0, 70));
+  const Coverage two = coverage_of(tables, {}, kFiveSeconds);
+  EXPECT_EQ(two.alone, (std::vector<PointId>{2, 3}));
+  EXPECT_NE(alone_text(two, tables).find("west and west 2 are recorded while none of the others"),
+            std::string::npos);
+  // Another flight begins at any time; and who says the zone says it.
+  for (const PointId bee : {2u, 3u}) {
+    for (Fix& fix : tables.bees[bee].fixes) fix.time_s -= 500.0;
+  }
+  EXPECT_TRUE(recorded_alone(tables).empty());
+  for (const PointId bee : {2u, 3u}) {
+    for (Fix& fix : tables.bees[bee].fixes) fix.time_s += 500.0;
+  }
+  tables.clock.reset();
+  EXPECT_TRUE(recorded_alone(tables).empty());
 }
 
 TEST(Gaps, TheLongestThatIsBridgedIsTold) {

@@ -71,6 +71,85 @@ TEST(TablesOfDrones, SayWhoIsLowAboveWhereItTookOff) {
   }
 }
 
+// Neighbours that stand on their pads are no surprise: what leaves them out is told without asking.
+TEST(TablesOfDrones, OfferToLeaveOutThoseOnTheirPads) {
+  TemporaryFolder folder;
+  const std::string offer = "--ignore-below 3 leaves out 2 conflicts of two that are both lower";
+  const std::string file = folder.file("log.csv", table(",alt_rel", 0, above));
+  expect_parts(run({"replay", file, "--threshold", "3"}).err, {offer});
+  expect_parts(run({"plot", file, "--threshold", "3", "-o", folder.path("log.svg")}).err, {offer});
+  // Where it is not known where they took off it would not help.
+  EXPECT_EQ(run({"replay", "--threshold", "3"}, table("", 0, nothing)).err.find("--ignore-below"),
+            std::string::npos);
+}
+
+// One computer of two has its clock in another time zone.
+TEST(TablesOfDrones, AnHourApartAreNoAllClear) {
+  TemporaryFolder folder;
+  const auto dated = [](const char* hour, double lat) {
+    std::string text = "Timestamp,altitudeRelative,altitudeAMSL,gps.lat,gps.lon\n";
+    for (int second = 0; second <= 59; ++second) {
+      std::array<char, 120> line = {};
+      const double up_m = std::min({20.0, 2.0 * second, 2.0 * (59 - second)});
+      std::snprintf(line.data(), line.size(), "2026-11-27 %s:00:%02d.000,%.2f,%.2f,%.7f,19.04\n",
+                    hour, second, up_m, 100.0 + up_m, lat);
+      text += line.data();
+    }
+    return text;
+  };
+  const Arguments files = {folder.file("v1.csv", dated("20", 47.0)),
+                           folder.file("v2.csv", dated("20", 47.001)),
+                           folder.file("v3.csv", dated("19", 47.001))};
+  const std::string why =
+      "v3 is recorded while no other is: compared with none; its times begin about 1 h before "
+      "those "
+      "of the others: was the clock in another time zone?";
+  for (const Arguments& asked :
+       {Arguments{"replay", "--threshold", "2", "--units", "metric", "--fail-on-risk"},
+        Arguments{"verify", "--threshold", "2", "--units", "metric"},
+        Arguments{"plot", "--threshold", "2", "--units", "metric", "--fail-on-risk", "-o",
+                  folder.path("log.svg")},
+        Arguments{"report", "--threshold", "2", "--units", "metric", "--fail-on-risk", "-o",
+                  folder.path("log.html")}}) {
+    const Finished finished = run(asked + files);
+    EXPECT_EQ(finished.exit_code, 1) << asked.front() << finished.err;
+    expect_parts(finished.err, {why, "v3 flies while no other is known"});
+  }
+  expect_parts(folder.read("log.svg"), {"v3 flies while no other is known"});
+  expect_parts(folder.read("log.html"), {"compared with none"});
+}
+
+// In metres they would climb at 200 m/s.
+TEST(TablesOfDrones, InCentimetresWithoutAWordAreAskedAbout) {
+  std::string text = "Drone,time_s,X,Y,Z\n";
+  for (int second = 0; second <= 59; ++second) {
+    for (int bee = 1; bee <= 2; ++bee) {
+      text += std::to_string(bee) + "," + std::to_string(second) + "," +
+              std::to_string(150 * bee + 60 * second) + ".5,0.0," +
+              std::to_string(std::min({2000, 200 * second, 200 * (59 - second)})) + ".0\n";
+    }
+  }
+  const Finished asked = run({"replay", "--threshold", "2"}, text);
+  EXPECT_NE(asked.exit_code, 0);
+  expect_parts(asked.err, {"are x, y, z in metres?", "--units position=cm"});
+  const Finished said = run({"replay", "--threshold", "2", "--units", "position=cm"}, text);
+  EXPECT_EQ(said.exit_code, 0) << said.err;
+  expect_parts(said.err, {"1.500 m apart"});
+}
+
+TEST(TablesOfDrones, OfWhichANumberIsMissingSaySo) {
+  std::string text = "drone_id,time_s,x_m,y_m,z_m\n";
+  for (const int bee : {1, 2, 4, 5}) {
+    for (int second = 0; second <= 9; ++second) {
+      text += std::to_string(bee) + "," + std::to_string(second) + "," + std::to_string(10 * bee) +
+              ",0," + std::to_string(second) + "\n";
+    }
+  }
+  expect_parts(
+      run({"replay", "--threshold", "2"}, text).err,
+      {"drones are numbered from 1 to 5 without 3: if one was left out, nothing is known"});
+}
+
 TEST(TablesOfDrones, ThatDoNotSaySoNameTheColumnThatWould) {
   const std::vector<std::string> leave_out = {"replay", "--threshold", "2", "--ignore-below", "3"};
   const Finished none = run(leave_out, table("", 0, nothing));

@@ -136,7 +136,7 @@ TEST(IgnoreBelow, LeavesOutWhoTakesOffBesideAnotherOnlyWhenAsked) {
   EXPECT_EQ(all.exit_code, 1) << all.err;
   expect_parts(all.err,
                {"1 with a drone on the ground\n",
-                "--ignore-below 3 leaves out conflicts of two that are both lower than that"});
+                "--ignore-below 3 leaves out 1 conflict of two that are both lower than that"});
   const Finished low = run({"verify", show, "--ignore-below", "3"});
   EXPECT_EQ(low.exit_code, 0) << low.err;
   expect_parts(low.err, {"losses     none\n",

@@ -80,11 +80,12 @@ inline std::string frame_v2(int system, std::uint32_t message, std::string_view 
 
 // Message 33: 1e-7 degrees, millimetres, cm/s north, east, down.
 inline std::string global_payload(std::int32_t lat, std::int32_t lon, std::int32_t alt, int vn,
-                                  int ve, int vd, std::uint32_t boot_ms = 123'456) {
+                                  int ve, int vd, std::uint32_t boot_ms = 123'456,
+                                  std::int32_t above_mm = 0) {
   const auto unsigned_of = [](std::int32_t value) { return static_cast<std::uint32_t>(value); };
   return little_endian(boot_ms, 4) + little_endian(unsigned_of(lat), 4) +
          little_endian(unsigned_of(lon), 4) + little_endian(unsigned_of(alt), 4) +
-         little_endian(0, 4) + little_endian(unsigned_of(vn), 2) +
+         little_endian(unsigned_of(above_mm), 4) + little_endian(unsigned_of(vn), 2) +
          little_endian(unsigned_of(ve), 2) + little_endian(unsigned_of(vd), 2) +
          little_endian(0, 2);
 }

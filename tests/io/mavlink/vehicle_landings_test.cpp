@@ -98,18 +98,64 @@ TEST(VehicleLandings, RoversAndBoatsStayOnTheSurface) {
 
 // What is not surely so counts as flight.
 TEST(VehicleLandings, WhoDoesNotSaySoSurelyFlies) {
-  constexpr int kActive = 4;
   const auto seldom = [](int second) {
     return second % 6 == 0 ? frame_v2(1, 245, landed_state(1)) : std::string();
   };
   const auto another = [](int) { return frame_v2(1, 245, landed_state(1), 191); };
   for (const Says& says :
        std::vector<Says>{[](int) { return std::string(); }, by_state(0, 2), by_state(4, 2),
-                         by_heartbeat(0, kActive), by_heartbeat(128, 3), seldom, another}) {
+                         by_heartbeat(128, 3), seldom, another}) {
     const auto recording = recording_of(load(flight(says)));
     EXPECT_EQ(recording.bees[0].fixes.size(), 61u);
     EXPECT_TRUE(recording.bees[0].landed.empty());
   }
+}
+
+constexpr int kActive = 4;    // MAV_STATE
+constexpr int kCritical = 5;  // as ArduPilot says in any failsafe
+
+// Whatever else a heartbeat says: with its motors off it does not fly.
+TEST(VehicleLandings, WhoIsDisarmedStands) {
+  for (const int state : {0, kActive, kCritical}) {
+    const auto recording = recording_of(load(flight(by_heartbeat(0, state))));
+    ASSERT_EQ(recording.bees[0].landed.size(), 2u) << state;
+    EXPECT_EQ(recording.bees[0].landed[0].begins_s, kNoon_s);
+    EXPECT_EQ(recording.bees[0].landed[1].ends_s, kNoon_s + 30.0);
+  }
+  // The heartbeat of what is no autopilot says nothing of it, nor does that of another component.
+  const auto camera = [](int) { return frame_v2(1, 0, heartbeat(2, 8, 0, kActive)); };
+  const auto another = [](int) { return frame_v2(1, 0, heartbeat(2, 12, 0, kActive), 191); };
+  for (const Says& says : std::vector<Says>{camera, another}) {
+    EXPECT_TRUE(recording_of(load(flight(says))).bees[0].landed.empty());
+  }
+}
+
+// A bit that is stuck would make drones in the air stand: not even before and behind that it is
+// believed.
+TEST(VehicleLandings, WhoMovesWhileItIsDisarmedFliesAllTheTime) {
+  const auto stuck = [](int) { return frame_v2(1, 0, heartbeat(2, 12, 0, kActive)); };
+  EXPECT_TRUE(recording_of(load(flight(stuck))).bees[0].landed.empty());
+  EXPECT_TRUE(recording_of(load(flight(by_heartbeat(0, kActive), 300))).bees[0].landed.empty());
+}
+
+// Message 33 says how high it is above where it took off.
+TEST(Telemetry, TellsFromWhichHeightADroneTookOff) {
+  const auto up = [](int second, std::int32_t above_mm) {
+    return logged(
+        kNoon + static_cast<std::uint64_t>(second) * 1'000'000,
+        frame_v2(1, 33,
+                 global_payload(470'000'000, 80'000'000, 500'000 + above_mm, 0, 0, 0,
+                                static_cast<std::uint32_t>(10'000 + 1000 * second), above_mm)));
+  };
+  std::string log;
+  for (int second = 0; second <= 10; ++second) log += up(second, 2000 * second);
+  const auto recording = recording_of(load(log));
+  ASSERT_TRUE(recording.bees[0].took_off_at_m);
+  EXPECT_NEAR(*recording.bees[0].took_off_at_m, 500.0, 1e-9);
+  // Of one that is always there it is not known: it may be stuck.
+  std::string still;
+  for (int second = 0; second <= 10; ++second) still += up(second, 0);
+  EXPECT_FALSE(recording_of(load(still)).bees[0].took_off_at_m);
 }
 
 // It is carried, or driven; or its autopilot is wrong.

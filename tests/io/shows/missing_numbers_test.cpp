@@ -16,10 +16,9 @@ std::string note_of(const std::vector<std::string>& ids) {
 }
 
 TEST(MissingNumbers, AreTold) {
-  EXPECT_EQ(
-      note_of({"Drone 1", "Drone 3", "Drone 5", "Drone 4"}),
-      "drones are numbered from 1 to 5 without 2: if a file was left out, nothing is known of "
-      "that drone");
+  EXPECT_EQ(note_of({"Drone 1", "Drone 3", "Drone 5", "Drone 4"}),
+            "drones are numbered from 1 to 5 without 2: if one was left out, nothing is known of "
+            "that drone");
   std::vector<std::string> ids;
   for (int i = 1; i <= 40; ++i) {
     if (i % 4 != 2) ids.push_back("d" + std::to_string(i));
