@@ -440,7 +440,8 @@ typedef struct beespace_io_conflicts beespace_io_conflicts;
 
 /// @brief Which agents of a recording came closer than a threshold, and when? What `beespace
 /// replay` says: along straight lines from fix to fix; along the curves of a show, also with drones
-/// that stand on the ground; and, as possible ones, along curves with the velocities of the fixes.
+/// that stand on the ground; and, as possible ones, along curves with the velocities of the fixes,
+/// and along the arcs on which aircraft turn between them.
 /// @param recording The recording.
 /// @param options What the search needs to know; or NULL.
 /// @param[out] conflicts The conflicts, to be freed by beespace_io_conflicts_free(); NULL after an

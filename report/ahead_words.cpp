@@ -6,9 +6,17 @@
 #include <cstddef>
 
 namespace beespace::report {
+namespace {
 
-std::string ahead_words(const SnapshotFacts& facts) {
-  constexpr std::size_t kMostNamed = 3;
+// Nobody looks farther: the two may come closer behind it.
+bool is_closing_at_the_end(const ConflictAhead& each, const Ahead& ahead) {
+  constexpr double kRounded_s = 1e-6;
+  return each.closest_in_s > each.begins_in_s && each.closest_in_s >= ahead.horizon_s - kRounded_s;
+}
+
+}  // namespace
+
+std::string ahead_words(const SnapshotFacts& facts, std::size_t most) {
   if (facts.moment.empty()) return {};
   if (!facts.ahead) return "not known, as the input tells no velocities that can be flown on with";
   const Ahead& ahead = *facts.ahead;
@@ -16,8 +24,9 @@ std::string ahead_words(const SnapshotFacts& facts) {
   const std::string of_known = ahead.complete ? "" : ", of those that are known";
   if (ahead.count == 0) return "flying straight on, no conflict begins" + within + of_known;
   std::string text = "flying straight on, " + count_label(ahead.count, "conflict", "conflicts");
-  text += within + of_known + ": ";
-  for (std::size_t i = 0; i < ahead.conflicts.size() && i < kMostNamed; ++i) {
+  text += within + of_known;
+  text += ahead.count > 1 ? ", the worst first: " : ": ";
+  for (std::size_t i = 0; i < ahead.conflicts.size() && i < most; ++i) {
     const ConflictAhead& each = ahead.conflicts[i];
     if (i > 0) text += "; ";
     text += facts.swarm.names.of(each.first);
@@ -27,8 +36,9 @@ std::string ahead_words(const SnapshotFacts& facts) {
     text += decimal_label(each.begins_in_s, 1);
     text += " s, down to ";
     text += apart_words(facts.swarm, each.closest_m, each.apart);
+    if (is_closing_at_the_end(each, ahead)) text += ", still closing then";
   }
-  if (ahead.count > kMostNamed) text += "; and " + count_label(ahead.count - kMostNamed) + " more";
+  if (ahead.count > most) text += "; and " + count_label(ahead.count - most) + " more";
   return text;
 }
 

@@ -3,12 +3,15 @@
 
 #include "report/facts.hpp"
 
+#include <cstddef>
 #include <string>
 
 namespace beespace::report {
 
 // "flying straight on, 1 conflict within 300 s: AFR123 and BAW456 in 21.9 s, 2.37 NM across, 200 ft
-// in height"; empty of a snapshot of which it is not known when it is.
-std::string ahead_words(const SnapshotFacts& facts);
+// in height"; of several at most so many, the worst first. Empty of a snapshot of which it is not
+// known when it is.
+inline constexpr std::size_t kNamedAhead = 3;
+std::string ahead_words(const SnapshotFacts& facts, std::size_t most = kNamedAhead);
 
 }  // namespace beespace::report

@@ -88,7 +88,7 @@ struct ConflictAhead {
   PointId first = 0;
   PointId second = 0;
   double begins_in_s = 0.0;
-  double closest_in_s = 0.0;
+  double closest_in_s = 0.0;  // with a vertical threshold: when they are worst
   double closest_m = 0.0;
   std::optional<Apart> apart = {};  // then
   Point first_there = {};           // where they are then, to look at
@@ -99,7 +99,7 @@ struct ConflictAhead {
 struct Ahead {
   double horizon_s = 0.0;
   std::uint64_t count = 0;                    // of all that begin after the moment itself
-  std::vector<ConflictAhead> conflicts = {};  // the soonest first: as many as are told
+  std::vector<ConflictAhead> conflicts = {};  // the worst first: as many as are told
   bool complete = true;                       // it is known of all how they fly on
 };
 

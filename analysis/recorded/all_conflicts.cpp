@@ -50,6 +50,10 @@ Result<AllConflicts> all_conflicts(const io::Recording& recording, const std::ve
   }
   leave_out_jumps(recording, conflicts);
   found.chords = doubt_chords(recording, tracks, options, conflicts);
+  auto arcs = follow_turns(recording, tracks, geometry, options, !straight, conflicts);
+  if (!arcs) return std::move(arcs).error();
+  found.arcs = *std::move(arcs);
+  conflicts = merged(std::move(conflicts), found.arcs.conflicts);
   doubt_shared_ids(recording, conflicts);
   const auto left_out = leave_out_standing(recording, tracks, options, conflicts);
   if (!left_out) return left_out.error();
@@ -99,9 +103,9 @@ bool has_encounters(const AllConflicts& found, const io::Recording& recording,
 
 namespace {
 
-// Whether it was found along the curves, and not along straight lines.
-auto is_of_curves(const VelocityCurves& curves) {
-  return [&conflicts = curves.conflicts](const Conflict& conflict) {
+// Whether it was found along these curves, or arcs, and not along straight lines.
+auto is_among(const std::vector<Conflict>& conflicts) {
+  return [&conflicts](const Conflict& conflict) {
     const auto by_pair = [](const Conflict& a, const Conflict& b) {
       return std::pair(a.first, a.second) < std::pair(b.first, b.second);
     };
@@ -115,22 +119,27 @@ auto is_of_curves(const VelocityCurves& curves) {
 }  // namespace
 
 ApartOf apart_along(const std::vector<Track>& lines, const VelocityCurves& curves,
-                    double height_unit_m) {
-  if (curves.tracks.empty()) return apart_of(lines, height_unit_m);
+                    const TurnArcs& arcs, double height_unit_m) {
+  if (curves.tracks.empty() && arcs.tracks.empty()) return apart_of(lines, height_unit_m);
   return [of_lines = apart_of(lines, height_unit_m),
           of_curves = apart_of(curves.tracks, height_unit_m),
-          is_curved = is_of_curves(curves)](const Conflict& conflict) {
-    return is_curved(conflict) ? of_curves(conflict) : of_lines(conflict);
+          of_arcs = apart_of(arcs.tracks, height_unit_m), is_curved = is_among(curves.conflicts),
+          is_turned = is_among(arcs.conflicts)](const Conflict& conflict) {
+    if (is_curved(conflict)) return of_curves(conflict);
+    return is_turned(conflict) ? of_arcs(conflict) : of_lines(conflict);
   };
 }
 
 WorstOf worst_along(const std::vector<Track>& lines, const VelocityCurves& curves,
-                    double height_unit_m, const Minima& minima) {
-  if (curves.tracks.empty()) return worst_of(lines, height_unit_m, minima);
+                    const TurnArcs& arcs, double height_unit_m, const Minima& minima) {
+  if (curves.tracks.empty() && arcs.tracks.empty()) return worst_of(lines, height_unit_m, minima);
   return [of_lines = worst_of(lines, height_unit_m, minima),
           of_curves = worst_of(curves.tracks, height_unit_m, minima),
-          is_curved = is_of_curves(curves)](const Conflict& conflict) {
-    return is_curved(conflict) ? of_curves(conflict) : of_lines(conflict);
+          of_arcs = worst_of(arcs.tracks, height_unit_m, minima),
+          is_curved = is_among(curves.conflicts),
+          is_turned = is_among(arcs.conflicts)](const Conflict& conflict) {
+    if (is_curved(conflict)) return of_curves(conflict);
+    return is_turned(conflict) ? of_arcs(conflict) : of_lines(conflict);
   };
 }
 

@@ -1,11 +1,13 @@
 // All conflicts of a recording: along straight lines from fix to fix, along the curves of a show or
-// of given velocities, and with drones that stand on the ground. What `beespace replay` and those
+// of given velocities, along the arcs of aircraft that turn, and with drones that stand on the
+// ground. What `beespace replay` and those
 // who call it from a program are told.
 #pragma once
 
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/recorded/apart.hpp"
 #include "analysis/recorded/chords.hpp"
+#include "analysis/recorded/turn_arcs.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "analysis/recorded/worst_moment.hpp"
 #include "io/recording/recording.hpp"
@@ -27,6 +29,7 @@ struct AllConflicts {
   std::vector<Conflict> with_standing;
   VelocityCurves curves;  // whose conflicts are among them
   Chords chords;          // which of them are possible as the two turn
+  TurnArcs arcs;          // whose conflicts are among them, too
   // The closest of the conflicts; where there is none, of all encounters, if there is no vertical
   // threshold, with which how far apart two are in a straight line says little.
   std::optional<Conflict> closest;
@@ -48,11 +51,11 @@ bool has_encounters(const AllConflicts& found, const io::Recording& recording,
                     const std::vector<Track>& in_space, const ConflictOptions& options);
 
 // How far apart the two of a conflict are on what they were found in conflict along, with a
-// vertical threshold: these lines, or the curves. Both must outlive the answer.
+// vertical threshold: these lines, the curves, or the arcs. All must outlive the answer.
 ApartOf apart_along(const std::vector<Track>& lines, const VelocityCurves& curves,
-                    double height_unit_m);
+                    const TurnArcs& arcs, double height_unit_m);
 // Likewise when they are worst in it.
 WorstOf worst_along(const std::vector<Track>& lines, const VelocityCurves& curves,
-                    double height_unit_m, const Minima& minima);
+                    const TurnArcs& arcs, double height_unit_m, const Minima& minima);
 
 }  // namespace beespace::analysis

@@ -1,14 +1,16 @@
 #include "analysis/recorded/chords.hpp"
 
+#include "analysis/recorded/apart.hpp"
+#include "analysis/recorded/worst_moment.hpp"
 #include "io/bytes/number_text.hpp"
 
 #include <beespace/mover.hpp>
-#include <beespace/nearest.hpp>
 #include <beespace/point.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace beespace::analysis {
@@ -110,10 +112,18 @@ bool may_stay_closer(const Turning& one, const Turning& other, const TimeSpan& b
   add_fixes_between(other.track, between, times_s);
   std::sort(times_s.begin(), times_s.end());
   const auto is_closer = [&](double time_s) {
-    const auto a = position_at(one.track, time_s, options.max_gap_s);
-    const auto b = position_at(other.track, time_s, options.max_gap_s);
-    return a && b &&
-           distance(*a, *b) - one.bow_m(time_s) - other.bow_m(time_s) < options.threshold_m;
+    if (!position_at(one.track, time_s, options.max_gap_s) ||
+        !position_at(other.track, time_s, options.max_gap_s)) {
+      return false;
+    }
+    const auto apart = apart_at(one.track, other.track, time_s, options.height_unit_m);
+    if (!apart) return false;
+    const double bows_m = one.bow_m(time_s) + other.bow_m(time_s);
+    if (!options.vertical_m) {
+      return std::hypot(apart->horizontal_m, apart->vertical_m) - bows_m < options.threshold_m;
+    }
+    return apart->horizontal_m - bows_m < options.threshold_m &&
+           apart->vertical_m < *options.vertical_m * options.height_unit_m;
   };
   for (std::size_t i = 1; i < times_s.size(); ++i) {
     const double step_s = (times_s[i] - times_s[i - 1]) / kInstants;
@@ -139,16 +149,29 @@ Chords doubt_chords(const io::Recording& recording, const std::vector<Track>& tr
                     const ConflictOptions& options, std::vector<Conflict>& conflicts) {
   constexpr double kSeen = 0.01;  // of the threshold
   Chords chords;
-  if (!recording.of_aircraft || recording.flies_on || options.vertical_m) return chords;
+  if (!recording.of_aircraft || recording.flies_on) return chords;
+  // With a vertical threshold what counts is how close the two are across when they are worst.
+  WorstOf worst;
+  if (options.vertical_m) {
+    worst = worst_of(tracks, options.height_unit_m,
+                     {options.threshold_m, *options.vertical_m * options.height_unit_m});
+  }
   const auto off_m = [&](PointId bee, double time_s) {
     return tells_velocities(recording.bees[bee]) ? 0.0 : off_at(tracks[bee], time_s);
   };
+  const auto both_tell = [&](const Conflict& conflict) {
+    return tells_velocities(recording.bees[conflict.first]) &&
+           tells_velocities(recording.bees[conflict.second]);
+  };
   for (Conflict& conflict : conflicts) {
-    const double both_m =
-        off_m(conflict.first, conflict.closest_s) + off_m(conflict.second, conflict.closest_s);
+    if (both_tell(conflict)) continue;
+    const auto moment = worst ? worst(conflict) : std::nullopt;
+    const double at_s = moment ? moment->time_s : conflict.closest_s;
+    const double closest_m = moment ? moment->apart.horizontal_m : conflict.closest_m;
+    const double both_m = off_m(conflict.first, at_s) + off_m(conflict.second, at_s);
     if (!(both_m > kSeen * options.threshold_m)) continue;
     chords.most_off_m = std::max(chords.most_off_m, both_m);
-    if (conflict.closest_m + both_m >= options.threshold_m) conflict.certain = false;
+    if (closest_m + both_m >= options.threshold_m) conflict.certain = false;
   }
   const auto turning = [&](PointId bee) {
     return Turning{tracks[bee], tells_velocities(recording.bees[bee])};
@@ -167,9 +190,9 @@ Chords doubt_chords(const io::Recording& recording, const std::vector<Track>& tr
     }
   }
   conflicts = std::move(told);
-  chords.possible = static_cast<std::size_t>(
-      std::count_if(conflicts.begin(), conflicts.end(),
-                    [](const Conflict& conflict) { return !conflict.certain; }));
+  chords.possible = static_cast<std::size_t>(std::count_if(
+      conflicts.begin(), conflicts.end(),
+      [&](const Conflict& conflict) { return !conflict.certain && !both_tell(conflict); }));
   return chords;
 }
 

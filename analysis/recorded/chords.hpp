@@ -24,8 +24,8 @@ struct Chords {
   std::size_t joined = 0;    // conflicts that are parts of others now
 };
 
-// Of aircraft without velocities, whose conflicts these are, without a vertical threshold;
-// otherwise nothing is done.
+// Of aircraft without velocities, whose conflicts these are; of others nothing is done. With a
+// vertical threshold how close two are across when they are worst is what counts.
 Chords doubt_chords(const io::Recording& recording, const std::vector<Track>& tracks,
                     const ConflictOptions& options, std::vector<Conflict>& conflicts);
 

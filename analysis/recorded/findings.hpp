@@ -6,6 +6,7 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/kept_by_height.hpp"
 #include "analysis/recorded/low_conflicts.hpp"
+#include "analysis/recorded/turn_arcs.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "analysis/recorded/worst_moment.hpp"
 #include "io/recording/recording.hpp"
@@ -44,6 +45,8 @@ struct Findings {
   bool velocities_passed_over = false;  // there are some, and they would have to be looked at
 
   Chords chords = {};
+  // `recorded` has the conflicts along these too; null where they were not looked at.
+  const TurnArcs* arcs = nullptr;
   // Of pairs without a conflict: closer than the minimum that holds above FL410.
   std::vector<Conflict> above_fl410 = {};
   // Nothing where it was not looked at.

@@ -92,6 +92,7 @@ class PathVerification {
     verdict_.closest_in_the_air = stands ? found->closest_in_the_air : found->closest;
     verdict_.lines = *std::move(tracks);
     verdict_.curves = std::move(found->curves);
+    verdict_.arcs = std::move(found->arcs);
     return std::nullopt;
   }
 

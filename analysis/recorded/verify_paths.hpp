@@ -6,6 +6,7 @@
 #include "analysis/recorded/limits_beside.hpp"
 #include "analysis/recorded/low_conflicts.hpp"
 #include "analysis/recorded/low_navigation.hpp"
+#include "analysis/recorded/turn_arcs.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "io/recording/recording.hpp"
 #include "io/recording/show_facts.hpp"
@@ -53,6 +54,7 @@ struct PathVerdict {
   // Distances that were decided as `beespace replay` does: the lines and the curves along which.
   std::vector<Track> lines = {};
   VelocityCurves curves = {};
+  TurnArcs arcs = {};
   std::vector<Gap> gaps;
   // Of the accelerations that a show declares: those that are looked at in their direction. Their
   // excesses are in `breaches`.

@@ -105,21 +105,40 @@ class EvenPiece {
   Minima minima_;
 };
 
-// Shares that differ by a rounding are equal.
-bool is_worse(const WorstMoment& one, const WorstMoment& other) {
+// The lesser share of both thresholds.
+double lesser_share(const WorstMoment& moment, const Minima& minima) {
+  return std::min(moment.apart.horizontal_m / minima.threshold_m,
+                  moment.apart.vertical_m / minima.vertical_m);
+}
+
+// Of moments that are as bad but for the rounding of places the one at which the other share is
+// least: of two that fly side by side, and of which one climbs through the level of the other, that
+// in which it does. Shares that differ by a rounding of numbers are equal.
+std::optional<WorstMoment> worst_among(const std::vector<WorstMoment>& moments,
+                                       const Minima& minima) {
   constexpr double kRounding = 1e-9;
-  if (std::abs(one.share - other.share) > kRounding) return one.share < other.share;
-  return std::hypot(one.apart.horizontal_m, one.apart.vertical_m) <
-         std::hypot(other.apart.horizontal_m, other.apart.vertical_m);
+  double least = std::numeric_limits<double>::infinity();
+  for (const WorstMoment& moment : moments) least = std::min(least, moment.share);
+  std::optional<WorstMoment> worst;
+  for (const WorstMoment& moment : moments) {
+    if (!(moment.share <= least + kAsBad)) continue;
+    if (!worst) {
+      worst = moment;
+      continue;
+    }
+    const double less = lesser_share(*worst, minima) - lesser_share(moment, minima);
+    if (std::abs(less) > kRounding ? less > 0.0 : moment.share < worst->share - kRounding) {
+      worst = moment;
+    }
+  }
+  return worst;
 }
 
 // Between two of these times, ascending, both fly straight.
 std::optional<WorstMoment> worst_along(const Conflict& conflict, const std::vector<double>& times_s,
                                        const OffsetAt& offset_at, const Minima& minima) {
-  std::optional<WorstMoment> worst;
-  const auto take = [&worst](const WorstMoment& moment) {
-    if (!worst || is_worse(moment, *worst)) worst = moment;
-  };
+  std::vector<WorstMoment> moments;
+  const auto take = [&moments](const WorstMoment& moment) { moments.push_back(moment); };
   std::optional<Offset> from = offset_at(conflict, times_s.front());
   for (std::size_t i = 1; i < times_s.size(); ++i) {
     const std::optional<Offset> to = offset_at(conflict, times_s[i]);
@@ -128,7 +147,7 @@ std::optional<WorstMoment> worst_along(const Conflict& conflict, const std::vect
     }
     from = to;
   }
-  return worst;
+  return worst_among(moments, minima);
 }
 
 void add_fix_times(const Track& track, const Conflict& conflict, std::vector<double>& times_s) {

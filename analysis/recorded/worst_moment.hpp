@@ -1,7 +1,9 @@
 // When two are worst in conflict, where a horizontal and a vertical threshold count: at the instant
-// at which the greater of their shares of both is the least. By the straight line, who only climbs
-// through the height of another would be closest as the conflict begins or ends, with the vertical
-// threshold between them, which says nothing of how close they get.
+// at which the greater of their shares of both is the least; where it is as bad for a while but for
+// the rounding of places, at the one of these at which the other share is the least. By the
+// straight line, who only climbs through the height of another would be closest as the conflict
+// begins or ends, with the vertical threshold between them, which says nothing of how close they
+// get.
 #pragma once
 
 #include "analysis/geometry/apart.hpp"
@@ -22,14 +24,16 @@ struct Minima {
   double vertical_m = 0.0;
 };
 
+// How far shares may differ that count as equally bad: what the rounding of places makes of them.
+inline constexpr double kAsBad = 1e-3;
+
 struct WorstMoment {
   double time_s = 0.0;
   double share = 0.0;  // the greater one, of its threshold: less than 1 in a conflict
   Apart apart = {};
 };
 
-// Within the time of the conflict; where it is as bad for a while, when the two are closest in a
-// straight line. Nothing where that is not known.
+// Within the time of the conflict. Nothing where that is not known.
 using WorstOf = std::function<std::optional<WorstMoment>(const Conflict&)>;
 
 // Of tracks, between whose fixes bees fly straight, and of bees that fly on as a snapshot has them.

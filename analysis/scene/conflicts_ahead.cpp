@@ -1,9 +1,9 @@
 #include "analysis/scene/conflicts_ahead.hpp"
 
 #include "analysis/geometry/geometry.hpp"
-#include "analysis/recorded/apart.hpp"
 #include "analysis/recorded/last_snapshot.hpp"
 #include "analysis/recorded/usual_horizon.hpp"
+#include "analysis/recorded/worst_moment.hpp"
 #include "report/earth_frame.hpp"
 #include "report/local_axes.hpp"
 
@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace beespace::analysis {
 namespace {
@@ -52,11 +53,21 @@ class PlacesAhead {
   std::optional<report::EarthFrame> frame_;
 };
 
-// Those that begin after the moment itself, the soonest first.
-std::vector<Conflict> later_ones(std::vector<Conflict> conflicts) {
+// Those that begin after the moment itself, by the numbers and times of the recording, the worst
+// first, and of those that are as bad the soonest.
+std::vector<Conflict> later_ones(std::vector<Conflict> conflicts, const Snapshot& snapshot,
+                                 const WorstOf& worst) {
   std::erase_if(conflicts, [](const Conflict& each) { return !(each.begins_s > 0.0); });
+  for (Conflict& each : conflicts) {
+    each.first = snapshot.bees[each.first];
+    each.second = snapshot.bees[each.second];
+    each.begins_s += snapshot.time_s;
+    each.closest_s += snapshot.time_s;
+    each.ends_s += snapshot.time_s;
+  }
   std::stable_sort(conflicts.begin(), conflicts.end(),
                    [](const Conflict& a, const Conflict& b) { return a.begins_s < b.begins_s; });
+  sort_worst_first(worst, conflicts);
   return conflicts;
 }
 
@@ -87,26 +98,23 @@ Status look_ahead(const io::Recording& recording, const std::vector<std::uint32_
        .height_unit_m = unit_m});
   if (!conflicts && conflicts.error().code == ErrorCode::kTooManyResults) return std::monostate{};
   if (!conflicts) return std::move(conflicts).error();
-  const std::vector<Conflict> later = later_ones(*std::move(conflicts));
+  WorstOf worst;
+  if (facts.swarm.vertical_m) {
+    worst = worst_of(*snapshot, unit_m, {facts.swarm.threshold_m, *facts.swarm.vertical_m});
+  }
+  std::vector<Conflict> later = later_ones(*std::move(conflicts), *snapshot, worst);
   ahead.count = later.size();
   const PlacesAhead places(*in_space, bees, facts);
-  const ApartOf apart = apart_of(*snapshot, unit_m);
-  const std::size_t told_count = std::min(kMostTold, later.size());
-  ahead.conflicts.reserve(told_count);
-  for (std::size_t i = 0; i < told_count; ++i) {
-    Conflict told = later[i];
-    told.first = snapshot->bees[later[i].first];
-    told.second = snapshot->bees[later[i].second];
-    told.closest_s += snapshot->time_s;
+  later.resize(std::min(kMostTold, later.size()));
+  ahead.conflicts.reserve(later.size());
+  for (const Conflict& told : later) {
+    const auto moment = worst ? worst(told) : std::nullopt;
+    const double closest_s = (moment ? moment->time_s : told.closest_s) - snapshot->time_s;
     report::ConflictAhead each{places.shown(told.first), places.shown(told.second),
-                               later[i].begins_s, later[i].closest_s, told.closest_m};
-    if (facts.swarm.vertical_m) {
-      if (const auto there = apart(told)) {
-        each.apart = report::Apart{there->horizontal_m, there->vertical_m};
-      }
-    }
-    each.first_there = places.after(told.first, later[i].closest_s);
-    each.second_there = places.after(told.second, later[i].closest_s);
+                               told.begins_s - snapshot->time_s, closest_s, told.closest_m};
+    if (moment) each.apart = report::Apart{moment->apart.horizontal_m, moment->apart.vertical_m};
+    each.first_there = places.after(told.first, closest_s);
+    each.second_there = places.after(told.second, closest_s);
     ahead.conflicts.push_back(each);
   }
   facts.ahead = std::move(ahead);

@@ -16,6 +16,7 @@
 #include "analysis/recorded/show_conflicts.hpp"
 #include "analysis/recorded/still_times.hpp"
 #include "analysis/recorded/tracks.hpp"
+#include "analysis/recorded/turn_arcs.hpp"
 #include "analysis/recorded/velocity_curves.hpp"
 #include "analysis/recorded/worst_moment.hpp"
 #include "analysis/scene/coverage_notes.hpp"
@@ -168,9 +169,9 @@ std::vector<PointId> bees_named(const std::vector<Conflict>& conflicts,
 }
 
 // Where straight lines may be off from what gliders flew that circle.
-void note_chords(const Chords& chords, report::SwarmFacts& swarm) {
-  if (std::string text = chords_text(chords); !text.empty()) {
-    swarm.notes.push_back(std::move(text));
+void note_turns(const Chords& chords, const TurnArcs& arcs, report::SwarmFacts& swarm) {
+  for (std::string text : {turn_arcs_text(arcs), chords_text(chords)}) {
+    if (!text.empty()) swarm.notes.push_back(std::move(text));
   }
 }
 
@@ -337,7 +338,11 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   if (!curves) return curves.error();
   recorded->conflicts = merged(std::move(recorded->conflicts), curves->conflicts);
   leave_out_jumps(recording, recorded->conflicts);
-  note_chords(doubt_chords(recording, tracks, options, recorded->conflicts), swarm);
+  const Chords chords = doubt_chords(recording, tracks, options, recorded->conflicts);
+  const auto arcs = follow_turns(recording, tracks, geometry, options, true, recorded->conflicts);
+  if (!arcs) return arcs.error();
+  recorded->conflicts = merged(std::move(recorded->conflicts), arcs->conflicts);
+  note_turns(chords, *arcs, swarm);
   recorded->conflicts = merged(std::move(recorded->conflicts), *standing);
   const auto left_out = leave_out_standing(recording, tracks, options, recorded->conflicts);
   if (!left_out) return left_out.error();
@@ -365,8 +370,8 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   }
   WorstOf worst;
   if (swarm.vertical_m) {
-    worst =
-        worst_along(tracks, *curves, options.height_unit_m, {swarm.threshold_m, *swarm.vertical_m});
+    worst = worst_along(tracks, *curves, *arcs, options.height_unit_m,
+                        {swarm.threshold_m, *swarm.vertical_m});
     tell_worst(worst, recorded->conflicts);
     tell_worst(worst, *standing);
   }

@@ -220,9 +220,10 @@ ExitCode run_command_line(Program& program, int argc, char** argv) {
     const auto code = command.run();
     if (code) return *code;
     Error error = code.error();
-    error.message =
-        with_what_was_typed(std::move(error.message), error.location.source,
-                            command.typed("--threshold"), command.typed("--separation"));
+    error.message = with_what_was_typed(std::move(error.message), error.location.source,
+                                        {.threshold = command.typed("--threshold"),
+                                         .separation = command.typed("--separation"),
+                                         .vertical = command.typed("--vertical")});
     return fail(error, command.is_given("--json"));
   }
   say_error("say what to do: " + alternatives(subcommands_of(app)) + " (see 'beespace --help')");

@@ -69,17 +69,19 @@ std::string typed_name(const std::string& file) {
 }
 
 std::string with_what_was_typed(std::string message, const std::string& file,
-                                std::string_view threshold, std::string_view separation) {
+                                const TypedSeparation& typed) {
   std::error_code none;
   if (can_be_quoted(file) && std::filesystem::exists(file, none)) {
     message = with_file(message, file);
   }
   std::string said;
-  if (!threshold.empty() && can_be_quoted(threshold)) {
-    said.append("--threshold ").append(as_one_word(threshold));
-  } else if (!separation.empty() && can_be_quoted(separation)) {
-    said.append("--separation ").append(as_one_word(separation));
-  }
+  const auto add = [&said](std::string_view option, std::string_view value) {
+    if (value.empty() || !can_be_quoted(value)) return false;
+    said.append(said.empty() ? "" : " ").append(option).append(" ").append(as_one_word(value));
+    return true;
+  };
+  if (!add("--threshold", typed.threshold)) add("--separation", typed.separation);
+  if (!said.empty()) add("--vertical", typed.vertical);
   const std::string_view yours = io::kYourThreshold;
   const std::size_t at = message.find(yours);
   if (said.empty() || at == std::string::npos) return message;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 namespace beespace::cli {
 
@@ -11,9 +10,14 @@ namespace beespace::cli {
 std::string typed_name(const std::string& file);
 
 // `message` with the name of the file for the word FILE, where there is such a file, and
-// "--threshold 5" or "--separation enroute", as typed, for io::kYourThreshold; where nothing was
-// typed that stays as it is.
+// "--threshold 5 --vertical 2" or "--separation enroute", as typed, for io::kYourThreshold; where
+// no threshold was typed that stays as it is.
+struct TypedSeparation {
+  std::string threshold = {};
+  std::string separation = {};
+  std::string vertical = {};
+};
 std::string with_what_was_typed(std::string message, const std::string& file,
-                                std::string_view threshold, std::string_view separation);
+                                const TypedSeparation& typed);
 
 }  // namespace beespace::cli

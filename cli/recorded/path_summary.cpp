@@ -172,9 +172,9 @@ Distances distances_in(const PathFindings& findings, const MovingRequest& reques
   Distances distances = distances_of(request, recording, findings.question.threshold_m);
   if (!request.vertical) return distances;
   const analysis::Geometry geometry = analysis::geometry_for(recording, request.vertical);
-  distances.apart = analysis::apart_along(verdict.lines, verdict.curves,
+  distances.apart = analysis::apart_along(verdict.lines, verdict.curves, verdict.arcs,
                                           height_unit_m(geometry, recording.height_unit));
-  distances.worst = analysis::worst_along(verdict.lines, verdict.curves,
+  distances.worst = analysis::worst_along(verdict.lines, verdict.curves, verdict.arcs,
                                           height_unit_m(geometry, recording.height_unit),
                                           {findings.question.threshold_m, *request.vertical_m});
   return distances;

@@ -243,12 +243,23 @@ void append_passed(std::string& out, const Prediction& prediction, const Predict
   std::string text = "this is a recording of ";
   text += io::duration(prediction.snapshot.time_s - *prediction.recorded_since_s);
   text += ": only what lies ahead of its end is looked at; for the rest ask 'beespace replay";
-  if (request.moving.inputs.size() == 1 && request.moving.inputs.front() != "-") {
+  for (const std::string& input : request.moving.inputs) {
+    if (input == "-") continue;
     text += ' ';
-    text += printable(typed_name(request.moving.inputs.front()));
+    text += printable(typed_name(input));
   }
   text += separation_typed(request.moving);
   append_summary_line(out, "note", text + "'");
+}
+
+// Whether the two are worst where nobody looks farther, so that they may come closer behind it.
+bool is_closing_at_the_end(const Conflict& conflict, const Prediction& prediction) {
+  constexpr double kRounded_s = 1e-6;
+  const auto& worst = prediction.distances.worst;
+  const auto moment = worst ? worst(conflict) : std::nullopt;
+  const double at_s = moment ? moment->time_s : conflict.closest_s;
+  return prediction.horizon_s > 0.0 && at_s > conflict.begins_s &&
+         at_s >= prediction.snapshot.time_s + prediction.horizon_s - kRounded_s;
 }
 
 std::string when_text(double from_now_s) {
@@ -289,7 +300,11 @@ std::string summary(const Prediction& prediction, const PredictRequest& request,
                             when_text(soonest->begins_s - snapshot.time_s));
     append_summary_line(
         out, "closest",
-        encounter_text(closest, prediction.recording, prediction.distances, Told::kConflict));
+        encounter_text(closest, prediction.recording, prediction.distances, Told::kConflict) +
+            (is_closing_at_the_end(closest, prediction)
+                 ? "; still closing at the horizon of " + io::exact(prediction.horizon_s) +
+                       " s (--horizon)"
+                 : ""));
   }
   append_summary_line(out, "time", "search " + io::duration(search_s));
   return out;

@@ -172,6 +172,7 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   findings.closest_in_the_air = found->closest_in_the_air;
   findings.curves = &found->curves;
   findings.chords = found->chords;
+  findings.arcs = &found->arcs;
   auto above = analysis::closer_above_fl410(*recording, *tracks, moving.vertical, options);
   if (!above) return in_words_of_the_command(above.error(), moving);
   findings.above_fl410 = of_other_pairs(*std::move(above), found->recorded.conflicts);
@@ -188,9 +189,9 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   }
   Distances distances = distances_of(moving, *recording, threshold_m);
   if (moving.vertical) {
-    distances.apart = analysis::apart_along(*tracks, found->curves,
+    distances.apart = analysis::apart_along(*tracks, found->curves, found->arcs,
                                             height_unit_m(geometry, recording->height_unit));
-    distances.worst = analysis::worst_along(*tracks, found->curves,
+    distances.worst = analysis::worst_along(*tracks, found->curves, found->arcs,
                                             height_unit_m(geometry, recording->height_unit),
                                             {threshold_m, *moving.vertical_m});
     // Along curves heights are not straight in time, too.

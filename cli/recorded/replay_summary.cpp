@@ -57,6 +57,10 @@ std::string kinds_text(const analysis::Findings& findings) {
     text += ", " + io::grouped(findings.curves->conflicts.size()) +
             " possible, along curves with the given velocities";
   }
+  if (findings.arcs != nullptr && !findings.arcs->conflicts.empty()) {
+    text += ", " + io::grouped(findings.arcs->conflicts.size()) +
+            " possible, on the arcs of turns between fixes";
+  }
   const auto shared =
       analysis::count_of_shared_ids(findings.recorded.conflicts, findings.recording);
   if (shared > 0) text += ", " + io::grouped(std::uint64_t{shared}) + " possible, of a shared id";
@@ -394,6 +398,7 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
                 "may be on the ground without saying so: its conflicts come last");
   }
   append_note(out, analysis::chords_text(findings.chords));
+  if (findings.arcs != nullptr) append_note(out, analysis::turn_arcs_text(*findings.arcs));
   append_note(out, near_limit_text(findings.recorded.conflicts, request, distances, recording));
   append_low(out, findings.low, recording, request, distances, findings.with_standing);
   const std::string bars = findings.has_encounters && !figures.memory_bytes

@@ -2,6 +2,7 @@
 
 #include "io/bytes/characters.hpp"
 #include "io/problems/signatures.hpp"
+#include "io/problems/your_threshold.hpp"
 #include "io/recording/left_out_files.hpp"
 
 #include <algorithm>
@@ -304,7 +305,7 @@ Error nothing_to_read(Listed found, const std::string& folder) {
     message += "; each of these is a recording of its own, as a rule: for f in \"" + folder;
     message.append("\"/*").append(*of_that).append("; do beespace ");
     message += *of_that == ".scn" ? "predict" : "replay";
-    message += " \"$f\" --separation nmac; done";
+    message.append(" \"$f\" ").append(kYourThreshold).append("; done");
     return {ErrorCode::kNoPoints, std::move(message), {folder}};
   }
   message += inside.empty() ? "; name the files, or the folder that holds them"

@@ -33,6 +33,23 @@ TableSource history_of_opensky(std::vector<KnownColumn> columns) {
   return source;
 }
 
+// State vectors as the live interface of OpenSky (REST) names them, written as a table by hand:
+// "true_track" beside "icao24" and "velocity" is of no other one.
+TableSource states_of_opensky() {
+  TableSource source{
+      "OpenSky's live interface",
+      "groundspeed track heading altitude alt_baro alt_geom",
+      {{"icao24"},
+       {"velocity", Role::kGroundSpeed, Unit::kMetrePerSecond},
+       {"true_track", Role::kTrack},
+       perhaps("time_position", Role::kTime, Unit::kSecond),
+       perhaps("vertical_rate", Role::kClimb, Unit::kMetrePerSecond),
+       perhaps("baro_altitude", Role::kHeight, Unit::kMetre, HeightDatum::kPressure),
+       perhaps("geo_altitude", Role::kHeight, Unit::kMetre, HeightDatum::kEllipsoid)}};
+  source.since_1970 = true;
+  return source;
+}
+
 // A flight as Flightradar24 exports it (CSV), whose headers say no units: they are feet and knots.
 TableSource flightradar24() {
   TableSource source{kFlightradar24,
@@ -159,6 +176,7 @@ std::span<const TableSource> known_sources() {
        history_of_opensky({{"icao24"},
                            {"velocity", Role::kGroundSpeed, Unit::kMetrePerSecond},
                            {"geoaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kEllipsoid}}),
+       states_of_opensky(),
        TableSource{"PX4 (ulog2csv)",
                    "",
                    {{"timestamp", Role::kTime, Unit::kMicrosecond},

@@ -73,8 +73,9 @@ std::string findings_now(const SnapshotFacts& facts) {
   return text + ".";
 }
 
+// One of those ahead is enough: there is a list of them.
 std::string findings_of(const SnapshotFacts& facts) {
-  const std::string ahead = ahead_words(facts);
+  const std::string ahead = ahead_words(facts, 1);
   return findings_now(facts) + (ahead.empty() ? "" : " Ahead: " + ahead + ".");
 }
 
@@ -128,19 +129,25 @@ Listing closest_pairs(const SnapshotFacts& facts) {
          listed_apart(facts.swarm, facts.distances_m[i],
                       i < facts.apart.size() ? std::optional(facts.apart[i]) : std::nullopt)});
   }
-  if (facts.pairs.empty() && facts.ahead && facts.ahead->count > 0) {
-    listing.heading = "Ahead, flying straight on";
-    listing.count = facts.ahead->count;
-    for (const ConflictAhead& each : facts.ahead->conflicts) {
-      listing.rows.push_back({name_of(facts.swarm.names, each.first, each.second),
-                              listed_apart(facts.swarm, each.closest_m, each.apart) + " in " +
-                                  decimal_label(each.closest_in_s, 0) + " s"});
-    }
-  } else if (facts.pairs.empty() && facts.closest) {
+  const bool any_ahead = facts.ahead && facts.ahead->count > 0;
+  if (facts.pairs.empty() && !any_ahead && facts.closest) {
     listing.heading = "Closest pair, not too close";
     listing.rows.push_back(
         {name_of(facts.swarm.names, facts.closest->first, facts.closest->second),
          listed_apart(facts.swarm, facts.closest->distance_m, facts.closest_apart)});
+  }
+  return listing;
+}
+
+// Those that come after the moment, the worst first.
+Listing conflicts_ahead(const SnapshotFacts& facts) {
+  Listing listing{"Ahead, flying straight on", {}, 0};
+  if (!facts.ahead) return listing;
+  listing.count = facts.ahead->count;
+  for (const ConflictAhead& each : facts.ahead->conflicts) {
+    listing.rows.push_back({name_of(facts.swarm.names, each.first, each.second),
+                            listed_apart(facts.swarm, each.closest_m, each.apart) + " in " +
+                                decimal_label(each.closest_in_s, 0) + " s"});
   }
   return listing;
 }
@@ -290,6 +297,22 @@ double draw_below_chart(const Listing& listing, double bottom, Drawing& drawing)
   return bottom;
 }
 
+// Of one moment: some of those that are too close at it, and below these those ahead.
+double draw_both_below_chart(const Listing& now, const Listing& ahead, double bottom,
+                             Drawing& drawing) {
+  constexpr std::size_t kFewNow = 6;
+  constexpr double kBetween = 34.0;
+  if (now.rows.empty()) return draw_below_chart(ahead, bottom, drawing);
+  if (ahead.rows.empty()) return draw_below_chart(now, bottom, drawing);
+  const Spot corner{kChart.left, kChart.bottom() + kBelowChart};
+  const double end = corner.y + listing_height(now, kChart.width, kFewNow);
+  draw_listing(now, corner, kChart.width, end, drawing);
+  const Spot next{kChart.left, end + kBetween};
+  bottom = std::max(bottom, next.y + listing_height(ahead, kChart.width, kFewNow));
+  draw_listing(ahead, next, kChart.width, bottom, drawing);
+  return bottom;
+}
+
 }  // namespace
 
 Drawing figure_of(const SnapshotFacts& facts) {
@@ -308,7 +331,7 @@ Drawing figure_of(const SnapshotFacts& facts) {
   if (const auto histogram = nearest_histogram(facts)) {
     draw_histogram(*histogram, facts.swarm, kChart, drawing);
   }
-  bottom = draw_below_chart(closest_pairs(facts), bottom, drawing);
+  bottom = draw_both_below_chart(closest_pairs(facts), conflicts_ahead(facts), bottom, drawing);
   finish_sheet(facts.swarm, bottom, drawing);
   return drawing;
 }

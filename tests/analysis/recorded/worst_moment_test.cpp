@@ -17,6 +17,7 @@ namespace {
 
 using beespace::Conflict;
 using beespace::Track;
+using beespace::analysis::kAsBad;
 using beespace::analysis::Minima;
 using beespace::analysis::rank_of;
 using beespace::analysis::worst_of;
@@ -97,6 +98,26 @@ TEST(WorstMoment, IsWhenTwoAreClosestWhereTheirHeightsKeepTheSameDistance) {
   EXPECT_NEAR(worst->apart.horizontal_m, 500.0, 1e-9);
 }
 
+// Side by side at a steady distance, written to the metre: which moment the shares differ by then
+// is chance, and what counts is that one passes the level of the other.
+TEST(WorstMoment, IsThatOfAPassedLevelWhereTheDistanceIsSteadyButForRounding) {
+  std::vector<Track> tracks(2);
+  for (int i = 0; i <= 20; ++i) {
+    const double time_s = 10.0 * i;
+    tracks[0].fixes.push_back({time_s, {2'000.0 * i, 0.0, 10'000.0}});
+    const double wavers = 0.5 * ((i * 7) % 5);
+    tracks[1].fixes.push_back({time_s, {2'000.0 * i, 7'408.0 - wavers, 9'750.0 + 27.0 * i}});
+  }
+  const auto found = beespace::find_conflicts(
+      tracks, {.threshold_m = kEnRoute.threshold_m, .vertical_m = kEnRoute.vertical_m});
+  ASSERT_TRUE(found && found->conflicts.size() == 1);
+  const auto worst = worst_of(tracks, 1.0, kEnRoute)(found->conflicts.front());
+  ASSERT_TRUE(worst);
+  EXPECT_NEAR(worst->apart.vertical_m, 0.0, 1e-6);
+  EXPECT_NEAR(worst->time_s, 10.0 * 250.0 / 27.0, 1e-6);
+  EXPECT_NEAR(worst->share, 0.8, 1e-3);
+}
+
 TEST(WorstMoment, IsThatOfVeryManyInstantsOfRandomTracks) {
   std::mt19937_64 random(17);
   std::uniform_real_distribution<double> across(-12'000.0, 12'000.0);
@@ -121,7 +142,7 @@ TEST(WorstMoment, IsThatOfVeryManyInstantsOfRandomTracks) {
       const auto worst = worst_of(tracks, 1.0, kEnRoute)(conflict);
       ASSERT_TRUE(worst);
       const Sampled by_hand = sampled(tracks, conflict, kEnRoute);
-      EXPECT_LE(worst->share, by_hand.share + 1e-12) << "scene " << scene;
+      EXPECT_LE(worst->share, by_hand.share + kAsBad + 1e-12) << "scene " << scene;
       EXPECT_GE(worst->share, by_hand.share - 1e-3) << "scene " << scene;
       EXPECT_GE(worst->time_s, conflict.begins_s);
       EXPECT_LE(worst->time_s, conflict.ends_s);

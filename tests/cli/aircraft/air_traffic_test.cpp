@@ -395,6 +395,11 @@ TEST(FoldersOfEncounters, SayHowToAskOfEach) {
   folder.file("b.daa", "NAME lat lon\n");
   expect_parts(run({"replay", folder.path("")}).err,
                {"each of these is a recording of its own", "/*.daa; do beespace replay \"$f\""});
+  // With what was typed: another threshold would be an all-clear of another question.
+  expect_parts(run({"replay", "--separation", "enroute", folder.path("")}).err,
+               {"do beespace replay \"$f\" --separation enroute; done"});
+  expect_parts(run({"replay", "--threshold", "5NM", "--vertical", "1000ft", folder.path("")}).err,
+               {"do beespace replay \"$f\" --threshold 5NM --vertical 1000ft; done"});
 }
 
 // The last lines of a log of BaseStation, of which the first is cut.
@@ -426,59 +431,6 @@ TEST(SharedAddresses, MakeNoConflictThatIsCertain) {
                               "possible, as two seem to share an id"});
   EXPECT_EQ(finished.err.find("does not keep"), std::string::npos) << finished.err;
   EXPECT_EQ(finished.out.find("\tyes\t"), std::string::npos) << finished.out;
-}
-
-// ---- Gliders that circle ------------------------------------------------------------------------
-
-// One that circles so far from a place, a fix every 4 s, as an IGC log; `phase` in turns.
-std::string circling(const std::string& id, double phase, double radius_m = 80.0, int from_s = 0) {
-  constexpr double kTurn = 6.283185307179586;
-  constexpr double kPeriod_s = 20.0;
-  std::string text = "AXXX" + id + "\nHFDTE200726\n";
-  for (int t = from_s; t < 120; t += 4) {
-    const double angle = kTurn * (t / kPeriod_s + phase);
-    const double north_minutes = radius_m * std::sin(angle) / 1852.0;
-    const double east_minutes = radius_m * std::cos(angle) / (1852.0 * 0.682);
-    std::array<char, 80> line{};
-    std::snprintf(line.data(), line.size(), "B11%02d%02d47%05.0fN008%05.0fEA0150001550\n",
-                  30 + t / 60, t % 60, 1000.0 * (30.0 + north_minutes),
-                  1000.0 * (30.0 + east_minutes));
-    text += line.data();
-  }
-  return text;
-}
-
-TEST(GlidersThatCircle, AreInConflictPerhapsWhereOnlyStraightLinesAre) {
-  const TemporaryFolder folder;
-  folder.file("a.igc", circling("001", 0.0));
-  folder.file("b.igc", circling("002", 0.5));
-  const Finished finished =
-      run({"replay", "--threshold", "150", "--fail-on-risk", folder.path("")});
-  EXPECT_EQ(finished.exit_code, 1) << finished.err;
-  expect_parts(finished.err, {"may not keep its distance",
-                              "where two in conflict turn, straight lines between fixes may be "
-                              "off by up to",
-                              "and so may how close they come; ", "possible, not certain"});
-  EXPECT_EQ(finished.out.find("yes"), std::string::npos) << "certain";
-  const Finished surely = run({"replay", "--threshold", "200", folder.path("")});
-  expect_parts(surely.err, {"does not keep its distance"});
-  EXPECT_EQ(surely.err.find("not certain"), std::string::npos);
-}
-
-// One 40 m farther out than the other in the same thermal, always beside it, with fixes between
-// those of the other: chords cut both circles in turn, and what is between swings to and fro.
-TEST(GlidersThatCircle, AreInOneConflictAsLongAsTheyMayStayClose) {
-  const TemporaryFolder folder;
-  folder.file("a.igc", circling("001", 0.0, 80.0, 0));
-  folder.file("b.igc", circling("002", 0.0, 120.0, 2));
-  const Finished one = run({"replay", "--threshold", "45", folder.path("")});
-  EXPECT_EQ(rows_of(one.out).size(), 1u) << one.out;
-  expect_parts(one.err, {"of 1 pair", "and so may how close they come",
-                         "stretches between which the two may have stayed closer are told as one"});
-  // Fixes of both at one time say where both are: they are apart there.
-  folder.file("b.igc", circling("002", 0.5, 80.0, 0));
-  const Finished apart = run({"replay", "--threshold", "150", folder.path("")});
-  EXPECT_GT(rows_of(apart.out).size(), 10u) << apart.out;
 }
 
 // ---- Heights by pressure, climbs by heights

@@ -55,6 +55,15 @@ TEST(Predict, LooksAsFarAsTheHorizon) {
               {{"0", "1", "0", "0", "3", "0"}});
 }
 
+// What is closest at the end of the horizon is not as close as they come.
+TEST(Predict, SaysWhereTwoAreStillClosingAtTheHorizon) {
+  const Arguments predict = {"predict", "--threshold", "5", "--horizon"};
+  expect_parts(run(predict + Arguments{"49"}, kHeadOn).err,
+               {"; still closing at the horizon of 49 s (--horizon)"});
+  const Finished later = run(predict + Arguments{"60"}, kHeadOn);
+  EXPECT_EQ(later.err.find("still closing"), std::string::npos) << later.err;
+}
+
 TEST(Predict, ExactlyTheThresholdCountsOnlyWhenInclusive) {
   expect_rows(predicted({"--horizon", "48", "--inclusive"}), {{"a", "b", "48", "48", "5", "48"}});
   const Arguments grazing = {"predict", "--threshold", "3"};

@@ -47,6 +47,30 @@ TEST_F(SnapshotAhead, APictureTellsWhatIsFoundAhead) {
   EXPECT_EQ(drawn.find(">SWR22K</text>"), std::string::npos);
 }
 
+// The worst encounter may be ahead where others are too close already.
+TEST_F(SnapshotAhead, IsListedBesideThoseWhoAreTooCloseNow) {
+  const std::string file = folder_.file(
+      "meet.scn", scenario("0") + "00:00:00.00>CRE KLM81R,A320,50.0,5.05,270,FL330,440\n");
+  const Finished finished = plot(file);
+  expect_parts(finished.err, {"ahead      flying straight on, 1 conflict within 300 s: AFR123"});
+  expect_parts(folder_.read("p.svg"), {"Closest pairs (straight line)", "Ahead, flying straight on",
+                                       ">AFR123</text>", ">KLM81R</text>"});
+}
+
+TEST_F(SnapshotAhead, TheWorstIsToldFirst) {
+  // 20 km apart head-on at one level, later than the others are, who keep 700 ft.
+  const std::string file = folder_.file("two.scn",
+                                        "00:00:00.00>CRE AFR123,A320,48.0,2.0,90,FL350,450\n"
+                                        "00:00:00.00>CRE BAW456,A320,48.0,2.2,270,FL357,450\n"
+                                        "00:00:00.00>CRE SWR22K,A320,50.0,5.0,90,FL330,440\n"
+                                        "00:00:00.00>CRE KLM81R,A320,50.0,5.5,270,FL330,440\n");
+  expect_parts(plot(file).err,
+               {"ahead      flying straight on, 2 conflicts within 300 s, the worst first: SWR22K "
+                "and KLM81R in "});
+  EXPECT_EQ(folder_.read("p.svg").find("AFR123 and BAW456 in"), std::string::npos)
+      << "named in the list only";
+}
+
 TEST_F(SnapshotAhead, AsPredictFindsIt) {
   const std::string file = folder_.file("meet.scn", scenario("0"));
   const auto rows = rows_of(

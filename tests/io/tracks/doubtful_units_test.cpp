@@ -186,5 +186,22 @@ TEST(DoubtfulFeet, TheHistoryOfOpenSkyIsInMetresWhateverElseIsLeftOut) {
   EXPECT_NEAR(all.bees[0].velocities.at(0).x, 180.0, 1e-9);
 }
 
+// Their velocities were passed over, and a turn between two rows kept its distance.
+TEST(DoubtfulFeet, TheNamesOfTheLiveInterfaceOfOpenSkyAreMetresToo) {
+  const Recording recording = recording_of(record(
+      "icao24,callsign,origin_country,time_position,last_contact,longitude,latitude,baro_altitude,"
+      "on_ground,velocity,true_track,vertical_rate,sensors,geo_altitude,squawk,spi,"
+      "position_source\n"
+      "3c6444,DLH4AB  ,Germany,1717232639,1717232640,8.8,48.0,10668.0,False,231.5,90,2.5,,10788.0,"
+      "1000,False,0\n"));
+  ASSERT_EQ(recording.bees.size(), 1U);
+  EXPECT_EQ(recording.bees[0].id, "3c6444");
+  EXPECT_TRUE(recording.since_1970);
+  EXPECT_EQ(recording.height_unit, Unit::kMetre);
+  ASSERT_EQ(recording.bees[0].velocities.size(), 1U);
+  EXPECT_NEAR(recording.bees[0].velocities[0].x, 231.5, 1e-9);
+  EXPECT_NEAR(recording.bees[0].velocities[0].z, 2.5, 1e-12);
+}
+
 }  // namespace
 }  // namespace beespace::io
