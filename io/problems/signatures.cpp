@@ -58,8 +58,9 @@ constexpr std::string_view kBag =
     "frames are";
 constexpr std::string_view kDataFlash =
     ", which is not read; name the .bin that it was made of, or make a table of its positions: pip "
-    "install pymavlink, then mavlogdump.py --format csv --types POS FILE > pos.csv, and read it "
-    "with --columns time=timestamp,lon=Lng,lat=Lat,height=Alt --threshold YOUR_THRESHOLD (without "
+    "install pymavlink, then mavlogdump.py --format csv --types POS FILE > pos.csv, likewise a "
+    "table of each other log, and name all of them: beespace replay pos.csv "
+    "--columns time=timestamp,lon=Lng,lat=Lat,height=Alt --threshold YOUR_THRESHOLD (without "
     "a time of GPS it counts from when each drone was switched on: then logs of several have no "
     "common clock)";
 constexpr std::string_view kMatlab =

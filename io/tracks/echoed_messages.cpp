@@ -34,7 +34,8 @@ constexpr std::string_view kOfGazebo =
     "zip(bs, ns) if ns.count(n) == 1 and n != 'ground_plane']\" > poses.csv; names that several "
     "have, as links of models do, are left out, and so is the ground: what else stands for no "
     "vehicle (buildings, markers) is to be left out, too, as by grep -E '^(id|x500)' poses.csv > "
-    "vehicles.csv";
+    "vehicles.csv; live, make it JSON with "
+    "gz topic -e --json-output, which 'beespace watch' says how to read";
 
 }  // namespace
 

@@ -311,6 +311,8 @@ Result<TrackLayout> ros_layout(const RosTable& ros, TableLayout table, std::stri
   }
   if (options.frame == Frame::kAuto && layout->frame == Frame::kMetres) {
     layout->frame_reason = "positions of ROS are in metres";
+  } else if (options.frame == Frame::kAuto && ros.columns.starts_with("lon=")) {
+    layout->frame_reason = "NavSatFix tells longitude, latitude and height";
   }
   layout->doubted_above_mps = std::nullopt;
   name_units(*layout, "messages of ROS have them so");
