@@ -61,25 +61,25 @@ struct SourceFacts {
   bool since_start = false;                   // times count since the one vehicle was switched on
   bool begins_at_zero = false;                // the first one is 0
   bool small_times = false;                   // TimeChoice::is_small
-  // Nothing says that times of several such count from one zero; how to add something to them.
+  // Nothing says that times of several such count from one zero.
   bool zero_unsaid = false;
-  std::string shift = {};
   bool of_aircraft = false;           // by its format, or what its columns are called
   bool of_animals = false;            // what is known to write tables of animals wrote it
   bool of_drones = false;             // what their autopilots logged
   bool called_drones = false;         // Recording::called_drones
-  std::string heights_beside = {};    // Recording::heights_beside
   bool y_is_down = false;             // Recording::y_is_down
   bool flies_on = false;              // Recording::flies_on
   bool names_bees = false;            // by an id: there may be several in it
   Unit time_unit = Unit::kUnstated;   // in which times are numbers
   Unit named_time = Unit::kUnstated;  // that of the times, where nothing but the header says it
   HeightDatum heights = HeightDatum::kUnstated;
-  std::string other_heights = {};   // how to take those above something else: ", or take ..."
   Unit height_unit = Unit::kMetre;  // in which TrackGathering is told them as they are stated
   std::vector<UnitTaken> units = {};
   HeightColumns height_columns = {};  // of animals, of which some may have none
   std::string description = {};       // "text, comma-separated"
+  std::string shift = {};             // how to add something to times, where zero_unsaid
+  std::string heights_beside = {};    // Recording::heights_beside
+  std::string other_heights = {};     // how to take those above something else: ", or take ..."
   // Of what has a layout of its own: which of the options that were given are not for it.
   std::optional<Error> unused_options = {};
   // Where times may begin again with each trial, and where an animal may have several tags at
