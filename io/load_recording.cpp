@@ -356,9 +356,9 @@ std::optional<Error> read_path(const std::string& path, RecordingAssembly& assem
 
 }  // namespace
 
-Result<Recording> load_recording(const std::vector<std::string>& named,
+Result<Recording> load_recording(const std::vector<std::string>& paths,
                                  const RecordingOptions& options) {
-  if (named.empty()) {
+  if (paths.empty()) {
     return Error{ErrorCode::kInvalidArgument, "no input is named; name a file, a folder, or -", {}};
   }
   if (options.progress != nullptr) {
@@ -366,20 +366,20 @@ Result<Recording> load_recording(const std::vector<std::string>& named,
     options.progress->total = 0;
   }
   RecordingAssembly assembly(options);
-  std::vector<std::string> paths = named;
-  for (const std::string& no_log : last_logs_in(named)) std::erase(paths, no_log);
-  if (paths.size() > 1) assembly.expect_several();
+  std::vector<std::string> inputs = paths;
+  for (const std::string& no_log : last_logs_in(paths)) std::erase(inputs, no_log);
+  if (inputs.size() > 1) assembly.expect_several();
   std::vector<std::string> sources;
-  for (const std::string& path : paths) {
+  for (const std::string& path : inputs) {
     const auto inside = is_folder(path) ? recordings_in(path) : std::vector<std::string>{path};
     if (!inside) return inside.error();
     for (const std::string& file : *inside) sources.push_back(source_name(file));
   }
   assembly.expect_sources(sources);
-  for (const std::string& path : paths) {
+  for (const std::string& path : inputs) {
     if (auto error = read_path(path, assembly)) return *std::move(error);
   }
-  count_left_out(named, assembly);
+  count_left_out(paths, assembly);
   return assembly.finish();
 }
 
