@@ -8,7 +8,7 @@
 namespace beespace::report {
 namespace {
 
-// Nobody looks farther: the two may come closer behind it.
+// The look ahead ends there: the two may come closer behind it.
 bool is_closing_at_the_end(const ConflictAhead& each, const Ahead& ahead) {
   constexpr double kRounded_s = 1e-6;
   return each.closest_in_s > each.begins_in_s && each.closest_in_s >= ahead.horizon_s - kRounded_s;

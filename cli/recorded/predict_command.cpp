@@ -252,7 +252,7 @@ void append_passed(std::string& out, const Prediction& prediction, const Predict
   append_summary_line(out, "note", text + "'");
 }
 
-// Whether the two are worst where nobody looks farther, so that they may come closer behind it.
+// Whether the two are worst where the look ahead ends, so that they may come closer behind it.
 bool is_closing_at_the_end(const Conflict& conflict, const Prediction& prediction) {
   constexpr double kRounded_s = 1e-6;
   const auto& worst = prediction.distances.worst;

@@ -74,7 +74,7 @@ TEST(FigureOfRecording, AFewFarSecondsDoNotPressAllElseAgainstTheAxis) {
   EXPECT_FALSE(says(figure_of(facts), "cut off"));
 }
 
-// A straight line would tell distances that nobody knows.
+// A straight line would tell distances that are not known.
 TEST(FigureOfRecording, NoLineGoesThroughTimeInWhichTheClosestTwoAreNotKnown) {
   RecordingFacts facts = two_tracks();
   facts.separation = {{0.0, {0, 1, 9.0}}, {1.0, {0, 1, 8.0}}, {2.0, {0, 1, 9.0}}};
