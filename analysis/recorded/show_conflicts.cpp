@@ -185,6 +185,19 @@ std::vector<Standing> standing_in(const io::Recording& recording) {
   return standing;
 }
 
+namespace {
+
+// At the instant at which it takes off or lands it flies, too: both do then, and are compared so.
+void leave_out_ends(const Track& of_standing, std::vector<Conflict>& conflicts) {
+  std::erase_if(conflicts, [&of_standing](const Conflict& conflict) {
+    return conflict.begins_s == conflict.ends_s &&
+           std::any_of(of_standing.fixes.begin(), of_standing.fixes.end(),
+                       [&conflict](const Fix& fix) { return fix.time_s == conflict.begins_s; });
+  });
+}
+
+}  // namespace
+
 Result<std::vector<Conflict>> conflicts_with_standing(const io::Recording& recording,
                                                       const std::vector<Track>& tracks,
                                                       const ConflictOptions& options) {
@@ -200,6 +213,7 @@ Result<std::vector<Conflict>> conflicts_with_standing(const io::Recording& recor
       auto found =
           conflicts_of(bee, recording, tracks[bee], neighbours->standing()[place], options);
       if (!found) return found;
+      leave_out_ends(tracks[neighbours->standing()[place].bee], *found);
       conflicts.insert(conflicts.end(), found->begin(), found->end());
     }
   }

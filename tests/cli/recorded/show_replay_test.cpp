@@ -458,5 +458,28 @@ TEST_F(ShowReplay, GapsOfATableAreNoGapsOfAShowBesideIt) {
   EXPECT_EQ(asked.err.find("unknown"), std::string::npos) << asked.err;
 }
 
+// Two take off and land at the same instants while a third one flies: they are one conflict, and
+// none with one on the ground.
+TEST_F(ShowReplay, WhoLandsWithAnotherIsNotBesideOneOnTheGround) {
+  const auto flown = [](const std::string& x, int begins_s, int ends_s) {
+    const auto row = [&x](int time_s, int height_m) {
+      return std::to_string(1000 * time_s) + "," + x + ",0," + std::to_string(height_m) +
+             ",0,0,0\n";
+    };
+    return "Time [msec],x [m],y [m],z [m],Red,Green,Blue\n" + row(0, 0) + row(begins_s, 0) +
+           row(begins_s + 5, 20) + row(ends_s - 5, 20) + row(ends_s, 0) + row(61, 0);
+  };
+  const TemporaryFolder folder;
+  folder.file("Drone 1.csv", flown("0", 5, 53));
+  folder.file("Drone 2.csv", flown("1.4", 5, 53));
+  folder.file("Drone 3.csv", flown("30", 13, 60));
+  const Finished finished =
+      run({"replay", folder.path(""), "--threshold", "2", "--max-gap", "100"});
+  const TextRows rows = rows_of(finished.out);
+  ASSERT_EQ(rows.size(), 1u) << finished.out << finished.err;
+  EXPECT_EQ(rows[0].at(2) + " " + rows[0].at(5), "5 53");
+  EXPECT_NE(finished.err.find("1 conflict of 1 pair"), std::string::npos) << finished.err;
+}
+
 }  // namespace
 }  // namespace beespace::cli_test
