@@ -1,7 +1,6 @@
 // All conflicts of a recording: along straight lines from fix to fix, along the curves of a show or
 // of given velocities, along the arcs of aircraft that turn, and with drones that stand on the
-// ground. What `beespace replay` and those
-// who call it from a program are told.
+// ground. What `beespace replay` and those who call it from a program are told.
 #pragma once
 
 #include "analysis/geometry/geometry.hpp"
